@@ -171,7 +171,7 @@ void add_identify(CLI::App& app, Action& action) {
       ->type_name("FILE");
   command->add_flag("--json", options.json, "Print what was found as JSON");
   command->add_flag("--background", options.background,
-                    "Give way to every other program, and end with the one that started this one");
+                    "Run at idle priority; end when the parent process ends");
   command->add_option("--date", options.date, "Day of the runs for the file (default: today)")
       ->type_name("DATE");
   command->add_flag("--drive", options.drive,
@@ -256,7 +256,7 @@ void add_report(CLI::App& app, Action& action) {
   command->add_option("--out", options.out, "Folder to write to (default: beside the recording)")
       ->type_name("FOLDER");
   command->add_flag("--background", options.background,
-                    "Give way to every other program, and end with the one that started this one");
+                    "Run at idle priority; end when the parent process ends");
   command->callback([&action] { action = [] { return run_report(options); }; });
 }
 
@@ -269,7 +269,7 @@ void add_compare(CLI::App& app, Action& action) {
   command->add_option("--out", options.out, "Folder to write compare.html to (default: here)")
       ->type_name("FOLDER");
   command->add_flag("--background", options.background,
-                    "Give way to every other program, and end with the one that started this one");
+                    "Run at idle priority; end when the parent process ends");
   command->callback([&action] { action = [] { return run_compare(options); }; });
 }
 

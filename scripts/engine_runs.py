@@ -121,7 +121,7 @@ class Programs(contextlib.ExitStack):
     def log_of(self, name):
         return os.path.join(self.folder, name + ".log")
 
-    def said(self, name, process, pattern):
+    def wait_for_line(self, name, process, pattern):
         """What `pattern` finds in a program's output, as soon as it does."""
         until_s = time.monotonic() + PATIENCE_S
         while time.monotonic() < until_s:
@@ -133,7 +133,7 @@ class Programs(contextlib.ExitStack):
             if over:
                 break
             time.sleep(0.05)
-        raise NotBegun(f"{self.log_of(name)} never said {pattern}")
+        raise NotBegun(f"{self.log_of(name)} never printed {pattern}")
 
 
 class Truth(threading.Thread):
@@ -261,14 +261,14 @@ def drive(options, programs, course, run, folder):
     with contextlib.closing(Truth()) as truth, Programs(folder, real_time=True) as beside:
         engine = beside.start("engine", ROOT + "/scripts/godot", "--headless", "--course", course.given, "--robot",
                               options.robot, at_once=False)
-        world = "udp:" + beside.said("engine", engine, r"listening at (\S+)").group(1)
+        world = "udp:" + beside.wait_for_line("engine", engine, r"listening at (\S+)").group(1)
         beside.go_first(engine)
         # On the stand there is nothing to see.
         camera = ["--camera=" + folder + "/camera.toml", "--camera-to", truth.address] if run["setup"] == "flat" else []
         robot = beside.start("robot", programs + "/tp100-sim", "robot", "--link", link, "--board", run["board"], "--setup",
                              run["setup"], "--robot", options.robot, "--course", course.given, "--seed", str(run["seed"]),
                              *camera)
-        beside.said("robot", robot, "linked from")
+        beside.wait_for_line("robot", robot, "linked from")
         daemon = beside.start("daemon", programs + "/tp100d", "run", "--port", link, "--wait", "--go", "--listen", "off",
                               "--course", course.given, "--robot", options.robot, "--setup", run["setup"], "--world", world,
                               "--config", folder + "/world.toml", "--record", folder, "--stats", folder + "/stats.json",

@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -69,230 +70,263 @@ void add_faults(CLI::App& app, std::vector<std::string>& faults) {
       ->allow_extra_args(false);
 }
 
-int run(int argc, char** argv) {
-  CLI::App app{"Emulated TP100: the firmware on a physical body, over a wire with real byte times",
-               "tp100-sim"};
-  app.set_version_flag("--version", TP100_VERSION);
-  app.require_subcommand(1);
+/// What the command line asks for.
+using Action = std::function<int()>;
 
-  CourseCommand course;
-  CLI::App* course_app =
-      app.add_subcommand("course", "Drive a course in virtual time and score it");
-  course_app->add_option("COURSE", course.course, "Name in config/courses or file")->required();
-  add_common(*course_app, course.options);
-  course_app
+void add_course_command(CLI::App& app, Action& action) {
+  static CourseCommand course;
+  CLI::App* command = app.add_subcommand("course", "Drive a course in virtual time and score it");
+  command->add_option("COURSE", course.course, "Name in config/courses or file")->required();
+  add_common(*command, course.options);
+  command
       ->add_option("--config", course.options.config,
                    "Configuration of the daemon's part (default: as config/tp100.toml)")
       ->type_name("FILE");
-  course_app
+  command
       ->add_flag(
           "--camera{overhead}", course.camera,
           "An overhead camera looks on; =CAMERA: name in config/cameras or file; =FILE.tum: "
           "what a camera found in images of this very drive (tp100-camera --tum), in seconds "
           "since its beginning")
       ->type_name("CAMERA");
-  course_app
+  command
       ->add_option(
           "--world", course.world,
           "An external world: udp:PORT or udp:ADDRESS:PORT; every pose waits for its answer "
           "(default: the course's ramps and blocks)")
       ->type_name("WORLD");
-  add_faults(*course_app, course.faults);
-  course_app->add_option("--runs", course.runs, "Runs with this and the following seeds")
+  add_faults(*command, course.faults);
+  command->add_option("--runs", course.runs, "Runs with this and the following seeds")
       ->check(CLI::Range(1, 1000000))
       ->type_name("NUMBER")
       ->capture_default_str();
-  course_app
+  command
       ->add_option("--out", course.out,
                    "Folder for the files of each run: figures (JSON), poses and samples (CSV)")
       ->type_name("FOLDER");
-  course_app
+  command
       ->add_option("--record", course.record,
                    "Folder for recordings; each run gets a folder of its own in it")
       ->type_name("FOLDER");
-  course_app
+  command
       ->add_flag("--ros2{lo}", course.ros2,
                  "All of ROS 2's topics, /clock and /ground_truth, at most as fast as real time; "
                  "=INTERFACE: network interface")
       ->type_name("INTERFACE");
-  course_app->add_flag("--json", course.json, "One JSON object a line instead of tables");
+  command->add_flag("--json", course.json, "One JSON object a line instead of tables");
+  command->callback([&action] { action = [] { return run_course(course); }; });
+}
 
-  RobotCommand robot;
-  CLI::App* robot_app = app.add_subcommand("robot", "A robot on a pseudo-terminal, in real time");
-  add_common(*robot_app, robot.options);
-  robot_app->add_option("--link", robot.link, "Symbolic link to make to the port")
-      ->type_name("PATH");
-  add_faults(*robot_app, robot.faults);
-  robot_app->add_flag("--blank", robot.blank, "Only the bootloader is on the avr board: flash it");
-  robot_app
+void add_robot_command(CLI::App& app, Action& action) {
+  static RobotCommand robot;
+  CLI::App* command = app.add_subcommand("robot", "A robot on a pseudo-terminal, in real time");
+  add_common(*command, robot.options);
+  command->add_option("--link", robot.link, "Symbolic link to make to the port")->type_name("PATH");
+  add_faults(*command, robot.faults);
+  command->add_flag("--blank", robot.blank, "Only the bootloader is on the avr board: flash it");
+  command
       ->add_option("--course", robot.course,
                    "Course that sets the start pose and the disturbances (default: none)")
       ->type_name("COURSE");
-  robot_app
+  command
       ->add_flag("--camera{overhead}", robot.camera,
                  "An overhead camera looks on; =CAMERA: name in config/cameras or file")
       ->type_name("CAMERA");
-  robot_app
+  command
       ->add_option("--camera-to", robot.camera_to,
                    "Where its detections go, udp:PORT or udp:HOST:PORT (default: udp:47100)")
       ->type_name("ADDRESS");
-  robot_app
+  command
       ->add_flag("--ros2{lo}", robot.ros2,
                  "The true pose on ROS 2's topic /ground_truth; =INTERFACE: network interface")
       ->type_name("INTERFACE");
-  robot_app
+  command
       ->add_option("--stats", robot.stats,
                    "Write its figures to FILE in the end: samples, longest pause of this machine")
       ->type_name("FILE");
+  command->callback([&action] { action = [] { return run_robot(robot); }; });
+}
 
-  SlopeCommand slope;
-  CLI::App* slope_app =
+void add_slope_command(CLI::App& app, Action& action) {
+  static SlopeCommand slope;
+  CLI::App* command =
       app.add_subcommand("slope", "Measure slip up to 28 deg of slope, beside the paper's table");
-  slope_app
-      ->add_option("--robot", slope.robot, "Name in config/robots or file (default: end-loaded)")
+  command->add_option("--robot", slope.robot, "Name in config/robots or file (default: end-loaded)")
       ->type_name("ROBOT");
-  slope_app->add_flag("--json", slope.json, "One JSON object instead of a table");
+  command->add_flag("--json", slope.json, "One JSON object instead of a table");
+  command->callback([&action] { action = [] { return run_slope(slope); }; });
+}
 
-  ReproduceCommand reproduce;
-  CLI::App* reproduce_app = app.add_subcommand(
+void add_reproduce_command(CLI::App& app, Action& action) {
+  static ReproduceCommand reproduce;
+  CLI::App* command = app.add_subcommand(
       "reproduce", "Drive the paper's whole experiment; one page and one JSON of figures");
-  reproduce_app->add_option("--out", reproduce.out, "Folder for page, JSON and trajectories")
+  command->add_option("--out", reproduce.out, "Folder for page, JSON and trajectories")
       ->type_name("FOLDER")
       ->capture_default_str();
-  reproduce_app
-      ->add_option(
-          "--part", reproduce.part,
-          "paper (reference robot), state (slopes and steps, camera noise), robots (all "
-          "others), uneven (floors sampled from the seed), covariance (is it true?), sampled "
-          "(robots of stated ranges), "
-          "held-out (courses that are not bundled), real (measured data of real robots), "
-          "avr (course 3 on the image), all, or random (50 courses of the whole format a "
-          "run)")
+  command
+      ->add_option("--part", reproduce.part,
+                   "paper (reference robot), state (slopes and steps, camera noise), robots (all "
+                   "others), uneven (floors sampled from the seed), covariance (does it hold the "
+                   "true pose?), sampled (robots of stated ranges), held-out (courses that are not "
+                   "bundled), real (measured data of real robots), "
+                   "avr (course 3 on the image), all, or random (50 courses of the whole format a "
+                   "run)")
       ->type_name("PART")
       ->capture_default_str();
-  reproduce_app
+  command
       ->add_option("--body", reproduce.body,
                    "ode, or shear: every robot identified on the other contact law, then driven on "
                    "courses that no calibration drives (default: ode)")
       ->type_name("BODY");
-  reproduce_app->add_option("--seed", reproduce.seed, "First seed")
+  command->add_option("--seed", reproduce.seed, "First seed")
       ->check(why_no_seed)
       ->type_name("NUMBER")
       ->capture_default_str();
-  reproduce_app->add_option("--runs", reproduce.runs, "Seeds a course, each driven both ways round")
+  command->add_option("--runs", reproduce.runs, "Seeds a course, each driven both ways round")
       ->check(CLI::Range(1, 10000))
       ->type_name("NUMBER")
       ->capture_default_str();
-
-  reproduce_app
+  command
       ->add_option("--sampled", reproduce.sampled,
                    "Robots to draw from the ranges in sim/study/sampled.h; each is identified "
                    "first, then drives every course")
       ->check(CLI::Range(0, 10000))
       ->type_name("NUMBER")
       ->capture_default_str();
+  command->callback([&action] { action = [] { return run_reproduce(reproduce); }; });
+}
 
-  CalibrateCommand calibrate;
-  CLI::App* calibrate_app = app.add_subcommand(
+void add_calibrate_command(CLI::App& app, Action& action) {
+  static CalibrateCommand calibrate;
+  CLI::App* command = app.add_subcommand(
       "calibrate", "Drive the calibration courses, identify, compare with the true motion");
-  calibrate_app->add_option("--board", calibrate.options.board, "native or avr")
+  command->add_option("--board", calibrate.options.board, "native or avr")
       ->type_name("BOARD")
       ->capture_default_str();
-  add_body(*calibrate_app, calibrate.options.body);
-  add_floor(*calibrate_app, calibrate.options.floor);
-  calibrate_app
+  add_body(*command, calibrate.options.body);
+  add_floor(*command, calibrate.options.floor);
+  command
       ->add_option("--robot", calibrate.options.robot,
                    "Name in config/robots or file (default: end-loaded)")
       ->type_name("ROBOT");
-  add_seed(*calibrate_app, calibrate.options);
-  calibrate_app->add_option("--repeats", calibrate.repeats, "Drives of each kind and direction")
+  add_seed(*command, calibrate.options);
+  command->add_option("--repeats", calibrate.repeats, "Drives of each kind and direction")
       ->check(CLI::Range(1, 100))
       ->type_name("NUMBER")
       ->capture_default_str();
-  calibrate_app
-      ->add_option("--runs", calibrate.runs, "Calibrations with this and the following seeds")
+  command->add_option("--runs", calibrate.runs, "Calibrations with this and the following seeds")
       ->check(CLI::Range(1, 10000))
       ->type_name("NUMBER")
       ->capture_default_str();
-  calibrate_app->add_option("--out", calibrate.out, "Folder for the recordings (CSV)")
+  command->add_option("--out", calibrate.out, "Folder for the recordings (CSV)")
       ->type_name("FOLDER");
-  calibrate_app->add_flag("--auto", calibrate.by_itself,
-                          "The robot chooses its manoeuvres by what narrows the intervals most; "
-                          "prints the seconds of driving that it took");
-  calibrate_app
-      ->add_option("--course", calibrate.area, "With --auto: course whose fence holds them")
+  command->add_flag("--auto", calibrate.by_itself,
+                    "The robot chooses its manoeuvres by what narrows the intervals most; "
+                    "prints the seconds of driving that it took");
+  command->add_option("--course", calibrate.area, "With --auto: course whose fence holds them")
       ->type_name("COURSE")
       ->capture_default_str();
-  calibrate_app
+  command
       ->add_option("--sampled", calibrate.sampled,
                    "With --auto: so many robots of the ranges in sim/study/sampled.h, too, and "
                    "without --robot all bundled ones")
       ->check(CLI::Range(0, 10000))
       ->type_name("NUMBER")
       ->capture_default_str();
-  calibrate_app->add_flag("--json", calibrate.json, "One JSON object a line instead of tables");
+  command->add_flag("--json", calibrate.json, "One JSON object a line instead of tables");
+  command->callback([&action] { action = [] { return run_calibrate(calibrate); }; });
+}
 
-  DemoCommand demo;
-  CLI::App* demo_app =
+void add_demo_command(CLI::App& app, Action& action) {
+  static DemoCommand demo;
+  CLI::App* command =
       app.add_subcommand("demo", "Start tp100d and tp100-sim robot and watch them drive");
-  demo_app->add_option("--course", demo.course, "Name in config/courses or file")
+  command->add_option("--course", demo.course, "Name in config/courses or file")
       ->type_name("COURSE")
       ->capture_default_str();
-  demo_app->add_option("--board", demo.options.board, "What runs the firmware: native or avr")
+  command->add_option("--board", demo.options.board, "What runs the firmware: native or avr")
       ->type_name("BOARD")
       ->capture_default_str();
-  demo_app
+  command
       ->add_option("--robot", demo.options.robot,
                    "Name in config/robots or file (default: end-loaded)")
       ->type_name("ROBOT");
-  add_seed(*demo_app, demo.options);
-  demo_app->add_flag("--headless", demo.headless,
-                     "For machines: no page is opened; ends with the run and the result table");
+  add_seed(*command, demo.options);
+  command->add_flag("--headless", demo.headless,
+                    "For machines: no page is opened; ends with the run and the result table");
+  command->callback([&action] { action = [] { return run_demo(demo); }; });
+}
 
-  FaultsCommand faults;
-  CLI::App* faults_app = app.add_subcommand("faults", "List what --fault can do to a robot");
-  faults_app->add_flag("--json", faults.json, "One JSON object a line instead of a table");
-  faults_app->add_flag("--drive", faults.drive,
-                       "Drive with each in virtual time: expected beside seen, as a table");
-  faults_app->add_flag("--encoders", faults.encoders,
-                       "Let encoders fail at every speed and place, with three robots: the worst "
-                       "until the motors are off, as a table");
-  faults_app->add_flag("--firmware-alone", faults.firmware_alone,
-                       "With --encoders: without the daemon's own checks");
-  faults_app->add_option("--board", faults.board, "native or avr")
+void add_faults_command(CLI::App& app, Action& action) {
+  static FaultsCommand faults;
+  CLI::App* command = app.add_subcommand("faults", "List what --fault can do to a robot");
+  command->add_flag("--json", faults.json, "One JSON object a line instead of a table");
+  command->add_flag("--drive", faults.drive,
+                    "Drive with each in virtual time: expected beside seen, as a table");
+  command->add_flag("--encoders", faults.encoders,
+                    "Let encoders fail at every speed and place, with three robots: the worst "
+                    "until the motors are off, as a table");
+  command->add_flag("--firmware-alone", faults.firmware_alone,
+                    "With --encoders: without the daemon's own checks");
+  command->add_option("--board", faults.board, "native or avr")
       ->type_name("BOARD")
       ->capture_default_str();
+  command->callback([&action] { action = [] { return run_faults(faults); }; });
+}
 
-  CampaignCommand campaign;
-  CLI::App* campaign_app = app.add_subcommand(
+void add_campaign_command(CLI::App& app, Action& action) {
+  static CampaignCommand campaign;
+  CLI::App* command = app.add_subcommand(
       "campaign", "Drive many runs that differ as a file defines; runs already done are kept");
-  campaign_app
-      ->add_option("SPEC", campaign.spec, "The file; config/campaigns/course-3.toml explains it")
+  command->add_option("SPEC", campaign.spec, "The file; config/campaigns/course-3.toml explains it")
       ->required();
-  campaign_app->add_option("--out", campaign.out, "Folder of the campaign")
+  command->add_option("--out", campaign.out, "Folder of the campaign")
       ->type_name("FOLDER")
       ->required();
   // Into an optional CLI11 would put nothing for an empty text.
-  campaign_app
+  command
       ->add_option_function<std::string>(
-          "--index", [&campaign](const std::string& runs) { campaign.index = runs; },
+          "--index", [](const std::string& runs) { campaign.index = runs; },
           "Only these runs, as 3, 3-7 or 3,5-7,12 (default: all)")
       ->type_name("RUNS");
-  campaign_app
+  command
       ->add_option("--record", campaign.record,
                    "Folder for recordings; each run gets a folder of its own in it, done or not")
       ->type_name("FOLDER");
-  campaign_app
+  command
       ->add_option(
           "--todo", campaign.todo,
           "Drive nothing: print what is not done as --index takes it, at most N runs a line")
       ->check(CLI::Range(1, 1000000))
       ->type_name("N");
-  std::string merge;
-  CLI::App* merge_app = app.add_subcommand(
-      "merge", "Take the runs of a campaign together: merged.json, runs.csv and a page");
-  merge_app->add_option("FOLDER", merge, "The --out of the campaign")->required();
+  command->callback([&action] { action = [] { return run_campaign(campaign); }; });
+}
 
+void add_merge_command(CLI::App& app, Action& action) {
+  static std::string merge;
+  CLI::App* command = app.add_subcommand(
+      "merge", "Take the runs of a campaign together: merged.json, runs.csv and a page");
+  command->add_option("FOLDER", merge, "The --out of the campaign")->required();
+  command->callback([&action] { action = [] { return run_merge(merge); }; });
+}
+
+int run(int argc, char** argv) {
+  CLI::App app{"Emulated TP100: the firmware on a physical body, over a wire with real byte times",
+               "tp100-sim"};
+  app.set_version_flag("--version", TP100_VERSION);
+  app.require_subcommand(1);
+
+  Action action;
+  add_course_command(app, action);
+  add_robot_command(app, action);
+  add_slope_command(app, action);
+  add_reproduce_command(app, action);
+  add_calibrate_command(app, action);
+  add_demo_command(app, action);
+  add_faults_command(app, action);
+  add_campaign_command(app, action);
+  add_merge_command(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked) {
@@ -301,15 +335,7 @@ int run(int argc, char** argv) {
     return tp100::text::report_usage_error("tp100-sim", error.what(), argc, argv,
                                            tp100::text::subcommands_of(app));
   }
-  if (*course_app) return run_course(course);
-  if (*robot_app) return run_robot(robot);
-  if (*slope_app) return run_slope(slope);
-  if (*reproduce_app) return run_reproduce(reproduce);
-  if (*calibrate_app) return run_calibrate(calibrate);
-  if (*faults_app) return run_faults(faults);
-  if (*campaign_app) return run_campaign(campaign);
-  if (*merge_app) return run_merge(merge);
-  return run_demo(demo);
+  return action();
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 #include "course/camera.h"
 #include "course/course.h"
 #include "course/path.h"
-#include "course/robot.h"
+#include "course/robot_file.h"
 #include "terrain/climbable.h"
 #include "text/format.h"
 #include "text/toml_document.h"

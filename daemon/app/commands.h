@@ -8,7 +8,7 @@
 
 #include "config/configuration.h"
 #include "core/pose.h"
-#include "course/robot.h"
+#include "course/robot_file.h"
 #include "identify/drive.h"
 #include "identify/next_manoeuvre.h"
 #include "link/port_discovery.h"
@@ -17,8 +17,8 @@
 
 namespace tp100::app {
 
-/// Gives way to every other program, and ends with the one that started this one: for work that
-/// is done while a robot drives.
+/// Runs this process at idle priority and ends it when its parent ends: for work that is done while
+/// a robot drives.
 void become_background();
 
 // `tp100d run`: the live bridge.

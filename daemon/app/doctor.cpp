@@ -19,7 +19,7 @@
 #include "config/configuration.h"
 #include "core/error.h"
 #include "course/bundled_files.h"
-#include "course/robot.h"
+#include "course/robot_file.h"
 #include "doctor/finding.h"
 #include "doctor/host_checks.h"
 #include "doctor/port_checks.h"
@@ -122,14 +122,14 @@ auto with_privileges(const config::LoopConfiguration& settings, const Work& work
 }
 
 /// Requests the privileges of a run.
-std::vector<loop::Grant> ask_privileges(const config::LoopConfiguration& settings) {
+std::vector<loop::Privilege> ask_privileges(const config::LoopConfiguration& settings) {
   const loop::RealTimeProcess process(
       {settings.lock_memory, settings.hold_cpu_latency, settings.priority > 0});
-  std::vector<loop::Grant> grants = process.grants();
+  std::vector<loop::Privilege> privileges = process.privileges();
   const auto more =
-      with_privileges(settings, [](const std::vector<loop::Grant>& of) { return of; });
-  grants.insert(grants.end(), more.begin(), more.end());
-  return grants;
+      with_privileges(settings, [](const std::vector<loop::Privilege>& of) { return of; });
+  privileges.insert(privileges.end(), more.begin(), more.end());
+  return privileges;
 }
 
 std::optional<std::uint16_t> page_port(const std::string& listen) {

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstdio>
 #include <filesystem>
 #include <functional>
@@ -23,11 +22,6 @@ namespace tp100::app {
 namespace {
 
 using record::Recording;
-
-std::string number(double value) {
-  std::array<char, 32> digits{};
-  return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
-}
 
 /// The time of the run: from its first to its last step, or everything if no run began.
 struct Window {
@@ -86,7 +80,7 @@ std::map<HostNs, Pose> truth_of(const Recording& recording) {
 void append(std::string& line, const Pose& pose) {
   for (const double value :
        {pose.x_m, pose.y_m, pose.z_m, pose.roll_rad, pose.pitch_rad, pose.yaw_rad})
-    line += "," + number(value);
+    line += "," + text::shortest(value);
 }
 
 void write_poses(const Recording& recording, const Write& write) {
@@ -99,7 +93,7 @@ void write_poses(const Recording& recording, const Write& write) {
         ",left_mps,right_mps,slip_left,slip_right,cross_track_m,heading_error_rad,progress_m,"
         "desired_yaw_rad,speed_mps\n");
   for_each_pose(recording, [&](double t_s, const Snapshot& snapshot) {
-    line = number(t_s);
+    line = text::shortest(t_s);
     for (const Estimate& estimate : snapshot.estimates.values) append(line, estimate.pose);
     append(line, snapshot.world);
     if (!truth.empty()) {
@@ -113,7 +107,7 @@ void write_poses(const Recording& recording, const Write& write) {
          {snapshot.left_mps, snapshot.right_mps, snapshot.slip_left, snapshot.slip_right,
           snapshot.cross_track_m, snapshot.heading_error_rad, snapshot.progress_m,
           snapshot.command.desired_yaw_rad, snapshot.command.speed_mps})
-      line += "," + number(value);
+      line += "," + text::shortest(value);
     write(line + "\n");
   });
 }
@@ -198,7 +192,7 @@ void export_images(const Recording& recording, const std::filesystem::path& fold
                          const std::string name = text::format("image-%06d.jpg", ++images);
                          text::write_file((folder / name).string(), *jpeg);
                          const auto at = static_cast<std::int64_t>(unix_ns) - start_unix_ns;
-                         times.file().write(name + "," + number(to_s(at)) + "\n");
+                         times.file().write(name + "," + text::shortest(to_s(at)) + "\n");
                        },
                    .topics = {kImageTopic}});
   if (images == 0)

@@ -232,7 +232,7 @@ GuidedDrives drive_by_itself(const GuidedOptions& options, const course::Robot& 
       identify::prior_of(robot, configuration.parameters.model.turning_threshold_radps), area,
       settings);
   RunOptions run = options.run;
-  // As it is known so far, so that it keeps to its paths better and better.
+  // The robot with the values found so far, so that it follows each path better.
   run.robot = options.folder + "/robot.toml";
   course::Robot so_far = robot;
   GuidedDrives result;

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "app/commands.h"
-#include "core/arithmetic.h"
+#include "core/processor.h"
 #include "course/bundled_files.h"
 #include "estimation/odometry.h"
 #include "estimation/standstill.h"

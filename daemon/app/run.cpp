@@ -160,7 +160,8 @@ int run_run(const RunOptions& options) {
   live::LiveCycle cycle(session, run.parameters, run.course, leave_silent_port);
 
   const messages::PublishClock clock = read_clocks();
-  // Before memory is locked, and by this thread: the loop's is not ordinary.
+  // Started before memory is locked and by this thread, whose ordinary scheduling its threads
+  // inherit.
   const std::unique_ptr<ros2::Participant> participant = live::ros2_participant(configuration);
   const loop::RealTimeProcess process({.lock_memory = configuration.loop.lock_memory,
                                        .hold_cpu_latency = configuration.loop.hold_cpu_latency,

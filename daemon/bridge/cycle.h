@@ -17,7 +17,7 @@ namespace tp100::bridge {
 
 /// Session settings for this robot: wire parameters of the bridge's drive and model values. Values
 /// that the firmware would refuse are sent as they are; the refusal names the field. On a `course`
-/// that identifies the robot it is not known yet how it turns.
+/// that identifies the robot the slip of turns is unknown, so the firmware does not judge turns.
 link::SessionSettings session_settings(const bridge::Parameters& parameters,
                                        const course::Course* course = nullptr);
 
@@ -80,8 +80,8 @@ class Cycle {
   /// The inputs of the last step exactly as they were passed.
   const StepInputs& inputs() const { return *inputs_; }
   const bridge::Outputs& outputs() const { return *outputs_; }
-  /// Writes the last step into `out`. A port that is gone since changes nothing but the link's
-  /// counters.
+  /// Writes the last step into `out`. If the port was closed since, only the link's
+  /// counters differ.
   void record(StepRecord& out) const;
 
  private:

@@ -20,9 +20,9 @@ terrain::ContactState contact_state_of(const WorldSample& received) {
   state.pitch_rad = received.pitch_rad;
   state.roll_rad = received.roll_rad;
   state.climbing = received.step_height_m > 0.0;
-  state.obstacle = state.climbing                            ? Obstacle::kBlock
-                   : std::abs(received.pitch_rad) > kRampRad ? Obstacle::kRamp
-                                                             : Obstacle::kNone;
+  state.obstacle = state.climbing                            ? ObstacleClass::kBlock
+                   : std::abs(received.pitch_rad) > kRampRad ? ObstacleClass::kRamp
+                                                             : ObstacleClass::kNone;
   state.incline = {.slope_rad = -received.pitch_rad,
                    .slip_offset = received.slip_offset,
                    .horizontal_fraction = received.blocked ? 0.0 : std::cos(received.pitch_rad)};
@@ -33,8 +33,8 @@ terrain::ContactState contact_state_of(const WorldSample& received) {
 
 ExternalWorld::ExternalWorld(const WorldParameters& parameters, Setup setup)
     : parameters_(parameters),
-      rules_ground_(parameters.kind != WorldKind::kInternal && setup != Setup::kTerrain) {
-  if (rules_ground_) ground_.emplace();
+      sets_terrain_(parameters.kind != WorldKind::kInternal && setup != Setup::kTerrain) {
+  if (sets_terrain_) ground_.emplace();
 }
 
 void ExternalWorld::restart(HostNs now) {
@@ -64,7 +64,7 @@ void ExternalWorld::take(const WorldSample& received) {
   reported_blocked_ = received.blocked;
   if (parameters_.owns_pose && (!received.has_pose || is_of_run_before(received))) return;
   answered_ns_ = received.answered_ns;
-  if (!rules_ground_) return;
+  if (!sets_terrain_) return;
   // A world that owns the pose may leave the ground out.
   if (received.has_ground) {
     ground_ = contact_state_of(received);

@@ -54,7 +54,7 @@ class ExternalWorld {
   bool is_of_run_before(const WorldSample& received);
 
   WorldParameters parameters_;
-  bool rules_ground_;  ///< the real floor is flat
+  bool sets_terrain_;  ///< the world decides height and tilt: on stand and flat
   std::array<PublishedStep, 512> steps_{};
   std::size_t next_ = 0, count_ = 0;
   std::optional<HostNs> answered_ns_;

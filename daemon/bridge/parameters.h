@@ -1,5 +1,5 @@
 #pragma once
-// Everything that tunes a step. Filled from the configuration and the robot file by app.
+// Everything that tunes a step. Filled from the configuration and the robot file by config.
 
 #include <array>
 #include <optional>

@@ -7,7 +7,7 @@ namespace tp100::bridge {
 namespace {
 
 constexpr double kSpeedLagS = 0.04;
-// A camera that was used this recently sees the robot.
+// The camera counts as seeing the robot for this long after its last accepted sample.
 constexpr double kCameraNowS = 0.15;
 
 model::TrackModel make_model(const Parameters& parameters) {
@@ -28,7 +28,7 @@ estimation::CameraPlace camera_place(const Parameters& parameters, const course:
 
 }  // namespace
 
-std::optional<Interval> Tracks::update(const Sample& sample) {
+std::optional<Interval> SampleIntervals::update(const Sample& sample) {
   if (!has_last_) {
     has_last_ = true;
     last_ = sample;
@@ -51,7 +51,7 @@ std::optional<Interval> Tracks::update(const Sample& sample) {
 
 Perception::Perception(const Parameters& parameters, const course::Course* course)
     : parameters_(parameters),
-      tracks_(parameters.drive.counts_per_metre, parameters.model.gyro_scale),
+      intervals_(parameters.drive.counts_per_metre, parameters.model.gyro_scale),
       standstill_(parameters.estimation),
       attitude_(parameters.estimation.attitude),
       slope_(parameters.estimation.attitude),
@@ -63,7 +63,7 @@ Perception::Perception(const Parameters& parameters, const course::Course* cours
               camera_place(parameters, course)) {}
 
 void Perception::restart() {
-  tracks_.restart();
+  intervals_.restart();
   standstill_.restart();
   odometry_.interrupt();
   filter_.interrupt();
@@ -79,13 +79,13 @@ void Perception::begin(const Pose& start, HostNs now) {
 
 bool Perception::at_rest() const {
   return at_standstill() && slope_.state() == Slope::kFlat &&
-         obstacle_class_.state() == Obstacle::kNone && terrain_contacts_.level();
+         obstacle_class_.state() == ObstacleClass::kNone && terrain_contacts_.level();
 }
 
 void Perception::carry(CarriedState& state) const {
   state.sample = sample_;
   state.has_sample = has_sample_;
-  state.continues = tracks_.has_last();
+  state.continues = intervals_.has_last();
   state.model = track_model_.pose();
   state.odometry = odometry_.carried();
   const Transform2d& transform = terrain_contacts_.transform();
@@ -108,8 +108,8 @@ void Perception::level(const std::optional<Pose>& at, HostNs now, CarriedState& 
 }
 
 void Perception::resume(const CarriedState& state) {
-  tracks_.restart();
-  if (state.continues) tracks_.resume(state.sample);
+  intervals_.restart();
+  if (state.continues) intervals_.resume(state.sample);
   standstill_.resume(state.gyro_bias_radps, state.gyro_bias_known);
   attitude_.resume(state.attitude);
   slope_ = estimation::SlopeState(parameters_.estimation.attitude);
@@ -127,8 +127,8 @@ void Perception::resume(const CarriedState& state) {
 }
 
 void Perception::take(const Sample& next, bool running) {
-  standstill_.update(next, tracks_.gyro_z_radps(next));
-  const std::optional<Interval> step = tracks_.update(next);
+  standstill_.update(next, intervals_.gyro_z_radps(next));
+  const std::optional<Interval> step = intervals_.update(next);
   sample_ = next;
   has_sample_ = true;
   if (!step) return;
@@ -191,7 +191,7 @@ double Perception::encoder_yaw_rate_radps() const {
 bool Perception::on_obstacle() const {
   if (parameters_.setup != Setup::kTerrain) return false;
   const TerrainContact under = terrain_contacts_.terrain_contact();
-  return under.climbing || under.obstacle != Obstacle::kNone;
+  return under.climbing || under.obstacle != ObstacleClass::kNone;
 }
 
 void Perception::update_attitude(bool running) {
@@ -261,7 +261,7 @@ void Perception::write(Snapshot& snapshot, HostNs now) const {
   snapshot.age_us = (now - sample_.measured_ns) / kNsPerUs;
   snapshot.estimates = estimates();
   snapshot.filter = filter_.figures(now);
-  terrain_contacts_.stand(snapshot.estimates);
+  terrain_contacts_.set_attitude(snapshot.estimates);
   snapshot.world = world_pose();
   snapshot.terrain_contact = terrain_contacts_.terrain_contact();
   snapshot.terrain_contact.traction = traction_estimator_.state();

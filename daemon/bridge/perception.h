@@ -23,16 +23,16 @@ namespace tp100::bridge {
 /// One sample interval in device time.
 struct Interval {
   double dt_s = 0.0;
-  estimation::TrackSpeeds tracks{};
+  TrackSpeeds tracks{};
   double gyro_z_radps = 0.0;  ///< mean over the interval, calibrated scale, bias included
   bool gyro_fresh = false;    ///< both ends had a new IMU value
   double warming_degc = 0.0;  ///< rise of the gyro's temperature
 };
 
 /// Turns consecutive samples into intervals. No allocation; safe in the real-time thread.
-class Tracks {
+class SampleIntervals {
  public:
-  Tracks(double counts_per_metre, double gyro_scale)
+  SampleIntervals(double counts_per_metre, double gyro_scale)
       : metres_per_count_(1.0 / counts_per_metre), gyro_scale_(gyro_scale) {}
 
   /// Forgets the last sample (a new session or boot).
@@ -61,7 +61,7 @@ class Tracks {
 /// low-pass filtered with a lag of 40 ms.
 struct Speeds {
   Twist steering{};  ///< of the steering pose
-  estimation::TrackSpeeds tracks{};
+  TrackSpeeds tracks{};
   double encoder_yaw_rate_radps = 0.0;  ///< of eqs 1-5, by this robot's values
   double gyro_yaw_rate_radps = 0.0;     ///< about the world's vertical, bias taken off
 };
@@ -71,8 +71,8 @@ struct Speeds {
 /// real-time thread.
 class Perception {
  public:
-  /// `parameters` must outlive this, and may change in what live parameters change. `course` may be
-  /// null: a plane without end.
+  /// `parameters` must outlive this; only live parameters may change. `course` may be null: a plane
+  /// without end.
   Perception(const Parameters& parameters, const course::Course* course);
 
   /// A new session or boot: the following samples do not continue the previous ones.
@@ -83,13 +83,14 @@ class Perception {
   void begin(const Pose& start, HostNs now);
   /// A run begins where the estimates say that the robot is.
   void go_on() { traction_estimator_.restart(); }
-  /// At standstill on level ground, or there is no session: resume() loses nothing of use.
+  /// True at standstill on level ground or without a session: carry() and resume() then keep all
+  /// that matters.
   bool at_rest() const;
   /// At standstill, or there is no session: the robot may be moved by hand.
   bool at_standstill() const { return standstill_.still() || !has_sample_; }
   /// Writes what resume() takes.
   void carry(CarriedState& state) const;
-  /// Changes what carry() wrote to a robot on level ground that is at `at`, or where it was.
+  /// Edits a carried state: the robot is on level ground at `at`, or at its old place.
   void level(const std::optional<Pose>& at, HostNs now, CarriedState& state) const;
   /// As after construction, with this state.
   void resume(const CarriedState& state);
@@ -146,7 +147,7 @@ class Perception {
   void update_speeds(double rate_radps);
 
   const Parameters& parameters_;
-  Tracks tracks_;
+  SampleIntervals intervals_;
   estimation::Standstill standstill_;
   estimation::AttitudeFilter attitude_;
   estimation::SlopeState slope_;

@@ -65,7 +65,7 @@ struct Step::State {
   ExternalWorld external;
   std::optional<control::Tracker> tracker;
   std::optional<control::Monitor> monitor;
-  control::Disturbance disturbance;
+  control::DisturbanceDetector disturbance;
   control::HandDrive hand_drive;
   control::Arming arming;
   control::Pause pause;
@@ -157,7 +157,7 @@ void Step::State::take_requests(std::span<const OperatorRequest> requests) {
         arming.start();
         break;
       case OperatorRequest::kDrive:
-        // A completed path has nothing to go on with.
+        // A completed run cannot be continued.
         if (arming.state() == RunState::kFinished) target.progress_m = 0.0;
         arming.drive();
         break;
@@ -275,7 +275,7 @@ void Step::State::drive_by_hand(HostNs now, double dt_s) {
       parameters.control, now, std::min(dt_s, kLongestSeenS));
   aim(wanted.desired_yaw_rad, wanted.yaw_rate_radps, wanted.speed_mps);
   at_fence = wanted.at_fence;
-  // Whoever drives the robot away from where its run ended does not go on from there.
+  // After the robot was driven away from where its run ended, the run cannot be continued.
   if (!path || target.progress_m <= 0.0) return;
   const course::PathPoint point = path->at(target.progress_m);
   if (magnitude(pose.x_m - point.x_m, pose.y_m - point.y_m) > parameters.control.max_cross_track_m)
@@ -328,7 +328,7 @@ void Step::State::publish(StartRefusal refusal, HostNs now) {
   perception.write(snapshot, now);
   snapshot.command = out.command;
   const control::TrackLimits limits = drive_of(parameters, 0.0).limits;
-  const control::Tracks commanded = control::tracks_for(
+  const TrackSpeeds commanded = control::tracks_for(
       target.speed_mps,
       control::turn_asked(target.heading_error_rad, target.yaw_rate_radps, limits), limits);
   snapshot.commanded_left_mps = commanded.left_mps;

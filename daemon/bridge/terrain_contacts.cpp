@@ -47,7 +47,7 @@ void TerrainContacts::restart() {
 bool TerrainContacts::level() const {
   const auto level = [](const terrain::TerrainFollower& follower) {
     const terrain::ContactState& on = follower.state();
-    return !on.climbing && on.obstacle == Obstacle::kNone && on.height_m == 0.0 &&
+    return !on.climbing && on.obstacle == ObstacleClass::kNone && on.height_m == 0.0 &&
            on.pitch_rad == 0.0 && on.roll_rad == 0.0;
   };
   return std::all_of(followers_.values.begin(), followers_.values.end(), level) &&
@@ -114,7 +114,7 @@ Pose TerrainContacts::world(const Pose& steering) const {
   return pose;
 }
 
-void TerrainContacts::stand(PerSource<Estimate>& estimates) const {
+void TerrainContacts::set_attitude(PerSource<Estimate>& estimates) const {
   for (const PoseSource source : kPoseSources)
     place(real() ? followers_[source].state() : world_stands(), estimates[source].pose);
 }

@@ -23,7 +23,7 @@ course::Terrain floor_of(const course::Terrain& terrain, Setup setup);
 /// The poses at the beginning of an interval, and the tracks' motion in it.
 struct TerrainInput {
   PerSource<Estimate> estimates{};
-  estimation::TrackSpeeds tracks{};
+  TrackSpeeds tracks{};
   double dt_s = 0.0;
   terrain::Attitude imu{};  ///< of the real body; used on `terrain` only
 };
@@ -74,7 +74,7 @@ class TerrainContacts {
 
   /// Sets height, pitch and roll of each pose: those of its own terrain follower, or of the virtual
   /// robot.
-  void stand(PerSource<Estimate>& estimates) const;
+  void set_attitude(PerSource<Estimate>& estimates) const;
   /// The steering pose in the course's world.
   Pose world(const Pose& steering) const;
   /// The ground under the steering pose; `traction` is the caller's.

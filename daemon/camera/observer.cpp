@@ -76,7 +76,7 @@ bool FloorMonitor::moved(std::span<const Marker> markers) {
 }
 
 void FloorMonitor::forget() {
-  for (Seen& seen : seen_) seen = Seen{};
+  for (MeanPosition& seen : seen_) seen = MeanPosition{};
   plane_.reset();
   settled_ = false;
   off_in_a_row_ = 0;

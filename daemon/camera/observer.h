@@ -32,7 +32,7 @@ class FloorMonitor {
   int moves() const { return moves_; }
 
  private:
-  struct Seen {
+  struct MeanPosition {
     cv::Point2d sum;
     int count = 0;
     cv::Point2d mean() const { return sum / static_cast<double>(count); }
@@ -43,7 +43,7 @@ class FloorMonitor {
 
   Lens lens_;
   View view_;
-  std::vector<Seen> seen_;
+  std::vector<MeanPosition> seen_;
   std::optional<FloorPlane> plane_;
   std::string problem_;
   bool settled_ = false;

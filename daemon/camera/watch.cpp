@@ -117,7 +117,7 @@ constexpr HostNs kBehindNs = 200 * kNsPerMs;
 constexpr HostNs kReportNs = 10 * kNsPerS;
 
 volatile std::sig_atomic_t g_stop = 0;
-// What waits for images waits for it too: a signal that comes just before would not end its wait.
+// The wait for images polls this descriptor too, so that a signal just before it ends it.
 volatile std::sig_atomic_t g_stop_fd = -1;
 void on_signal(int) {
   g_stop = 1;
@@ -133,9 +133,9 @@ void sleep_until(HostNs at_ns) {
   }
 }
 
-class Watch {
+class MarkerTracking {
  public:
-  explicit Watch(const WatchOptions& options)
+  explicit MarkerTracking(const WatchOptions& options)
       : view_(options.view.empty() ? View{} : read_view(options.view)),
         source_(open_source(options.source, with_delay(options.images))) {
     if (!options.view.empty()) observer_.emplace(read_lens(view_.lens), view_);
@@ -155,9 +155,9 @@ class Watch {
     return options;
   }
   void take(const Image& image);
-  void look(const Image& image, std::uint32_t number);
+  void process(const Image& image, std::uint32_t number);
   bool in_time(HostNs taken_ns) const;
-  void tell(HostNs now);
+  void report_progress(HostNs now);
   void report_floor();
   int finish(bool gone);
   std::string counts() const;
@@ -175,7 +175,7 @@ class Watch {
   std::uint64_t images_ = 0, found_ = 0, left_out_ = 0;
 };
 
-void Watch::report_floor() {
+void MarkerTracking::report_floor() {
   if (!observer_ || !observer_->take_floor_news()) return;
   const FloorMonitor& floor = observer_->floor();
   if (!floor.plane()) {
@@ -190,7 +190,7 @@ void Watch::report_floor() {
 }
 
 /// ", marker 0 seen in 12, images sent 5", as far as markers are looked for and images sent.
-std::string Watch::counts() const {
+std::string MarkerTracking::counts() const {
   std::string text;
   if (observer_)
     text += ", marker " + std::to_string(view_.marker_id) + " seen in " + std::to_string(found_);
@@ -199,12 +199,12 @@ std::string Watch::counts() const {
 }
 
 /// Why there is no floor, after that text, or nothing.
-std::string Watch::floor_problem(const char* before) const {
+std::string MarkerTracking::floor_problem(const char* before) const {
   if (!observer_ || observer_->floor().plane()) return {};
   return before + observer_->floor().problem();
 }
 
-void Watch::tell(HostNs now) {
+void MarkerTracking::report_progress(HostNs now) {
   report_floor();
   if (!source_->live() || now < next_report_ns_) return;
   next_report_ns_ = now + kReportNs;
@@ -214,7 +214,7 @@ void Watch::tell(HostNs now) {
 }
 
 /// Waits for the time of a recorded image. False: it has already passed.
-bool Watch::in_time(HostNs taken_ns) const {
+bool MarkerTracking::in_time(HostNs taken_ns) const {
   if (source_->live() || !stream_) return true;
   const HostNs due_ns = begin_ns_ + taken_ns;
   if (monotonic_now() - due_ns > kBehindNs) return false;
@@ -222,20 +222,20 @@ bool Watch::in_time(HostNs taken_ns) const {
   return true;
 }
 
-void Watch::take(const Image& image) {
+void MarkerTracking::take(const Image& image) {
   ++images_;
   const std::optional<std::uint32_t> number = gaps_.number(image.taken_ns);
   if (!number || !in_time(image.taken_ns)) {
     ++left_out_;
     return;
   }
-  look(image, *number);
+  process(image, *number);
   // After the pose, which the step waits for.
   if (image_sender_) image_sender_->send(image.shown, begin_ns_ + image.taken_ns);
-  tell(monotonic_now());
+  report_progress(monotonic_now());
 }
 
-void Watch::look(const Image& image, std::uint32_t number) {
+void MarkerTracking::process(const Image& image, std::uint32_t number) {
   if (!observer_) return;
   const std::optional<MarkerPose> pose = observer_->look(image.grey);
   if (!pose) return;
@@ -244,7 +244,7 @@ void Watch::look(const Image& image, std::uint32_t number) {
   if (stream_) stream_->send(*pose, number, begin_ns_ + image.taken_ns, monotonic_now());
 }
 
-int Watch::finish(bool gone) {
+int MarkerTracking::finish(bool gone) {
   if (tum_) tum_->finish();
   std::printf("images %llu, dropped %llu, left out %llu%s\n",
               static_cast<unsigned long long>(images_),
@@ -261,7 +261,7 @@ int Watch::finish(bool gone) {
   return 1;
 }
 
-int Watch::run() {
+int MarkerTracking::run() {
   Image image;
   begin_ns_ = source_->live() || !stream_ ? 0 : monotonic_now();
   bool more = true;
@@ -310,12 +310,12 @@ int watch(const WatchOptions& options) {
   if (g_stop_fd < 0)
     throw SetupError(std::string("no descriptor for signals (") + std::strerror(errno) +
                      "); raise ulimit -n");
-  Watch watch(options);
+  MarkerTracking tracking(options);
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
   if (std::signal(SIGHUP, on_signal) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
   std::signal(SIGPIPE, SIG_IGN);
-  return watch.run();
+  return tracking.run();
 }
 
 }  // namespace tp100::camera

@@ -9,7 +9,7 @@
 #include "bridge/parameters.h"
 #include "config/world_settings.h"
 #include "core/enum_names.h"
-#include "course/robot.h"
+#include "course/robot_file.h"
 #include "text/key.h"
 
 namespace tp100::config {
@@ -25,7 +25,8 @@ inline constexpr std::array<EnumName<CommandsFrom>, 3> kCommandsFromNames = {{
 
 /// Connection to the robot.
 struct LinkSettings {
-  std::string port = "auto";  ///< device path, or "auto": found by its USB ids, see ports.h
+  std::string port = "auto";  ///< device path, or "auto": found by its USB ids, see
+                              ///< link/port_discovery.h
   int baud = 500000;
   double timeout_ms = 500.0;               ///< no valid frame for this long: link lost
   double first_frame_timeout_ms = 5000.0;  ///< nothing received for this long: warn
@@ -70,7 +71,7 @@ struct RecordSettings {
   std::string directory{};  ///< each run gets its own folder in it; empty: nothing is recorded
   int max_mb = 2000;
   int quota_mb = 0;                   ///< of all runs in `directory`; 0: none
-  double black_box_s = 10.0;          ///< kept for a fault (live/black_box.h); 0: none
+  double black_box_s = 10.0;          ///< kept for a fault (live/recording_policies.h); 0: none
   std::string black_box_directory{};  ///< empty: `directory`, or the user's state folder
 };
 

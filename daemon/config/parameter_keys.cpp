@@ -191,7 +191,7 @@ std::span<const Key<control::Parameters>> control_keys() {
        &T::time_limit_factor,
        {1, 100},
        "Abort after this many times the nominal duration of the course"},
-      {"min_battery_v", &T::min_battery_v, {0, 20}, "Abort below this voltage of both cells"},
+      {"min_battery_v", &T::min_battery_v, {0, 20}, "Abort below this battery voltage"},
       {"stall_s",
        &T::stall_s,
        {0.1, 30},

@@ -1,7 +1,7 @@
 #include "config/run_setup.h"
 
-#include "core/arithmetic.h"
 #include "core/error.h"
+#include "core/processor.h"
 #include "text/toml_document.h"
 
 namespace tp100::config {

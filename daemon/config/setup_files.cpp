@@ -8,7 +8,7 @@
 
 #include "core/error.h"
 #include "course/course.h"
-#include "course/robot.h"
+#include "course/robot_file.h"
 #include "text/atomic_file.h"
 #include "text/format.h"
 #include "text/standard_streams.h"

@@ -70,8 +70,7 @@ std::span<const Key<WorldSettings>> world_stream_keys() {
        &T::encoder_template,
        {},
        "files: its text; {seq}, {t_s}, {left}, {right} (track speeds), {left_count}, "
-       "{right_count}, "
-       "{x}, {y}, {z}, {roll}, {pitch}, {yaw} (pose), {mode}"},
+       "{right_count}, {x}, {y}, {z}, {roll}, {pitch}, {yaw} (pose), {mode}"},
       {"orientation_file", &T::orientation_file, {}, "files: is read"},
       {"orientation_template",
        &T::orientation_template,

@@ -7,8 +7,8 @@
 
 namespace tp100::control {
 
-void PivotProfile::begin(const course::PathSegment& segment, double most_radps) {
-  most_radps_ = most_radps;
+void PivotProfile::begin(const course::PathSegment& segment, double max_radps) {
+  max_radps_ = max_radps;
   yaw_rad_ = segment.begin.yaw_rad;
   end_rad_ = segment.end.yaw_rad;
   rate_radps_ = 0.0;
@@ -20,7 +20,7 @@ void PivotProfile::update(const Parameters& parameters, double dt_s) {
   const double sign = left < 0.0 ? -1.0 : 1.0;
   const double braking = std::sqrt(2.0 * parameters.pivot_acceleration_radps2 * std::abs(left));
   const double rate =
-      std::min({parameters.pivot_rate_radps, most_radps_, braking,
+      std::min({parameters.pivot_rate_radps, max_radps_, braking,
                 std::abs(rate_radps_) + parameters.pivot_acceleration_radps2 * dt_s});
   yaw_rad_ += sign * std::min(rate * dt_s, std::abs(left));
   arrived_ = std::abs(end_rad_ - yaw_rad_) < 1e-4;
@@ -38,8 +38,8 @@ constexpr double kBluntestRad = 15.0 * kRadPerDeg, kSharpestRad = 165.0 * kRadPe
 constexpr int kRadii = 60, kArcs = 16, kSamples = 48;
 constexpr double kWidest = 6.0;
 // Gain of the gentle pull towards the path in a corner.
-constexpr double kDrawnPs = 6.0;
-constexpr double kDrawnMps = 0.04;
+constexpr double kPullPs = 6.0;
+constexpr double kMaxPullMps = 0.04;
 
 }  // namespace
 
@@ -122,7 +122,7 @@ double Corner::speed_mps(const Pose& pose, double rate_radps) const {
       nx * (should.x_m - (c * dx + s * dy)) + ny * (should.y_m - side_ * (c * dy - s * dx));
   const double across = nx * std::cos(turned) + ny * std::sin(turned);
   const double arc_mps = on_arc(turned) ? radius_m_ * std::abs(rate_radps) : 0.0;
-  return arc_mps + std::clamp(kDrawnPs * aside * across, -kDrawnMps, kDrawnMps);
+  return arc_mps + std::clamp(kPullPs * aside * across, -kMaxPullMps, kMaxPullMps);
 }
 
 }  // namespace tp100::control

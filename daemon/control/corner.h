@@ -13,8 +13,8 @@ namespace tp100::control {
 /// The desired yaw of one turn. No allocation; safe in the real-time thread.
 class PivotProfile {
  public:
-  /// Never faster than `most_radps`.
-  void begin(const course::PathSegment& segment, double most_radps);
+  /// Never faster than `max_radps`.
+  void begin(const course::PathSegment& segment, double max_radps);
   /// After begin(): the robot has turned to `yaw_rad` already.
   void begin_at(double yaw_rad) { yaw_rad_ += wrap_angle(yaw_rad - yaw_rad_); }
   /// The robot stands at `yaw_rad` before the turn is over; the next update() begins from rest.
@@ -31,7 +31,7 @@ class PivotProfile {
 
  private:
   double end_rad_ = 0.0;
-  double most_radps_ = 0.0;
+  double max_radps_ = 0.0;
   double yaw_rad_ = 0.0;
   double rate_radps_ = 0.0;
   bool arrived_ = false;

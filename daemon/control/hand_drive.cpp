@@ -16,12 +16,12 @@ constexpr double kDelayS = 0.16;
 constexpr double kBrakingShare = 0.4;
 // The yaw is known to within this, and the robot crabs.
 constexpr double kYawErrorRad = 4.0 * kRadPerDeg;
-// Kept from the fence: what the robot moves sideways while it turns on the spot.
+// Margin to the fence for sideways motion in a turn on the spot.
 constexpr double kMarginM = 0.01;
 constexpr double kDeviations = 2.0;
-// However uncertain the position is: a robot that was never placed must be driven, too.
+// Upper bound of the margin for uncertainty, so that a robot that was never placed can be driven.
 constexpr double kMaxMarginM = 0.03;
-// Of the smaller side of the fence.
+// The same as a share of the fence's shorter side.
 constexpr double kMaxMarginShare = 0.15;
 
 // Slower than this the robot would creep on and on, or wind up against its friction.
@@ -30,10 +30,10 @@ constexpr double kCreepMps = 0.01;
 // The yaw error by which the robot's yaw loop makes up for its lag in a turn. More would be wound
 // up while a track is blocked.
 constexpr double kMaxAheadRad = 8.0 * kRadPerDeg;
-// A slower turn is over.
+// Below this rate a turn has ended.
 constexpr double kTurnOverRadps = 0.05;
-// ... or so slow that one to the other side may begin; or so much faster than commanded that the
-// robot still coasts.
+// Below this rate a turn to the other side may begin. A robot that turns faster than commanded by
+// more than this still coasts.
 constexpr double kTurnEndsRadps = 0.12;
 
 /// Towards `to`: away from zero by at most `step`, towards zero at once.
@@ -63,13 +63,13 @@ struct Approach {
   double turned_rad;
   double margin_m;
   double braking_mps2;
-  double most_mps;
+  double max_mps;
 
   void limit(const EdgeVector& edge) {
     const double across = std::clamp(x * edge.x + y * edge.y, -1.0, 1.0);
     const double towards = std::cos(std::max(0.0, std::acos(across) - turned_rad));
     if (towards <= 0.0) return;
-    most_mps = std::min(most_mps, approach_mps(edge.distance_m - margin_m, braking_mps2) / towards);
+    max_mps = std::min(max_mps, approach_mps(edge.distance_m - margin_m, braking_mps2) / towards);
   }
 
   /// Inside of a polygon, or outside of it. While the robot is on its wrong side, the nearest edge
@@ -105,7 +105,7 @@ double speed_inside(double speed_mps, const FenceMotion& motion, const course::F
                     .margin_m = std::min({kMarginM + kDeviations * motion.uncertainty_m,
                                           kMaxMarginM, kMaxMarginShare * side_m}),
                     .braking_mps2 = kBrakingShare * motion.braking_mps2,
-                    .most_mps = std::abs(speed_mps)};
+                    .max_mps = std::abs(speed_mps)};
   if (fence.corners.empty()) {
     approach.limit({-1.0, 0.0, pose.x_m - fence.min_x_m});
     approach.limit({1.0, 0.0, fence.max_x_m - pose.x_m});
@@ -115,7 +115,7 @@ double speed_inside(double speed_mps, const FenceMotion& motion, const course::F
     approach.limit(fence.corners, pose, true);
   }
   for (const course::Polygon& area : fence.keep_out) approach.limit(area, pose, false);
-  return sign * approach.most_mps;
+  return sign * approach.max_mps;
 }
 
 void HandDrive::restart(HostNs now) {
@@ -165,7 +165,7 @@ HandCommand HandDrive::update(const HandDriveState& state, const Parameters& par
   out.desired_yaw_rad = desired_yaw(state, dt_s);
   out.yaw_rate_radps = yaw_rate_radps_;
   const double turn_radps = turn_asked(ahead_rad_, yaw_rate_radps_, limits);
-  // Where the turn leaves a track nothing for the speed, its own limit must not invent one.
+  // If the turn uses a track's whole limit, no speed is left.
   const double within = speed_within(speed_mps_, turn_radps, limits);
   out.speed_mps = within * speed_mps_ > 0.0 ? within : 0.0;
   return out;
@@ -174,7 +174,7 @@ HandCommand HandDrive::update(const HandDriveState& state, const Parameters& par
 double HandDrive::desired_yaw(const HandDriveState& state, double dt_s) {
   const double yaw_rad = state.pose.yaw_rad;
   const bool turns = yaw_rate_radps_ != 0.0;
-  // How far it coasts beyond the command is not to be turned back.
+  // While the robot coasts, the desired yaw moves with it.
   const bool coasts =
       std::abs(state.measured_yaw_rate_radps) > std::abs(yaw_rate_radps_) + kTurnEndsRadps;
   // Straight on: the yaw to hold is the one at the end of the turn.

@@ -1,9 +1,9 @@
 #include "control/law.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
-#include "control/lqr.h"
 #include "core/arithmetic.h"
 
 namespace tp100::control {
@@ -85,7 +85,90 @@ class PurePursuit final : public Law {
   double yaw_kp_;
 };
 
+using Matrix = Eigen::Matrix3d;
+using Vector = Eigen::Vector3d;
+
+constexpr double kLowestMps = 0.01;
+constexpr double kSpeedRatio = 1.5;
+constexpr double kStepS = 0.005;
+constexpr double kShortestLagS = 0.01;
+
+double speed_of(std::size_t index) {
+  return kLowestMps * std::pow(kSpeedRatio, static_cast<double>(index));
+}
+
+/// Solution of the discrete Riccati equation by doubling (Chu, Fan, Lin, Wang 2004): each round
+/// doubles the horizon.
+Matrix riccati(Matrix a, const Vector& b, const Matrix& q, double r) {
+  Matrix g = b * b.transpose() / r;
+  Matrix h = q;
+  constexpr int kRounds = 24;
+  for (int i = 0; i < kRounds; ++i) {
+    const Matrix w = (Matrix::Identity() + g * h).inverse();
+    const Matrix longer_g = g + a * w * g * a.transpose();
+    const Matrix longer_h = h + a.transpose() * h * w * a;
+    a = a * w * a;
+    g = longer_g;
+    h = longer_h;
+  }
+  return h;
+}
+
+Lqr::Gains solve(const Parameters& parameters, double speed_mps) {
+  const double lag_s = std::max(parameters.preview_s, kShortestLagS);
+  Matrix a = Matrix::Identity();
+  a(0, 1) = speed_mps * kStepS;
+  a(1, 2) = kStepS;
+  a(2, 2) = std::exp(-kStepS / lag_s);
+  const Vector b(0.0, 0.0, 1.0 - a(2, 2));
+  // Bryson's rule: each weight is the inverse square of the acceptable error.
+  const auto weight = [](double allowed) { return 1.0 / (allowed * allowed); };
+  Matrix q = Matrix::Zero();
+  q(0, 0) = weight(parameters.lqr_cross_track_m);
+  q(1, 1) = weight(parameters.lqr_heading_rad);
+  const double r = weight(parameters.lqr_turn_radps);
+  const Matrix p = riccati(a, b, q, r);
+  const Eigen::RowVector3d k = b.transpose() * p * a / (r + b.dot(p * b));
+  return {k[0], k[1], k[2]};
+}
+
 }  // namespace
+
+Lqr::Lqr(const Parameters& parameters, const TrackLimits& limits)
+    : parameters_(parameters), yaw_kp_(limits.yaw_kp) {
+  for (std::size_t i = 0; i < kSpeeds; ++i) gains_[i] = solve(parameters, speed_of(i));
+}
+
+Lqr::Gains Lqr::gains(double speed_mps) const {
+  std::size_t above = 1;
+  while (above + 1 < kSpeeds && speed_of(above) < speed_mps) ++above;
+  const double below_mps = speed_of(above - 1);
+  const double share =
+      std::clamp((speed_mps - below_mps) / (speed_of(above) - below_mps), 0.0, 1.0);
+  const Gains& a = gains_[above - 1];
+  const Gains& b = gains_[above];
+  return {std::lerp(a.cross_track, b.cross_track, share), std::lerp(a.heading, b.heading, share),
+          std::lerp(a.rate, b.rate, share)};
+}
+
+double Lqr::look_ahead_m(double speed_mps) const { return speed_mps * parameters_.preview_s; }
+
+LawOutput Lqr::steer(const PathErrors& errors) const {
+  const Gains k = gains(errors.speed_mps);
+  LawOutput steering;
+  steering.yaw_rate_radps = errors.ahead.curvature_1pm * errors.speed_mps;
+  // Far from the path, the cross-track error may request the steepest approach and no more.
+  const double steepest = k.heading * parameters_.max_approach_rad;
+  const double approach = std::clamp(k.cross_track * errors.cross_track_m, -steepest, steepest);
+  const double course_over_ground_rad = errors.heading_rad + errors.crab_rad - errors.ahead.yaw_rad;
+  const double remaining_radps = -(approach + k.heading * course_over_ground_rad +
+                                   k.rate * (errors.yaw_rate_radps - steering.yaw_rate_radps));
+  const double approach_rad = course_over_ground_rad + remaining_radps / yaw_kp_;
+  steering.yaw_rad =
+      errors.ahead.yaw_rad - errors.crab_rad +
+      std::clamp(approach_rad, -parameters_.max_approach_rad, parameters_.max_approach_rad);
+  return steering;
+}
 
 std::unique_ptr<Law> make_law(const Parameters& parameters, const TrackLimits& limits) {
   switch (parameters.law) {

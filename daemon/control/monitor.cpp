@@ -24,7 +24,7 @@ constexpr double kTurningFallPerS = 0.5;
 // The robot itself gives up after 200 ms without a valid command.
 constexpr double kNoneTakenS = 0.3;
 
-// A gain is learnt from a track that runs evenly and freely, not from one that brakes; quickly
+// A gain is learned from a track that runs evenly and freely, not from one that brakes; quickly
 // downwards, but upwards only as fast as a battery sags: otherwise a fault would be learned as
 // normal.
 constexpr double kMinGain = 0.7;
@@ -62,7 +62,7 @@ constexpr double kBackwardsMps = 0.02;
 constexpr double kOpposedRad = 6.0 * kRadPerDeg;
 constexpr double kAskedRadps = 0.3;
 constexpr double kTurningRadps = 0.15;
-// At least so fast does a turn end that is asked to reverse.
+// Least deceleration of a turn whose command reverses.
 constexpr double kReversalRadps2 = 2.5;
 // A robot at standstill turns by its tracks alone.
 constexpr double kSlowestMps = 0.02;
@@ -76,7 +76,7 @@ double mean_mps(const Observation& seen) {
   return (std::abs(seen.left_mps) + std::abs(seen.right_mps)) / 2.0;
 }
 
-bool stands(double commanded_mps, double track_mps) {
+bool at_standstill(double commanded_mps, double track_mps) {
   return std::abs(commanded_mps) > kDrivenMps && std::abs(track_mps) < kStandingMps;
 }
 
@@ -94,7 +94,7 @@ bool DutyMonitor::update(double duty, double track_mps, const Load& load, double
     return false;
   }
   const double above = size - motor_.dead_band;
-  const double beyond_mps = std::max(0.0, mps - kBeyond * learnt_mps_);
+  const double beyond_mps = std::max(0.0, mps - kBeyond * learned_mps_);
   const double usual = motor_.feed_forward * (gain_ * (mps - beyond_mps) + kMaxGain * beyond_mps);
   const double turn_duty = kTurningDuty * turning_ / kFullTurning;
   const double margin = kMarginDuty + kMarginShare * usual + turn_duty +
@@ -117,17 +117,17 @@ void DutyMonitor::learn(double above_dead_band, double track_mps, double turn_du
   const auto gain_at = [&](double duty) {
     return std::clamp(duty / (motor_.feed_forward * track_mps), kMinGain, kMaxGain);
   };
-  // A small turn loads one track and relieves the other: what it explains teaches nothing.
+  // A small turn loads one track and relieves the other: such samples do not update the gain.
   const double gain =
       std::clamp(gain_, gain_at(above_dead_band - turn_duty), gain_at(above_dead_band + turn_duty));
   const double towards = std::min(1.0, dt_s / kGainDownS);
   if (gain < gain_) {
     gain_ += (gain - gain_) * towards;
-    learnt_mps_ += (track_mps - learnt_mps_) * towards;
-  } else if (track_mps > kBeyond * learnt_mps_) {
-    const double before_mps = learnt_mps_;
-    learnt_mps_ += (track_mps - learnt_mps_) * towards;
-    gain_ = gain + (gain_ - gain) * before_mps / learnt_mps_;
+    learned_mps_ += (track_mps - learned_mps_) * towards;
+  } else if (track_mps > kBeyond * learned_mps_) {
+    const double before_mps = learned_mps_;
+    learned_mps_ += (track_mps - learned_mps_) * towards;
+    gain_ = gain + (gain_ - gain) * before_mps / learned_mps_;
   } else {
     gain_ += std::min(gain - gain_, kGainUpPerS * dt_s);
   }
@@ -233,8 +233,8 @@ FaultMask Monitor::update(const Observation& seen) {
   raise(tilt_.update(tilted(sample, parameters_), dt, kTiltS), Fault::tilt);
   raise(battery_.update(sample.battery_v < parameters_.min_battery_v, dt, kBatteryS),
         Fault::battery_below_minimum);
-  raise(stalled_.update(stands(seen.commanded_left_mps, seen.left_mps) ||
-                            stands(seen.commanded_right_mps, seen.right_mps),
+  raise(stalled_.update(at_standstill(seen.commanded_left_mps, seen.left_mps) ||
+                            at_standstill(seen.commanded_right_mps, seen.right_mps),
                         dt, parameters_.stall_s),
         Fault::stalled_track);
   raise(against_duty_.update(

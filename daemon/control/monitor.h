@@ -29,7 +29,7 @@ struct Load {
 };
 
 /// Checks that one track moves according to its duty. The robot's file is trusted to within a
-/// factor only; the duty that this track takes is learnt while it runs straight, so that a change
+/// factor only; the duty that this track takes is learned while it runs straight, so that a change
 /// shows. No allocation; safe in the real-time thread.
 class DutyMonitor {
  public:
@@ -51,12 +51,12 @@ class DutyMonitor {
   void learn(double above_dead_band, double track_mps, double turn_duty, const Load& load,
              double dt_s);
 
-  // Greatest factor over the robot's file that is learnt; a run begins with it.
+  // Greatest factor over the robot's file that is learned; a run begins with it.
   static constexpr double kMaxGain = 1.4;
 
   MotorModel motor_;
-  double gain_ = kMaxGain;   ///< duty that the track takes, relative to the file
-  double learnt_mps_ = 0.0;  ///< speed at which gain_ was learnt
+  double gain_ = kMaxGain;    ///< duty that the track takes, relative to the file
+  double learned_mps_ = 0.0;  ///< speed at which gain_ was learned
   double slow_mps_ = 0.0;
   double turning_ = 0.0;     ///< maximum of the last moments
   double obstacle_s_ = 0.0;  ///< until the last obstacle is forgotten

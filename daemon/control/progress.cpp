@@ -55,12 +55,12 @@ bool Progress::next() {
 }
 
 void Progress::advance(double x_m, double y_m) {
-  double most_m = offset_m_ + kWindowM;
-  offset_m_ = std::clamp(path_.project(index_, x_m, y_m, offset_m_), offset_m_, most_m);
+  double max_m = offset_m_ + kWindowM;
+  offset_m_ = std::clamp(path_.project(index_, x_m, y_m, offset_m_), offset_m_, max_m);
   while (offset_m_ >= segment().length_m && joined(index_)) {
-    most_m -= segment().length_m;
+    max_m -= segment().length_m;
     ++index_;
-    offset_m_ = std::clamp(path_.project(index_, x_m, y_m, 0.0), 0.0, std::max(most_m, 0.0));
+    offset_m_ = std::clamp(path_.project(index_, x_m, y_m, 0.0), 0.0, std::max(max_m, 0.0));
   }
 }
 

@@ -43,7 +43,7 @@ double speed_along(double speed_mps, double yaw_error_rad, double curvature_1pm,
   return good;
 }
 
-Tracks tracks_for(double speed_mps, double turn_radps, const TrackLimits& limits) {
+TrackSpeeds tracks_for(double speed_mps, double turn_radps, const TrackLimits& limits) {
   const double arc = arc_of(turn_radps, limits);
   const double speed = speed_within(speed_mps, turn_radps, limits);
   return {(speed - arc) / (1.0 - limits.slip_left), (speed + arc) / (1.0 - limits.slip_right)};

@@ -3,6 +3,8 @@
 // as the firmware's (firmware/tp100/src/yaw_loop.h), so that the daemon commands nothing that the
 // robot would have to limit.
 
+#include "core/pose.h"
+
 namespace tp100::control {
 
 /// Limits of one robot. SI units.
@@ -13,12 +15,6 @@ struct TrackLimits {
   double max_track_mps = 0.2;
   double yaw_kp = 4.0;  ///< of the robot's yaw loop [1/s]
   double max_yaw_radps = 1.2;
-};
-
-/// Track speeds, forward positive. [m/s]
-struct Tracks {
-  double left_mps = 0.0;
-  double right_mps = 0.0;
 };
 
 /// The turn rate that the robot's yaw loop will request. [rad/s]
@@ -35,6 +31,6 @@ double speed_along(double speed_mps, double yaw_error_rad, double curvature_1pm,
                    const TrackLimits& limits);
 
 /// Track speeds for a ground speed and a turn rate, within the limit; the turn has priority.
-Tracks tracks_for(double speed_mps, double turn_radps, const TrackLimits& limits);
+TrackSpeeds tracks_for(double speed_mps, double turn_radps, const TrackLimits& limits);
 
 }  // namespace tp100::control

@@ -16,7 +16,7 @@ using Kind = course::PathSegment::Kind;
 constexpr double kStandstillMps = 0.005;
 constexpr double kStandstillRadps = 0.05;
 // A yaw loop that cannot close the last fraction of a degree must not block the run for ever.
-constexpr double kPatienceS = 2.0;
+constexpr double kSettleTimeoutS = 2.0;
 // A large heading error slows the robot down, but never to a stop.
 constexpr double kSlowestShare = 0.25;
 // A turn may take this share of the tracks' limit: the rest is for the yaw loop.
@@ -46,12 +46,12 @@ std::vector<Corner> corners(const course::Path& path, double x_icr_m) {
 
 }  // namespace
 
-void Disturbance::restart(std::uint32_t contradictions) {
+void DisturbanceDetector::restart(std::uint32_t contradictions) {
   contradictions_ = contradictions;
   lasted_s_ = 0.0;
 }
 
-bool Disturbance::update(const DisturbanceSigns& signs, double dt_s) {
+bool DisturbanceDetector::update(const DisturbanceSigns& signs, double dt_s) {
   const bool turned =
       std::abs(signs.gyro_radps - signs.tracks_radps) > parameters_.disturbance_radps;
   lasted_s_ = turned ? lasted_s_ + dt_s : 0.0;
@@ -116,10 +116,10 @@ void Tracker::begin_segment() {
   waited_s_ = 0.0;
   stopping_ = false;
   if (progress_.segment().kind == Kind::kPivot) {
-    const double most_mps = kTurnShare * drive_.limits.max_track_mps *
-                            (1.0 - std::max(drive_.limits.slip_left, drive_.limits.slip_right));
+    const double max_mps = kTurnShare * drive_.limits.max_track_mps *
+                           (1.0 - std::max(drive_.limits.slip_left, drive_.limits.slip_right));
     pivot_.begin(progress_.segment(),
-                 most_mps / (drive_.limits.wheelbase_m / 2.0 + corner().radius_m()));
+                 max_mps / (drive_.limits.wheelbase_m / 2.0 + corner().radius_m()));
   }
 }
 
@@ -135,10 +135,10 @@ bool Tracker::settled(const Twist& twist, bool in_tolerance, double dt_s) {
       std::abs(twist.vx_mps) < kStandstillMps && std::abs(twist.yaw_rate_radps) < kStandstillRadps;
   settled_s_ = standstill && in_tolerance ? settled_s_ + dt_s : 0.0;
   waited_s_ += dt_s;
-  return settled_s_ >= parameters_.settle_s || (standstill && waited_s_ >= kPatienceS);
+  return settled_s_ >= parameters_.settle_s || (standstill && waited_s_ >= kSettleTimeoutS);
 }
 
-void Tracker::stand(double yaw_rad) {
+void Tracker::come_to_rest(double yaw_rad) {
   commanded_mps_ = 0.0;
   target_.speed_mps = 0.0;
   target_.yaw_rate_radps = 0.0;
@@ -147,7 +147,7 @@ void Tracker::stand(double yaw_rad) {
 
 const Target& Tracker::update(const Pose& pose, const Twist& twist, double dt_s, bool disturbed) {
   if (target_.done) {
-    stand(pose.yaw_rad);
+    come_to_rest(pose.yaw_rad);
     return target_;
   }
   if (disturbed) recovery_.begin();
@@ -177,12 +177,12 @@ void Tracker::follow(const Pose& pose, const Twist& twist, double dt_s) {
   const double left_m = progress_.left_m() - corner().stop_before_m();
   stopping_ = stopping_ || left_m <= parameters_.stop_tolerance_m;
   if (stopping_) {
-    stand(pose.yaw_rad);
+    come_to_rest(pose.yaw_rad);
     if (settled(twist, true, dt_s)) next_segment();
     return;
   }
   if (paused_ && commanded_mps_ <= parameters_.acceleration_mps2 * dt_s) {
-    stand(pose.yaw_rad);
+    come_to_rest(pose.yaw_rad);
     return;
   }
   steer(pose, twist, here, left_m, dt_s);
@@ -264,7 +264,7 @@ void Tracker::turn(const Pose& pose, const Twist& twist, double dt_s) {
                                       target_.progress_m + reach_m);
   if (paused_ && !pivot_.arrived()) {
     pivot_.halt_at(pose.yaw_rad);
-    stand(pose.yaw_rad);
+    come_to_rest(pose.yaw_rad);
     return;
   }
   pivot_.update(parameters_, dt_s);

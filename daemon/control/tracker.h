@@ -29,9 +29,9 @@ struct DisturbanceSigns {
 
 /// Detects that the robot is pushed or turned: the gyro measures a turn that the tracks do not
 /// make, or the camera finds the robot elsewhere. No allocation; safe in the real-time thread.
-class Disturbance {
+class DisturbanceDetector {
  public:
-  explicit Disturbance(const Parameters& parameters) : parameters_(parameters) {}
+  explicit DisturbanceDetector(const Parameters& parameters) : parameters_(parameters) {}
 
   /// A run begins: earlier signs do not count.
   void restart(std::uint32_t contradictions);
@@ -104,7 +104,7 @@ class Tracker {
   void pause(bool paused) { paused_ = paused; }
   /// One step of `dt_s` with the steering pose and twist. Whole turns of the pose's yaw change
   /// nothing, except that the desired yaw of a stopping robot is on the pose's branch. `disturbed`:
-  /// the robot is being pushed, see Disturbance.
+  /// the robot is being pushed, see DisturbanceDetector.
   const Target& update(const Pose& pose, const Twist& twist, double dt_s, bool disturbed = false);
 
   /// Duration of the path at the intended speeds, pivots included. [s]
@@ -122,7 +122,7 @@ class Tracker {
   /// The course's speed, or less in a narrow curve.
   double curve_mps(double curvature_1pm) const;
   double speed_cap(double left_m) const;
-  void stand(double yaw_rad);
+  void come_to_rest(double yaw_rad);
   bool settled(const Twist& twist, bool in_tolerance, double dt_s);
 
   Parameters parameters_;

@@ -7,7 +7,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <string>
 
 namespace tp100 {
 
@@ -17,10 +16,8 @@ inline double magnitude(double x, double y, double z) { return std::sqrt(x * x +
 
 inline double square(double value) { return value * value; }
 
-/// Kind of this processor, version of the C library and whether its functions use FMA, as in
-/// "x86_64, glibc 2.36 with FMA". Results may differ in their last bits between programs with
-/// different texts, or of different versions.
-std::string arithmetic();
+/// In 95 of 100 cases a normally distributed value is within this many standard deviations.
+inline constexpr double kNormal95 = 1.96;
 
 // Angles in radians.
 

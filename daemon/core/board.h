@@ -10,16 +10,16 @@ namespace tp100 {
 /// Name for people with its article; "an unknown board" for a kind that this version does not know.
 /// `board`: as in the hello.
 constexpr const char* board_name(std::uint8_t board) {
-  switch (static_cast<wire::Board>(board)) {
-    case wire::Board::kMega2560:
+  switch (static_cast<wire::BoardType>(board)) {
+    case wire::BoardType::kMega2560:
       return "a Mega 2560";
-    case wire::Board::kNative:
+    case wire::BoardType::kNative:
       return "an emulated board";
-    case wire::Board::kFakeRobot:
+    case wire::BoardType::kFakeRobot:
       return "a Mega 2560 with the robot simulated inside the board (FAKE_ROBOT)";
-    case wire::Board::kRp2040:
+    case wire::BoardType::kRp2040:
       return "a Raspberry Pi Pico";
-    case wire::Board::kUnknown:
+    case wire::BoardType::kUnknown:
       break;
   }
   return "an unknown board";
@@ -28,14 +28,14 @@ constexpr const char* board_name(std::uint8_t board) {
 /// Whether this version knows the kind of board. An unknown one may drive if its
 /// protocol version matches, after a warning.
 constexpr bool is_known_board(std::uint8_t board) {
-  return board >= static_cast<std::uint8_t>(wire::Board::kMega2560) &&
-         board <= static_cast<std::uint8_t>(wire::Board::kRp2040);
+  return board >= static_cast<std::uint8_t>(wire::BoardType::kMega2560) &&
+         board <= static_cast<std::uint8_t>(wire::BoardType::kRp2040);
 }
 
 /// A port is physical unless this proves otherwise: a pseudo-terminal alone may be a serial server
 /// with a robot behind it. `board`: as the hello of the session says.
 constexpr bool is_emulator(bool pseudo_terminal, std::uint8_t board) {
-  return pseudo_terminal && board == static_cast<std::uint8_t>(wire::Board::kNative);
+  return pseudo_terminal && board == static_cast<std::uint8_t>(wire::BoardType::kNative);
 }
 
 /// What moves when it drives, as shown to people. The consent to a start does not depend on it: a
@@ -60,7 +60,7 @@ constexpr const char* to_string(RobotKind kind) {
 }
 
 constexpr RobotKind robot_kind(bool pseudo_terminal, std::uint8_t board) {
-  if (board == static_cast<std::uint8_t>(wire::Board::kFakeRobot)) return RobotKind::kSimulated;
+  if (board == static_cast<std::uint8_t>(wire::BoardType::kFakeRobot)) return RobotKind::kSimulated;
   return is_emulator(pseudo_terminal, board) ? RobotKind::kEmulated : RobotKind::kPhysical;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// The one clock of the host. Only the outer layers read it: nothing that computes a pose or a
+// The clocks of the host. Only the outer layers read it: nothing that computes a pose or a
 // command does.
 
 #include <time.h>
@@ -13,6 +13,13 @@ inline HostNs monotonic_now() {
   timespec now{};
   ::clock_gettime(CLOCK_MONOTONIC, &now);
   return static_cast<HostNs>(now.tv_sec) * kNsPerS + now.tv_nsec;
+}
+
+/// Processor time that the calling thread has used. [ns]
+inline HostNs thread_cpu_ns() {
+  timespec used{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
+  return static_cast<HostNs>(used.tv_sec) * kNsPerS + used.tv_nsec;
 }
 
 /// Unix time now, by the wall clock, which may jump. [ns]

@@ -1,8 +1,11 @@
 #pragma once
 // What the bridge asks of the robot in one step.
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
+#include "core/enum_names.h"
 #include "core/pose.h"
 #include "core/time.h"
 
@@ -40,6 +43,20 @@ enum class OperatorRequest : std::uint8_t {
   kPause,   ///< slow down on the course to a standstill; the robot stays armed
   kResume,  ///< go on with a run that pauses
 };
+
+/// Names as in the events of a run.
+inline constexpr std::array<EnumName<OperatorRequest>, 7> kOperatorRequestNames = {{
+    {OperatorRequest::kStart, "start"},
+    {OperatorRequest::kHold, "hold"},
+    {OperatorRequest::kStop, "STOP"},
+    {OperatorRequest::kGoOn, "go on"},
+    {OperatorRequest::kDrive, "drive by hand"},
+    {OperatorRequest::kPause, "pause"},
+    {OperatorRequest::kResume, "resume"},
+}};
+constexpr const char* to_string(OperatorRequest request) {
+  return name_in(kOperatorRequestNames, request);
+}
 
 /// An older input of a driver is ignored: the robot stops.
 inline constexpr HostNs kFreshInputNs = 150 * kNsPerMs;

@@ -49,10 +49,10 @@ constexpr std::string_view inputs_of(PoseSource source) {
   return "";
 }
 
-/// Says nothing of its own without an overhead camera.
+/// True for sources that equal another one without an overhead camera.
 constexpr bool needs_camera(PoseSource source) { return source == PoseSource::kFused; }
 
-/// A robot that is pushed aside leaves no trace in what the source is made from.
+/// True for sources whose inputs do not show a disturbance.
 constexpr bool blind_to_disturbances(PoseSource source) { return source == PoseSource::kModel; }
 
 /// One value for each source.
@@ -109,6 +109,14 @@ struct FilterFigures {
 /// Slope along the robot, as far as its pitch shows it.
 enum class Slope : std::uint8_t { kFlat, kUp, kDown };
 
+/// Names as in messages and results.
+inline constexpr std::array<EnumName<Slope>, 3> kSlopeNames = {{
+    {Slope::kFlat, "flat"},
+    {Slope::kUp, "up"},
+    {Slope::kDown, "down"},
+}};
+constexpr const char* to_string(Slope slope) { return name_in(kSlopeNames, slope); }
+
 /// Where pitch and roll of the published poses come from; follows from the set-up.
 enum class PitchSource : std::uint8_t {
   kVirtual,   ///< the virtual world (stand, flat)
@@ -116,12 +124,30 @@ enum class PitchSource : std::uint8_t {
   kExternal,  ///< an external world (udp, files)
 };
 
+/// Names as in messages.
+inline constexpr std::array<EnumName<PitchSource>, 3> kPitchSourceNames = {{
+    {PitchSource::kVirtual, "virtual"},
+    {PitchSource::kImu, "imu"},
+    {PitchSource::kExternal, "external"},
+}};
+constexpr const char* to_string(PitchSource source) { return name_in(kPitchSourceNames, source); }
+
 /// Obstacle class: what carries the robot.
-enum class Obstacle : std::uint8_t {
+enum class ObstacleClass : std::uint8_t {
   kNone,   ///< the level floor alone
   kRamp,   ///< a ramp, at least in part; its flat top included
   kBlock,  ///< a block, at least in part
 };
+
+/// Names as in messages.
+inline constexpr std::array<EnumName<ObstacleClass>, 3> kObstacleClassNames = {{
+    {ObstacleClass::kNone, "none"},
+    {ObstacleClass::kRamp, "ramp"},
+    {ObstacleClass::kBlock, "block"},
+}};
+constexpr const char* to_string(ObstacleClass obstacle) {
+  return name_in(kObstacleClassNames, obstacle);
+}
 
 /// Whether the tracks still move the robot.
 enum class Traction : std::uint8_t {
@@ -130,13 +156,21 @@ enum class Traction : std::uint8_t {
   kImmobilised,  ///< the tracks run and the robot hardly moves
 };
 
+/// Names as in messages.
+inline constexpr std::array<EnumName<Traction>, 3> kTractionNames = {{
+    {Traction::kHolding, "holding"},
+    {Traction::kSlipping, "slipping"},
+    {Traction::kImmobilised, "immobilised"},
+}};
+constexpr const char* to_string(Traction traction) { return name_in(kTractionNames, traction); }
+
 /// The ground under the steering pose.
 struct TerrainContact {
   PitchSource pitch_source = PitchSource::kVirtual;
-  Obstacle obstacle = Obstacle::kNone;  ///< by the course's map
-  bool climbing = false;                ///< between touching a block and lying flat behind it
-  double slope_rad = 0.0;               ///< climb angle, nose-up positive
-  double slip_offset = 0.0;             ///< of the surface, added to both slip ratios
+  ObstacleClass obstacle = ObstacleClass::kNone;  ///< by the course's map
+  bool climbing = false;     ///< between touching a block and lying flat behind it
+  double slope_rad = 0.0;    ///< climb angle, nose-up positive
+  double slip_offset = 0.0;  ///< of the surface, added to both slip ratios
   Traction traction = Traction::kHolding;
 };
 

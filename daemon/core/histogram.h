@@ -49,6 +49,11 @@ class Histogram {
     }
     return max();
   }
+  /// percentile() and max() in microseconds.
+  double percentile_us(double fraction) const {
+    return static_cast<double>(percentile(fraction)) * 1e-3;
+  }
+  double max_us() const { return static_cast<double>(max()) * 1e-3; }
 
  private:
   static constexpr unsigned kSubBits = 4;

@@ -1,5 +1,5 @@
 #pragma once
-// Pose and twist of the reference point: the centre of the tracks' footprint.
+// Pose and twist of the reference point, the centre of the tracks' footprint, and track speeds.
 // Right-handed, x forward, y left, z up (REP-103); nose-up is negative pitch; yaw is unwrapped.
 // Their planar transforms, and their orientation as a quaternion.
 
@@ -24,6 +24,12 @@ struct Twist {
   double vx_mps = 0.0;
   double vy_mps = 0.0;
   double yaw_rate_radps = 0.0;
+};
+
+/// Speeds of the tracks, forward positive.
+struct TrackSpeeds {
+  double left_mps = 0.0;
+  double right_mps = 0.0;
 };
 
 /// A rotation about the origin, then a translation.

@@ -2,8 +2,11 @@
 // States of a run, as printed in `state: A -> B` and in snapshots, and the reasons that refuse a
 // start.
 
+#include <array>
 #include <cstdint>
 #include <string_view>
+
+#include "core/enum_names.h"
 
 namespace tp100 {
 
@@ -16,24 +19,16 @@ enum class RunState : std::uint8_t {
   kDriving,   ///< driven by hand, on no course
 };
 
-/// Name as printed in `state: A -> B`.
-constexpr std::string_view to_string(RunState state) {
-  switch (state) {
-    case RunState::kIdle:
-      return "idle";
-    case RunState::kArming:
-      return "arming";
-    case RunState::kRunning:
-      return "running";
-    case RunState::kFinished:
-      return "finished";
-    case RunState::kAborted:
-      return "aborted";
-    case RunState::kDriving:
-      return "driving";
-  }
-  return "unknown";
-}
+/// Names as printed in `state: A -> B`.
+inline constexpr std::array<EnumName<RunState>, 6> kRunStateNames = {{
+    {RunState::kIdle, "idle"},
+    {RunState::kArming, "arming"},
+    {RunState::kRunning, "running"},
+    {RunState::kFinished, "finished"},
+    {RunState::kAborted, "aborted"},
+    {RunState::kDriving, "driving"},
+}};
+constexpr std::string_view to_string(RunState state) { return name_in(kRunStateNames, state); }
 
 /// The robot is armed: it follows the course or is driven by hand.
 constexpr bool armed(RunState state) {
@@ -43,8 +38,8 @@ constexpr bool armed(RunState state) {
 /// Nothing else can begin: armed, or about to be.
 constexpr bool under_way(RunState state) { return state == RunState::kArming || armed(state); }
 
-/// Whether the last run ended on its way, so that it can go on from where the estimates say that
-/// the robot is. `progress_m`, `length_m`: along the course.
+/// Whether the last run ended before the end of its course, so that it can go on from where the
+/// estimates say that the robot is. `progress_m`, `length_m`: along the course.
 constexpr bool may_go_on(RunState state, double progress_m, double length_m) {
   return (state == RunState::kIdle || state == RunState::kAborted) && progress_m > 0.0 &&
          progress_m < length_m;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/enum_names.h"
 #include "core/faults.h"
 #include "core/pose.h"
 #include "core/time.h"
@@ -14,6 +15,17 @@ namespace tp100 {
 
 /// Robot states, as on the wire (wire/messages.h).
 enum class RobotState : std::uint8_t { kHello, kParameters, kDisarmed, kArmed, kRunning, kFaulted };
+
+/// Names as in messages.
+inline constexpr std::array<EnumName<RobotState>, 6> kRobotStateNames = {{
+    {RobotState::kHello, "hello"},
+    {RobotState::kParameters, "parameters"},
+    {RobotState::kDisarmed, "disarmed"},
+    {RobotState::kArmed, "armed"},
+    {RobotState::kRunning, "running"},
+    {RobotState::kFaulted, "faulted"},
+}};
+constexpr const char* to_string(RobotState state) { return name_in(kRobotStateNames, state); }
 
 /// One sample. Counts and times are extended to 64 bit and never wrap within a boot.
 struct Sample {
@@ -26,7 +38,7 @@ struct Sample {
   std::array<double, 3> gyro_radps{};  ///< body axes x, y, z; nominal scale, bias included
   std::array<double, 3> accel_mps2{};  ///< specific force, body axes
   double temperature_degc = 0.0;
-  double battery_v = 0.0;  ///< both cells together
+  double battery_v = 0.0;  ///< of the whole battery
   double left_duty = 0.0;  ///< -1..1, as applied
   double right_duty = 0.0;
   RobotState state = RobotState::kHello;
@@ -77,6 +89,13 @@ struct WorldSample {
   bool has_pose = false;       ///< only if the world owns the pose
   Pose pose{};
 };
+
+// Standstill by encoder counts.
+
+/// Counts of a track at standstill differ by this at most: one edge may flicker.
+inline constexpr std::int64_t kStandstillCounts = 1;
+/// A shorter standstill gives no useful bias of the gyro.
+inline constexpr double kBiasStandstillS = 0.3;
 
 // Greatest distance that a track can travel between two samples.
 

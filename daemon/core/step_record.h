@@ -42,7 +42,7 @@ struct CarriedFilter {
   std::uint32_t recoveries = 0;
 };
 
-/// Roll and pitch of the body, and the offsets learnt at standstill.
+/// Roll and pitch of the body, and the offsets learned at standstill.
 struct CarriedAttitude {
   double levelled_s = 0.0;
   std::array<double, 3> gyro_offset_radps{};
@@ -94,7 +94,7 @@ struct Snapshot {
   double imu_roll_rad = 0.0;  ///< of the real body, independent of the virtual world
   double imu_pitch_rad = 0.0;
   Slope imu_slope = Slope::kFlat;
-  Obstacle imu_obstacle = Obstacle::kNone;  ///< obstacle that tilts the body, found without a map
+  ObstacleClass imu_obstacle = ObstacleClass::kNone;  ///< what tilts the body, found without a map
   Command command{};
   /// Track speeds that the firmware's yaw loop will request for the command, within the track's
   /// limit.

@@ -132,8 +132,7 @@ std::span<const text::Key<EmulatedShear>> shear_keys() {
        &T::pressure_unevenness,
        {0, 1},
        "How much of the load the wheels carry: with 0 the pressure along the tracks is even, with "
-       "1 "
-       "it is 0 in their middle and three times the mean at their ends"},
+       "1 it is 0 in their middle and three times the mean at their ends"},
   }};
   return kKeys;
 }
@@ -206,8 +205,8 @@ std::span<const text::Key<EmulatedImu>> imu_keys() {
 std::span<const text::Key<EmulatedBattery>> battery_keys() {
   using T = EmulatedBattery;
   static const std::array<text::Key<T>, 5> kKeys = {{
-      {"full_v", &T::full_v, {3, 20}, "Voltage of both cells at the start"},
-      {"internal_ohm", &T::internal_ohm, {0, 5}, "Internal resistance of both cells"},
+      {"full_v", &T::full_v, {3, 20}, "Battery voltage at the start"},
+      {"internal_ohm", &T::internal_ohm, {0, 5}, "Internal resistance of the battery"},
       {"capacity_as", &T::capacity_as, {10, 1e6}, "Charge of the battery"},
       {"amps_per_n", &T::amps_per_n, {0, 5}, "Motor current per track force"},
       {"idle_a", &T::idle_a, {0, 5}, "Current of the electronics"},

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "course/robot.h"
+#include "course/robot_file.h"
 #include "text/key.h"
 
 namespace tp100::course {

@@ -1,3 +1,5 @@
+#include "course/robot_file.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -6,7 +8,6 @@
 #include <sstream>
 
 #include "course/emulated_keys.h"
-#include "course/robot.h"
 #include "text/key.h"
 
 namespace tp100::course {
@@ -71,7 +72,7 @@ std::span<const text::Key<DriveValues>> drive_keys() {
       {"battery_cutoff_v",
        &T::battery_cutoff_v,
        {0, 20},
-       "The robot stops below this voltage of both cells; 0: never"},
+       "The robot stops below this battery voltage; 0: never"},
       {"stall_duty",
        &T::stall_duty,
        {0, 1},

@@ -63,20 +63,6 @@ std::string text_of(const Json& json) {
 
 }  // namespace
 
-std::string_view to_string(Severity severity) {
-  switch (severity) {
-    case Severity::kOk:
-      return "ok";
-    case Severity::kNote:
-      return "note";
-    case Severity::kWarning:
-      return "warning";
-    case Severity::kError:
-      break;
-  }
-  return "error";
-}
-
 Finding ok(std::string name, std::string seen) {
   return {Severity::kOk, std::move(name), std::move(seen), {}};
 }

@@ -1,11 +1,14 @@
 #pragma once
 // Findings of an examination, and how they are printed. Pure.
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "core/enum_names.h"
 
 namespace tp100::doctor {
 
@@ -18,8 +21,16 @@ enum class Severity {
   kError,    ///< prevents the robot from driving
 };
 
-/// "ok", "note", "warning" or "error".
-std::string_view to_string(Severity severity);
+/// Names as in table and JSON.
+inline constexpr std::array<EnumName<Severity>, 4> kSeverityNames = {{
+    {Severity::kOk, "ok"},
+    {Severity::kNote, "note"},
+    {Severity::kWarning, "warning"},
+    {Severity::kError, "error"},
+}};
+constexpr std::string_view to_string(Severity severity) {
+  return name_in(kSeverityNames, severity);
+}
 
 struct Finding {
   Severity severity = Severity::kOk;

@@ -39,7 +39,7 @@ HelloReply listen(const link::Port& port, Clock::time_point deadline) {
     const ssize_t n = ::read(port.fd(), buffer.data(), buffer.size());
     if (n <= 0 && (n == 0 || (errno != EAGAIN && errno != EINTR))) return {};
     for (ssize_t i = 0; i < n; ++i) {
-      if (decoder.push(buffer[static_cast<std::size_t>(i)]) != wire::Received::kFrame) continue;
+      if (decoder.push(buffer[static_cast<std::size_t>(i)]) != wire::DecodeResult::kFrame) continue;
       if (decoder.type() != static_cast<std::uint8_t>(wire::Type::kHello)) continue;
       HelloReply hello = read_hello(decoder.payload(), decoder.size());
       if (!hello.text.empty()) return hello;

@@ -60,15 +60,15 @@ bool is_processor(const std::string& name) {
 
 }  // namespace
 
-Findings real_time_findings(const std::vector<loop::Grant>& grants) {
+Findings real_time_findings(const std::vector<loop::Privilege>& privileges) {
   Findings findings;
   std::string granted;
-  for (const loop::Grant& grant : grants) {
-    if (grant.granted) {
-      granted += (granted.empty() ? "" : ", ") + grant.what;
+  for (const loop::Privilege& privilege : privileges) {
+    if (privilege.granted) {
+      granted += (granted.empty() ? "" : ", ") + privilege.what;
     } else {
       findings.push_back(
-          {Severity::kWarning, "real-time", "not granted: " + grant.what, grant.fix});
+          {Severity::kWarning, "real-time", "not granted: " + privilege.what, privilege.fix});
     }
   }
   if (!granted.empty()) findings.insert(findings.begin(), ok("real-time", granted));

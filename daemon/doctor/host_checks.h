@@ -13,8 +13,8 @@ namespace tp100::doctor {
 
 // How this machine affects the real-time loop, the page and recordings.
 
-/// `grants`: the privileges that were requested. Name: real-time.
-Findings real_time_findings(const std::vector<loop::Grant>& grants);
+/// `privileges`: those that were requested. Name: real-time.
+Findings real_time_findings(const std::vector<loop::Privilege>& privileges);
 
 /// Name: clock-source.
 Findings clock_source_findings(const System& system);

@@ -121,8 +121,9 @@ void add_link(const LinkTest& link, Findings& findings) {
   } else if (link.counters.lost > 0 || link.counters.corrupted() > 0) {
     findings.push_back(warning("link", figures + times, cable));
   } else if (link.age.p99_us > kOldUs || link.round_trip.p99_us > 2.0 * kOldUs) {
-    findings.push_back(warning("link", figures + times,
-                               "plug the robot in without a hub and end what loads this machine"));
+    findings.push_back(
+        warning("link", figures + times,
+                "plug the robot in without a hub and close programs that load this machine"));
   } else {
     findings.push_back(ok("link", figures + times));
   }
@@ -130,8 +131,9 @@ void add_link(const LinkTest& link, Findings& findings) {
   const std::string clock = format("known within %.0f us, drift %.0f ppm",
                                    link.clock_uncertainty_us, link.clock_drift_ppm);
   if (link.clock_uncertainty_us > kLooseClockUs) {
-    findings.push_back(warning("clock", "the robot's clock is only " + clock,
-                               "plug the robot in without a hub and end what loads this machine"));
+    findings.push_back(
+        warning("clock", "the robot's clock is only " + clock,
+                "plug the robot in without a hub and close programs that load this machine"));
   } else {
     findings.push_back(ok("clock", "the robot's clock is " + clock));
   }
@@ -140,10 +142,8 @@ void add_link(const LinkTest& link, Findings& findings) {
 }  // namespace
 
 Percentiles percentiles(const Histogram& times) {
-  const auto us = [&times](double fraction) {
-    return static_cast<double>(times.percentile(fraction)) * 1e-3;
-  };
-  return {us(0.5), us(0.9), us(0.99), static_cast<double>(times.max()) * 1e-3};
+  return {times.percentile_us(0.5), times.percentile_us(0.9), times.percentile_us(0.99),
+          times.max_us()};
 }
 
 void add_hello(wire::Hello hello, ProbeResult& probe) {

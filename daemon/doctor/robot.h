@@ -57,7 +57,7 @@ struct ProbeResult {
   std::uint64_t reboots = 0;
   FaultMask faults = 0;           ///< latched by the robot
   bool moved_unasked = false;     ///< armed or driving without a request
-  double battery_v = 0.0;         ///< both cells together
+  double battery_v = 0.0;         ///< of the whole battery
   double battery_cutoff_v = 0.0;  ///< the robot stops below this voltage; 0: never
   bool imu_fresh = false;
   double up_mps2 = 0.0;  ///< specific force along the IMU's z axis, at standstill

@@ -44,10 +44,11 @@ std::string encoder_fix(Side side, const Wiring& wiring) {
 }
 
 /// A left track that runs forward turns the body to the right.
-Seen seen_of(Side side, const TrackDrive& drive) {
+ObservedMotion seen_of(Side side, const TrackDrive& drive) {
   const bool turned = std::abs(drive.turned_rad) > kBodyTurnedRad;
-  if (drive.seen != Seen::kUnknown || !turned) return drive.seen;
-  return (drive.turned_rad < 0.0) == (side == Side::kLeft) ? Seen::kAsAsked : Seen::kBackwards;
+  if (drive.seen != ObservedMotion::kUnknown || !turned) return drive.seen;
+  return (drive.turned_rad < 0.0) == (side == Side::kLeft) ? ObservedMotion::kAsAsked
+                                                           : ObservedMotion::kBackwards;
 }
 
 /// Result of one drive.
@@ -55,7 +56,7 @@ struct Shown {
   Side side;
   double own_m;    // by the encoder of the driven track
   double other_m;  // by the other one
-  Seen seen;
+  ObservedMotion seen;
   std::string figures;
 
   bool crossed() const { return std::abs(other_m) > std::max(kMovedM, std::abs(own_m)); }
@@ -122,16 +123,16 @@ Finding judge_other(const Shown& drive, const Wiring& wiring) {
 
 Finding judge(const Shown& drive, const Wiring& wiring) {
   switch (drive.seen) {
-    case Seen::kAsAsked:
+    case ObservedMotion::kAsAsked:
       return judge_as_asked(drive, wiring);
-    case Seen::kBackwards:
+    case ObservedMotion::kBackwards:
       return judge_backwards(drive, wiring);
-    case Seen::kOtherTrack:
+    case ObservedMotion::kOtherTrack:
       return judge_other(drive, wiring);
-    case Seen::kNothing:
+    case ObservedMotion::kNothing:
       return error(drive, "the " + name_of(drive.side) + " track does not run",
                    "check the plug of its motor and that the motors' battery is switched on");
-    case Seen::kUnknown:
+    case ObservedMotion::kUnknown:
       break;
   }
   return judge_unseen(drive, wiring);
@@ -146,8 +147,10 @@ Findings track_findings(const TrackDrive& left, const TrackDrive& right, const W
   const Shown second = shown(Side::kRight, right);
   // The body alone cannot distinguish one track running back from the other running forward;
   // encoders that agree with both drives can.
-  const bool nobody_looked = left.seen == Seen::kUnknown && right.seen == Seen::kUnknown;
-  const bool mirrored = first.seen == Seen::kBackwards && second.seen == Seen::kBackwards;
+  const bool nobody_looked =
+      left.seen == ObservedMotion::kUnknown && right.seen == ObservedMotion::kUnknown;
+  const bool mirrored =
+      first.seen == ObservedMotion::kBackwards && second.seen == ObservedMotion::kBackwards;
   if (nobody_looked && mirrored && first.forward() && second.forward())
     return {{Severity::kError, "tracks",
              "left and right are plugged the wrong way round (driving left: " + first.figures + ")",

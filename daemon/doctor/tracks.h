@@ -10,7 +10,7 @@ namespace tp100::doctor {
 enum class Side { kLeft, kRight };
 
 /// Observed motion of a track that was commanded forward and then back.
-enum class Seen {
+enum class ObservedMotion {
   kUnknown,     ///< not observed: on the floor, the body's turn decides
   kAsAsked,     ///< forward and then back, as commanded
   kBackwards,   ///< back and then forward
@@ -24,7 +24,7 @@ struct TrackDrive {
   double left_m = 0.0;      ///< by the left encoder
   double right_m = 0.0;     ///< by the right one
   double turned_rad = 0.0;  ///< by the gyro, left positive
-  Seen seen = Seen::kUnknown;
+  ObservedMotion seen = ObservedMotion::kUnknown;
 };
 
 /// The keys of [drive] in effect during the drive.

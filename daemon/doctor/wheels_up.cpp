@@ -68,7 +68,8 @@ class WheelsUp {
     if (!right) return stopped();
     Findings findings = doctor::track_findings(*left, *right, wiring());
     const bool well = count(findings, Severity::kError) == 0;
-    const bool watched = left->seen != Seen::kUnknown && right->seen != Seen::kUnknown;
+    const bool watched =
+        left->seen != ObservedMotion::kUnknown && right->seen != ObservedMotion::kUnknown;
     const std::optional<double> hand_rad = watched ? hand_turn() : std::nullopt;
     if (!still_there()) return stopped();
     append(findings, doctor::gyro_findings(hand_rad, spin->turned_rad, well));
@@ -161,7 +162,7 @@ class WheelsUp {
     session_.disarm();
     if (!still_there() || session_.newest().faults != 0) return std::nullopt;
     return TrackDrive{0.5 * (forward.left_m - back.left_m), 0.5 * (forward.right_m - back.right_m),
-                      0.5 * (forward.yaw_rad - back.yaw_rad), Seen::kUnknown};
+                      0.5 * (forward.yaw_rad - back.yaw_rad), ObservedMotion::kUnknown};
   }
 
   std::optional<TrackDrive> drive(Side side, bool look) {
@@ -189,7 +190,7 @@ class WheelsUp {
     return given;
   }
 
-  Seen ask(const std::string& track) {
+  ObservedMotion ask(const std::string& track) {
     const Question question{"What ran?",
                             {{"", "the " + track + " track, forward first"},
                              {"b", "the " + track + " track, back first"},
@@ -197,11 +198,11 @@ class WheelsUp {
                              {"n", "none"}}};
     while (true) {
       const std::optional<std::string> reply = answer(question);
-      if (!reply) return Seen::kUnknown;
-      if (reply->empty()) return Seen::kAsAsked;
-      if (*reply == "b") return Seen::kBackwards;
-      if (*reply == "o") return Seen::kOtherTrack;
-      if (*reply == "n") return Seen::kNothing;
+      if (!reply) return ObservedMotion::kUnknown;
+      if (reply->empty()) return ObservedMotion::kAsAsked;
+      if (*reply == "b") return ObservedMotion::kBackwards;
+      if (*reply == "o") return ObservedMotion::kOtherTrack;
+      if (*reply == "n") return ObservedMotion::kNothing;
     }
   }
 

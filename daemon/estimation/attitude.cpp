@@ -124,7 +124,7 @@ void ObstacleState::climb(double nose_up_rad, double distance_m) {
   ++marks_;
 }
 
-Obstacle ObstacleState::update(double pitch_rad, Slope slope, double distance_m) {
+ObstacleClass ObstacleState::update(double pitch_rad, Slope slope, double distance_m) {
   const double nose_up = -pitch_rad;
   level_m_ += std::abs(distance_m);
   up_m_ += std::abs(distance_m);
@@ -133,16 +133,16 @@ Obstacle ObstacleState::update(double pitch_rad, Slope slope, double distance_m)
   const Slope before = std::exchange(slope_, slope);
   if (slope == Slope::kFlat) {
     if (before != Slope::kFlat) level_m_ = 0.0;
-    return state_ = Obstacle::kNone;
+    return state_ = ObstacleClass::kNone;
   }
-  const Obstacle risen = steepest_ > kStepSine ? Obstacle::kBlock : Obstacle::kRamp;
+  const ObstacleClass risen = steepest_ > kStepSine ? ObstacleClass::kBlock : ObstacleClass::kRamp;
   if (slope == Slope::kUp && before == Slope::kFlat) {
     up_m_ = 0.0;
     state_ = last_ = risen;
-  } else if (slope == Slope::kUp && up_m_ < kJudgedM && risen == Obstacle::kBlock) {
+  } else if (slope == Slope::kUp && up_m_ < kJudgedM && risen == ObstacleClass::kBlock) {
     state_ = last_ = risen;
   } else if (before == Slope::kFlat) {
-    state_ = level_m_ < kTopM && last_ != Obstacle::kNone ? last_ : Obstacle::kRamp;
+    state_ = level_m_ < kTopM && last_ != ObstacleClass::kNone ? last_ : ObstacleClass::kRamp;
   }
   return state_;
 }

@@ -84,9 +84,9 @@ class ObstacleState {
   void restart() { *this = ObstacleState(axle_spacing_m_); }
   /// One interval at whose end the body has this pitch (nose-up negative) and state; `distance_m`
   /// is the tracks' distance without slip.
-  Obstacle update(double pitch_rad, Slope slope, double distance_m);
+  ObstacleClass update(double pitch_rad, Slope slope, double distance_m);
   /// The obstacle that tilts the body; none while it is level.
-  Obstacle state() const { return state_; }
+  ObstacleClass state() const { return state_; }
 
  private:
   /// The steepest line that the front end climbed, over a centimetre of distance.
@@ -96,10 +96,10 @@ class ObstacleState {
 
   double axle_spacing_m_;
   Slope slope_ = Slope::kFlat;
-  Obstacle state_ = Obstacle::kNone;
-  Obstacle last_ = Obstacle::kNone;  ///< the obstacle that the robot climbed
-  double level_m_ = 0.0;             ///< distance since it was left
-  double up_m_ = 0.0;                ///< distance since the slope state became up
+  ObstacleClass state_ = ObstacleClass::kNone;
+  ObstacleClass last_ = ObstacleClass::kNone;  ///< the obstacle that the robot climbed
+  double level_m_ = 0.0;                       ///< distance since it was left
+  double up_m_ = 0.0;                          ///< distance since the slope state became up
   double since_mark_m_ = 0.0;
   std::array<double, kMarks> sines_{};  ///< of the pitch, a millimetre apart; a ring
   std::size_t marks_ = 0;               ///< so far

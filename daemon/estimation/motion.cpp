@@ -214,7 +214,7 @@ void MotionModel::measure(FilterState& state, const Motion& motion) const {
     rest.noise << square(motion.rest.sd_radps);
     update(state, rest);
   }
-  // It was the gyro that saw the turn: its yaw is still known.
+  // The gyro measured the turn, so the yaw stays known.
   if (motion.disturbed) forget_place(state, noise_.disturbance_sd_m, noise_.disturbance_sd_rad);
   if (!motion.has_residual) return;
   const Residual& seen = motion.residual;
@@ -223,8 +223,7 @@ void MotionModel::measure(FilterState& state, const Motion& motion) const {
   Measurement<1> residual;
   residual.innovation << innovation_radps(state.mean, seen);
   const Shares covered = shares(state.mean);
-  // Nothing along the common slip: what the turn gain explains wrongly would otherwise shorten or
-  // lengthen the distance.
+  // No gain along common slip: an error of the turn gain would change the distance.
   residual.jacobian.setZero();
   residual.jacobian(0, kBias) = 1.0;
   residual.jacobian(0, kSlipDifference) =

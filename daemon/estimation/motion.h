@@ -2,6 +2,7 @@
 // One sample interval as the estimators take it, the prediction of a state over it, and the
 // measurements at its end.
 
+#include "core/pose.h"
 #include "core/time.h"
 #include "estimation/kalman.h"
 #include "estimation/parameters.h"
@@ -9,12 +10,6 @@
 #include "model/track_model.h"
 
 namespace tp100::estimation {
-
-/// Track speeds, constant over one interval.
-struct TrackSpeeds {
-  double left_mps = 0.0;
-  double right_mps = 0.0;
-};
 
 /// Terrain under the robot. All zero on a plane.
 struct Ground {
@@ -46,7 +41,7 @@ inline TrackSpeeds expected_speeds(const TrackSpeeds& tracks, const Ground& grou
 struct Motion {
   HostNs end_ns = 0;
   double dt_s = 0.0;
-  TrackSpeeds tracks{};
+  TrackSpeeds tracks{};       ///< constant over the interval
   model::TurnShape shape{};   ///< of the turn
   double gyro_z_radps = 0.0;  ///< mean over the interval, bias included
   bool gyro = false;          ///< false: stand or dead sensor, eq 5 gives the turn

@@ -108,7 +108,7 @@ void Odometry::resume(const CarriedEstimate& carried) {
   slip_walk_ = SlipWalk(carried.slip_walk);
   motion_ = Motion{};
   twist_ = Twist{};
-  turn_monitor_.restart();
+  turn_shape_filter_.restart();
 }
 
 void Odometry::compare_tracks_with_gyro() {
@@ -177,7 +177,7 @@ const Motion& Odometry::advance(const FilterInput& in) {
              .ground = in.ground,
              .slip_walk_rtm = slip_walk_.step_rtm()};
   const TrackSpeeds over_ground = model_.over_ground(state_.mean, motion_);
-  motion_.shape = turn_monitor_.update(over_ground.left_mps, over_ground.right_mps, in.dt_s);
+  motion_.shape = turn_shape_filter_.update(over_ground.left_mps, over_ground.right_mps, in.dt_s);
   if (in.dt_s > 0.0)
     motion_.ground.tilt_radps = std::abs(in.ground.pitch_rad - pitch_before_rad) / in.dt_s;
   compare_tracks_with_gyro();

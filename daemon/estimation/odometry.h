@@ -44,7 +44,7 @@ class SlipWalk {
   double step_rtm_ = 0.0;
 };
 
-/// One sample interval, as bridge::Tracks finds it.
+/// One sample interval, as bridge::SampleIntervals finds it.
 struct FilterInput {
   HostNs end_ns = 0;  ///< when its last sample was measured, host's clock
   double dt_s = 0.0;  ///< device time
@@ -111,7 +111,7 @@ class Odometry {
   FilterState state_;
   Motion motion_{};  ///< the last
   Twist twist_{};
-  model::TurnMonitor turn_monitor_{};
+  model::TurnShapeFilter turn_shape_filter_{};
   SlipWalk slip_walk_{};
   Residual last_residual_{};  ///< of the window before; 0: there is none
   Window residual_window_{};

@@ -7,8 +7,6 @@
 namespace tp100::estimation {
 namespace {
 
-// One edge may flicker while a wheel stands still.
-constexpr std::int64_t kStandstillCounts = 1;
 // The sensor's zero-rate offset is at most 20 deg/s (MPU6050 data sheet rev 3.4, 6.1), with some
 // room for temperature: anything faster is a turn.
 constexpr double kMaxBiasRadps = 0.45;

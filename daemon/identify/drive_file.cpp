@@ -1,7 +1,6 @@
 #include "identify/drive_file.h"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <string>
@@ -9,6 +8,7 @@
 #include "core/arithmetic.h"
 #include "core/error.h"
 #include "text/csv_reader.h"
+#include "text/format.h"
 #include "text/toml_document.h"
 
 namespace tp100::identify {
@@ -65,23 +65,15 @@ class Row {
   std::size_t row_;
 };
 
-/// Shortest text that reads back the same.
-void append(std::string& text, double value) {
-  std::array<char, 32> cell{};
-  const auto end = std::to_chars(cell.data(), cell.data() + cell.size(), value).ptr;
-  text.append(cell.data(), end);
-}
-
 void append(std::string& text, const DriveSample& sample) {
   text +=
       ',' + std::to_string(sample.left_counts) + ',' + std::to_string(sample.right_counts) + ',';
-  append(text, sample.gyro_z_radps);
+  text += text::shortest(sample.gyro_z_radps);
 }
 
 void append(std::string& text, const SeenPose& seen) {
   for (const double value : {seen.x_m, seen.y_m, seen.yaw_rad}) {
-    text += ',';
-    append(text, value);
+    text += ',' + text::shortest(value);
   }
 }
 
@@ -139,7 +131,7 @@ std::string write_drive(const RecordedDrive& drive) {
         sample != drive.samples.end() && (seen == drive.camera.end() || sample->t_s <= seen->t_s);
     const bool with_seen =
         seen != drive.camera.end() && (sample == drive.samples.end() || seen->t_s <= sample->t_s);
-    append(text, with_sample ? sample->t_s : seen->t_s);
+    text += text::shortest(with_sample ? sample->t_s : seen->t_s);
     if (with_sample)
       append(text, *sample++);
     else
@@ -184,7 +176,7 @@ std::string write_measured(const std::vector<RecordedDrive>& drives) {
     rows += std::to_string(i + 1);
     const auto cell = [&rows](const std::optional<double>& value, double si) {
       rows += ',';
-      if (value) append(rows, *value / si);
+      if (value) rows += text::shortest(*value / si);
     };
     cell(m.distance_m, 1.0);
     cell(m.ahead_m, 1.0);

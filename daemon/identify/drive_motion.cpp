@@ -4,13 +4,11 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "core/sample.h"
+
 namespace tp100::identify {
 namespace {
 
-// One edge may flicker while a wheel stands still.
-constexpr std::int64_t kStandstillCounts = 1;
-// A shorter standstill gives no useful bias.
-constexpr double kStandstillS = 0.3;
 // The robot turns a little before the first edge shows it.
 constexpr double kBeforeEdgeS = 0.15;
 
@@ -38,7 +36,7 @@ DriveMotion::DriveMotion(const RecordedDrive& drive, double counts_per_metre) {
   std::size_t quiet = 0;
   while (quiet < resting && samples[quiet].t_s < moves_s_ - kBeforeEdgeS)
     sum += samples[quiet++].gyro_z_radps;
-  has_bias_ = moves_s_ - kBeforeEdgeS - first.t_s >= kStandstillS;
+  has_bias_ = moves_s_ - kBeforeEdgeS - first.t_s >= kBiasStandstillS;
   const double bias = has_bias_ ? sum / static_cast<double>(quiet) : 0.0;
 
   times_s_.push_back(first.t_s);

@@ -48,12 +48,12 @@ FittedRun::FittedRun(const RecordedDrive& drive, double counts_per_metre, double
 }
 
 Pose FittedRun::predicted(const std::vector<Pose>& poses, double t_s) const {
-  const Pose way = motion.at(poses, t_s);
+  const Pose driven = motion.at(poses, t_s);
   const double c = std::cos(own[2]), s = std::sin(own[2]);
   Pose pose;
-  pose.x_m = own[0] + c * way.x_m - s * way.y_m;
-  pose.y_m = own[1] + s * way.x_m + c * way.y_m;
-  pose.yaw_rad = own[2] + way.yaw_rad;
+  pose.x_m = own[0] + c * driven.x_m - s * driven.y_m;
+  pose.y_m = own[1] + s * driven.x_m + c * driven.y_m;
+  pose.yaw_rad = own[2] + driven.yaw_rad;
   return pose;
 }
 

@@ -21,7 +21,7 @@
 
 namespace tp100::identify {
 
-/// Assumed values of a robot, before and after.
+/// Values assumed of a robot: the prior of an identification, and its result.
 struct Prior {
   model::TrackParameters tracks{};
   double counts_per_metre = 11140.0;  ///< never fitted: it is not separable from slip

@@ -33,7 +33,7 @@ bool has_images(const Fit& fit) {
 std::string table(const Fit& fit, const course::Robot& base) {
   std::string text = "                              found    95 % interval     before\n";
   for (const model::ParameterRow& row : kTrackParameters) {
-    const Estimate& estimate = fit[row.value];
+    const ParameterEstimate& estimate = fit[row.value];
     const double was = base.model.*row.value / row.si;
     if (estimate.found) {
       text += format("  %-24s %9.4f      +- %7.4f  %9.4f\n", row.key, estimate.value / row.si,
@@ -62,7 +62,7 @@ std::string run_lines(const Fit& fit) {
 }
 
 /// As a robot file holds it.
-double rounded(const Estimate& estimate, double si) {
+double rounded(const ParameterEstimate& estimate, double si) {
   return std::round(estimate.value / si * 1e5) / 1e5 * si;
 }
 
@@ -131,7 +131,7 @@ std::string identify_json(const Identification& found, const course::Robot& base
   text::JsonWriter json(text);
   json.begin_object().field("robot", base.name).key("parameters").begin_array();
   for (const model::ParameterRow& row : kTrackParameters) {
-    const Estimate& estimate = found.extended[row.value];
+    const ParameterEstimate& estimate = found.extended[row.value];
     json.begin_object()
         .field("name", row.key)
         .field("unit", text::unit_of(row.key))
@@ -160,7 +160,7 @@ course::Robot identified_robot(const Identification& found, const course::Robot&
                                const std::string& date) {
   course::Robot robot = base;
   for (const model::ParameterRow& row : kTrackParameters) {
-    const Estimate& estimate = found.extended[row.value];
+    const ParameterEstimate& estimate = found.extended[row.value];
     if (!estimate.found) continue;
     robot.model.*row.value = rounded(estimate, row.si);
     robot.origins[std::string(row.key)] =

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "course/robot.h"
+#include "course/robot_file.h"
 #include "identify/identify.h"
 #include "identify/next_manoeuvre.h"
 

@@ -14,7 +14,6 @@ namespace tp100::identify {
 namespace {
 
 constexpr double kTail = 0.025;
-constexpr double kNormalQuantile = 1.96;
 
 // Where the standard deviation between runs is looked for, in units.
 constexpr double kLeastBetween = 0.02, kMaxBetween = 8.0, kBetweenStep = 1.15;
@@ -101,7 +100,7 @@ Eigen::VectorXd Summed::half_intervals() const {
   const Eigen::MatrixXd clustered = covariance_ * scatter * covariance_;
   Eigen::VectorXd half(size);
   for (Eigen::Index i = 0; i < size; ++i) {
-    half[i] = kNormalQuantile * std::sqrt(covariance_(i, i));
+    half[i] = kNormal95 * std::sqrt(covariance_(i, i));
     const double runs = shares[i] > 0.0 ? 1.0 / shares[i] : 1.0;
     if (runs_.size() < 2 || runs < 1.5 || !std::isfinite(clustered(i, i))) continue;
     const double student = student_t(kTail, std::max(1.0, runs - 1.0));
@@ -164,7 +163,7 @@ Eigen::MatrixXd Intervals::spread(double between) const {
 }
 
 Eigen::VectorXd Intervals::half() const {
-  return kNormalQuantile * (covariance_ + spread(between_)).diagonal().array().sqrt();
+  return kNormal95 * (covariance_ + spread(between_)).diagonal().array().sqrt();
 }
 
 Eigen::VectorXd Intervals::narrowed_by(const RunSums& run) const {

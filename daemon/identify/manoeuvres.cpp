@@ -111,7 +111,7 @@ void ManoeuvreMotion::still(double duration_s) {
 // Speed is a trapezoid over the length; the steps add up to the length.
 void ManoeuvreMotion::along(const course::Segment& segment, bool from_rest, bool to_rest) {
   double length = 0.0, most = speed_mps_, acceleration = kAccelerationMps2;
-  Step unit{1.0, 0.0};
+  MotionStep unit{1.0, 0.0};
   if (const auto* pivot = std::get_if<Pivot>(&segment)) {
     length = std::abs(pivot->angle_rad);
     most = kPivotRadps;

@@ -13,18 +13,20 @@ namespace tp100::identify {
 /// the same order. Pure.
 std::vector<course::OtherPath> candidate_manoeuvres(double wheelbase_m);
 
+/// Motion during ManoeuvreMotion::kStepS.
+struct MotionStep {
+  double mps, radps;
+};
+
 /// Speed ahead and turn rate over time, about as the tracking controller drives a path, with
 /// standstill before and after.
 class ManoeuvreMotion {
  public:
   static constexpr double kStepS = 0.04;
-  struct Step {
-    double mps, radps;
-  };
 
   ManoeuvreMotion(double speed_mps, const std::vector<course::Segment>& path);
 
-  const std::vector<Step>& steps() const { return steps_; }
+  const std::vector<MotionStep>& steps() const { return steps_; }
   /// From the first motion to the last one.
   double moving_s() const { return moving_s_; }
 
@@ -33,7 +35,7 @@ class ManoeuvreMotion {
   void along(const course::Segment& segment, bool from_rest, bool to_rest);
 
   double speed_mps_;
-  std::vector<Step> steps_;
+  std::vector<MotionStep> steps_;
   double moving_s_ = 0.0;
 };
 

@@ -27,7 +27,7 @@ struct IdentifySettings {
 };
 
 /// One parameter. SI units.
-struct Estimate {
+struct ParameterEstimate {
   double value = 0.0;
   double half_interval = 0.0;  ///< of the 95 % interval, to either side
   bool found = false;          ///< false: the runs do not determine it; `value` is the previous one
@@ -44,7 +44,7 @@ struct RunFit {
 
 /// The best fit of one form of the model.
 struct Fit {
-  std::array<Estimate, model::kTrackParameters.size()> estimates{};  ///< as in the table
+  std::array<ParameterEstimate, model::kTrackParameters.size()> estimates{};  ///< as in the table
   std::vector<RunFit> runs;
   double rms_m = 0.0, max_m = 0.0, rms_rad = 0.0;  ///< over all runs
   double condition = 0.0;                          ///< of the scaled Jacobian; 1 is best
@@ -55,7 +55,9 @@ struct Fit {
   /// Pairs that the runs cannot separate: both may change together without an effect on the
   /// residuals. Rows of the table, ascending.
   std::vector<std::pair<std::size_t, std::size_t>> confused;
-  const Estimate& operator[](model::TrackParameter p) const { return estimates[model::row_of(p)]; }
+  const ParameterEstimate& operator[](model::TrackParameter p) const {
+    return estimates[model::row_of(p)];
+  }
 };
 
 /// Unknowns shared by all runs: the parameters in the order of their table, then the delay of the

@@ -23,7 +23,7 @@ constexpr std::size_t kRows = kTrackParameters.size();
 constexpr auto kSlipLeft = static_cast<Eigen::Index>(model::row_of(&TrackParameters::slip_left));
 constexpr auto kSlipRight = static_cast<Eigen::Index>(model::row_of(&TrackParameters::slip_right));
 
-// What it costs to get under way, in seconds of driving: otherwise many short ones would win.
+// Fixed cost of each manoeuvre in seconds, so that many short ones are not preferred.
 constexpr double kUnderWayS = 1.0;
 constexpr int kStepsPerImage = 5;
 
@@ -36,12 +36,8 @@ constexpr int kAround = 8;
 constexpr double kNoGain = 0.02;
 constexpr std::size_t kLastImages = 5;
 
-struct TrackSpeeds {
-  double left_mps, right_mps;
-};
-
 /// The track speeds at which the model moves like that.
-TrackSpeeds tracks_of(const TrackParameters& tracks, const ManoeuvreMotion::Step& step) {
+TrackSpeeds tracks_of(const TrackParameters& tracks, const MotionStep& step) {
   double slip = 0.0, half_difference_mps = 0.0;
   // The wheelbase depends on the turn, and the turn's shape on the wheelbase.
   for (int i = 0; i < 4; ++i) {
@@ -111,14 +107,14 @@ struct NextManoeuvre::Clearance {
 
 std::optional<OtherPath> NextManoeuvre::choose() const {
   const AutoProgress so_far = progress();
-  if (so_far.narrow || so_far.driving_s >= settings_.most_s) return std::nullopt;
+  if (so_far.narrow || so_far.driving_s >= settings_.max_s) return std::nullopt;
   const Eigen::VectorXd half = intervals_.half();
   const double unknown = std::min(kMaxSlipUnknown, std::max(half[kSlipLeft], half[kSlipRight]));
   // It may stay as near to the fence as it is already.
   double margin_m = kMarginM;
   while (margin_m > 0.0 && !clear(area_.fence, here_, margin_m)) margin_m -= kMarginM / 5.0;
   margin_m = std::max(margin_m, 0.0);
-  // In a small fence, or near its edge, less room has to do.
+  // In a small fence or near its edge, a smaller margin is accepted.
   bool any = false;
   std::optional<OtherPath> best;
   for (const Clearance& clearance : {Clearance{margin_m, unknown, kRoomAtTheEndM},
@@ -173,7 +169,7 @@ NextManoeuvre::Prediction NextManoeuvre::predict(const OtherPath& manoeuvre) con
   };
   double left_m = 0.0, right_m = 0.0, t_s = 0.0;
   drive.samples.push_back({});
-  for (const ManoeuvreMotion::Step& step : motion.steps()) {
+  for (const MotionStep& step : motion.steps()) {
     const TrackSpeeds speeds = tracks_of(tracks, step);
     left_m += speeds.left_mps * ManoeuvreMotion::kStepS;
     right_m += speeds.right_mps * ManoeuvreMotion::kStepS;

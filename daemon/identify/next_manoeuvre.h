@@ -18,10 +18,10 @@
 namespace tp100::identify {
 
 struct AutoSettings {
-  bool camera = true;     ///< sees the drives; else each end is measured from its start by hand
-  double narrow = 1.0;    ///< goal of every half interval, in parts of the error of the table of
-                          ///< parameters that is harmless to a pose
-  double most_s = 240.0;  ///< of driving; then it ends with intervals as they are
+  bool camera = true;    ///< sees the drives; else each end is measured from its start by hand
+  double narrow = 1.0;   ///< goal of every half interval, in parts of the error of the table of
+                         ///< parameters that is harmless to a pose
+  double max_s = 240.0;  ///< of driving; then it ends with intervals as they are
   IdentifySettings fit{};
 };
 

@@ -2,7 +2,7 @@
 
 namespace tp100::link {
 
-using wire::Received;
+using wire::DecodeResult;
 
 void FrameReader::reset() {
   if (!in_step_) {
@@ -18,10 +18,10 @@ void FrameReader::reset() {
 
 bool FrameReader::push(std::uint8_t byte) {
   ++pending_;
-  const Received received = decoder_.push(byte);
-  if (received == Received::kOversize) skipping_ = true;
+  const DecodeResult received = decoder_.push(byte);
+  if (received == DecodeResult::kOversize) skipping_ = true;
   const bool ends = byte == wire::kDelimiter;
-  if (received == Received::kFrame) {
+  if (received == DecodeResult::kFrame) {
     in_step_ = true;
     frame_bytes_ = static_cast<std::size_t>(pending_);
     ++counters_.frames_in;
@@ -37,25 +37,25 @@ bool FrameReader::push(std::uint8_t byte) {
     pending_ = 0;
     skipping_ = false;
   }
-  return received == Received::kFrame;
+  return received == DecodeResult::kFrame;
 }
 
-void FrameReader::count(Received cause) {
+void FrameReader::count(DecodeResult cause) {
   switch (cause) {
-    case Received::kOversize:
+    case DecodeResult::kOversize:
       ++counters_.oversize;
       break;
-    case Received::kCobs:
+    case DecodeResult::kCobs:
       ++counters_.cobs_errors;
       break;
-    case Received::kShort:
+    case DecodeResult::kShort:
       ++counters_.undersize;
       break;
-    case Received::kCrc:
+    case DecodeResult::kCrc:
       ++counters_.crc_errors;
       break;
-    case Received::kNothing:
-    case Received::kFrame:
+    case DecodeResult::kNothing:
+    case DecodeResult::kFrame:
       break;
   }
 }

@@ -29,7 +29,7 @@ class FrameReader {
   std::size_t frame_bytes() const { return frame_bytes_; }
 
  private:
-  void count(wire::Received cause);
+  void count(wire::DecodeResult cause);
 
   LinkCounters& counters_;
   wire::FrameDecoder decoder_;

@@ -253,7 +253,7 @@ void Session::on_sync_reply(const wire::SyncReply& reply, HostNs now) {
 
 void Session::on_fault(const wire::FaultReport& report, HostNs now) {
   ++counters_.robot_faults;
-  events_.note_said(RobotFault{report.fault, report.detail}, now);
+  events_.note_from_robot(RobotFault{report.fault, report.detail}, now);
 }
 
 void Session::on_log(const wire::Log& log, HostNs now) {
@@ -262,7 +262,7 @@ void Session::on_log(const wire::Log& log, HostNs now) {
     const auto character = static_cast<char>(log.text[i]);
     clean.text[i] = character >= ' ' && character <= '~' ? character : '?';
   }
-  events_.note_said(clean, now);
+  events_.note_from_robot(clean, now);
 }
 
 void Session::poll(HostNs now) {
@@ -289,7 +289,7 @@ void Session::poll_timeout(HostNs now) {
   enter(SessionState::kListening, now);
 }
 
-// If nothing of ours arrives, the robot's own frames still do.
+// The link may work in one direction only.
 void Session::poll_unanswered(HostNs now) {
   const HostNs since = std::max(handshake_ns_, not_before_ns_);
   if (!in_handshake() || now - since < settings_.first_frame_timeout_ns) return;

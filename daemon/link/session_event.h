@@ -84,9 +84,9 @@ class SessionEvents {
   void note(const What& what, HostNs now) {
     events_.push({now, what});
   }
-  /// What the robot says fills half of the list at most, so that no flood displaces other events.
+  /// Events that the robot sends fill half of the list at most, so that no flood displaces others.
   template <class What>
-  void note_said(const What& what, HostNs now) {
+  void note_from_robot(const What& what, HostNs now) {
     if (events_.size() < kCapacity / 2) note(what, now);
   }
   /// Events since the last take, oldest first; valid until the next note.

@@ -89,7 +89,7 @@ link::AutoChoice Connector::choose() const {
   std::vector<link::PortInfo> open;
   for (const link::PortInfo& port : std::exchange(choice.open, {})) {
     if (silent_.contains(device_file(port.path))) {
-      choice.passed_over.push_back({port, "nothing on it spoke like a TP100"});
+      choice.passed_over.push_back({port, "no TP100 answered on it"});
     } else {
       choice.open.push_back(port);
     }

@@ -22,7 +22,7 @@ constexpr HostNs kStatusLinePeriodNs = 10 * kNsPerS;
 // The gyro's standstill is detected within half a second, and a world replies soon.
 constexpr HostNs kRefusalNs = kNsPerS;
 constexpr std::size_t kWaiting = 1024;
-constexpr auto kPatience = 1000ms, kLook = 5ms;
+constexpr auto kFlushTimeout = 1000ms, kLook = 5ms;
 
 }  // namespace
 
@@ -45,8 +45,8 @@ EventLog::EventLog() : writer_(std::make_unique<Writer>()) {
 }
 
 bool EventLog::flush() {
-  for (std::chrono::milliseconds waited{0}; writer_->pool->queue_size() > 0 && waited < kPatience;
-       waited += kLook)
+  for (std::chrono::milliseconds waited{0};
+       writer_->pool->queue_size() > 0 && waited < kFlushTimeout; waited += kLook)
     std::this_thread::sleep_for(kLook);
   // The last line may still be on its way.
   std::this_thread::sleep_for(kLook);
@@ -117,12 +117,12 @@ void EventLog::recording(const messages::RecordingFigures& before,
     warn(now.file + ": the disk is too slow, steps are missing in the recording");
 }
 
-void EventLog::grants(const std::vector<loop::Grant>& grants) {
-  for (const loop::Grant& grant : grants) {
-    if (grant.granted) {
-      writer_->logger->info("real time: {}", grant.what);
+void EventLog::privileges(const std::vector<loop::Privilege>& privileges) {
+  for (const loop::Privilege& privilege : privileges) {
+    if (privilege.granted) {
+      writer_->logger->info("real time: {}", privilege.what);
     } else {
-      writer_->logger->info("real time: no {}; {}", grant.what, grant.fix);
+      writer_->logger->info("real time: no {}; {}", privilege.what, privilege.fix);
     }
   }
 }

@@ -53,7 +53,7 @@ class EventLog {
   /// Logs a recording that began, and what it lost.
   void recording(const messages::RecordingFigures& before, const messages::RecordingFigures& now);
   /// Logs which privileges the real-time thread requested and got.
-  void grants(const std::vector<loop::Grant>& grants);
+  void privileges(const std::vector<loop::Privilege>& privileges);
   /// Logs the line of figures every ten seconds, and what has blocked a start for over a second.
   void status(const LiveStatus& status, std::uint64_t overruns, HostNs now);
   /// Call it regularly: logs the sum of folded lines.

@@ -9,7 +9,7 @@
 #include "core/arithmetic.h"
 #include "core/board.h"
 #include "core/clock.h"
-#include "course/robot.h"
+#include "course/robot_file.h"
 #include "live/live_events.h"
 #include "text/key.h"
 
@@ -89,7 +89,7 @@ std::string LiveControls::drive_take(const server::Driver& driver, HostNs now, s
   if (!driving(now)) wheel_.clear();
   const std::optional<std::string> taken = wheel_.take(driver, now);
   if (!taken) return wheel_.figures(now).by + " drives; ask for a release";
-  // Whoever drove before does so no more.
+  // The previous driver's token is no longer valid.
   cycle_.velocity({.at_ns = now});
   if (!cycle_.request(OperatorRequest::kDrive)) {
     wheel_.clear();
@@ -103,13 +103,13 @@ std::string LiveControls::drive(const server::DriveRequest& request, HostNs now)
   const std::lock_guard lock(mutex_);
   if (!driving(now)) wheel_.clear();
   const std::optional<VelocityInput> input = wheel_.drive(request, now);
-  if (!input) return "this token does not drive; take the wheel";
+  if (!input) return "this token does not hold the wheel; take it";
   return cycle_.velocity(*input) ? std::string() : kBusy;
 }
 
 std::string LiveControls::drive_release(const std::string& token, HostNs now) {
   const std::lock_guard lock(mutex_);
-  if (!wheel_.release(token)) return "this token does not drive";
+  if (!wheel_.release(token)) return "this token does not hold the wheel";
   cycle_.velocity({.at_ns = now});
   // Not the run that somebody else may have started meanwhile.
   if (cycle_.run_state() == RunState::kRunning) return {};
@@ -236,10 +236,11 @@ StartConsent LiveControls::start_consent() {
   return tp100::start_consent(facts);
 }
 
-void LiveControls::set_grants(const std::vector<loop::Grant>& grants) {
-  self_test_.set_grants(grants);
+void LiveControls::set_privileges(const std::vector<loop::Privilege>& privileges) {
+  self_test_.set_privileges(privileges);
   const std::lock_guard lock(mutex_);
-  for (const loop::Grant& grant : grants) privileges_.emplace_back(grant.what, grant.granted);
+  for (const loop::Privilege& privilege : privileges)
+    privileges_.emplace_back(privilege.what, privilege.granted);
 }
 
 void LiveControls::drain_events(std::vector<messages::Event>& events) {

@@ -93,7 +93,7 @@ class LiveControls : public server::Controls {
   void note_port(const std::string& line);
   /// Sets the facts that the supervisor knows; the cycle knows whether a run has begun.
   void set_start(const StartFacts& facts);
-  void set_grants(const std::vector<loop::Grant>& grants);
+  void set_privileges(const std::vector<loop::Privilege>& privileges);
   /// Adds what is to be said of a check of the tracks that has ended.
   void drain_events(std::vector<messages::Event>& events);
   /// The program is ending: refuses further starts.

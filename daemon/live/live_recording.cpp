@@ -29,11 +29,11 @@ std::string date_and_time(std::int64_t unix_ns) {
 }
 
 /// Channels of what happens once; the other channels hold a state.
-bool happens(Channel channel) {
+bool is_event_channel(Channel channel) {
   return channel == Channel::kEvent || channel == Channel::kLog || channel == Channel::kCameraImage;
 }
 
-/// What is to be said of it, in one line, or nothing.
+/// What was deleted, in one line; empty: nothing.
 std::string describe_freed(const runs::FreedSpace& freed) {
   std::string text;
   if (!freed.deleted.empty()) {
@@ -77,7 +77,7 @@ std::string black_box_directory(const config::RecordSettings& settings) {
 }
 
 bool is_latched_or_event(Channel channel) {
-  return happens(channel) || channel == Channel::kLink || channel == Channel::kLoop ||
+  return is_event_channel(channel) || channel == Channel::kLink || channel == Channel::kLoop ||
          channel == Channel::kState || channel == Channel::kParameter;
 }
 
@@ -119,8 +119,8 @@ record::Recorder::Make LiveRecording::make(const std::string& directory, const s
   return [clock = clock_, max_mb = static_cast<std::uint64_t>(settings_.max_mb), run = run_,
           directory, name, facts, unix_ns, quota_mb, note = note_] {
     if (quota_mb > 0) {
-      const std::uint64_t most_bytes = static_cast<std::uint64_t>(quota_mb) * 1'000'000;
-      std::string text = describe_freed(runs::free_space(directory, most_bytes));
+      const std::uint64_t max_bytes = static_cast<std::uint64_t>(quota_mb) * 1'000'000;
+      std::string text = describe_freed(runs::free_space(directory, max_bytes));
       if (!text.empty()) note->set(std::move(text));
     }
     return std::make_unique<record::RecordingWriter>(
@@ -217,7 +217,7 @@ void LiveRecording::on_message(messages::Channel channel, std::uint64_t unix_ns,
                                std::string_view json) {
   if (!is_latched_or_event(channel)) return;
   const std::lock_guard lock(mutex_);
-  if (!happens(channel)) latched_[channel] = json;
+  if (!is_event_channel(channel)) latched_[channel] = json;
   recorder_.message(channel, clock_.host_ns(unix_ns), json);
 }
 

@@ -28,7 +28,7 @@ messages::Event refusal(HostNs now, const std::string& text) {
           .text = "ROS 2: " + text};
 }
 
-/// Without its place in a file that nobody has written.
+/// Removes file:line:column: this text has no file.
 std::string of_goal(const std::string& why) {
   const bool placed = why.starts_with(std::string(course::kGoalCourse) + ".toml:");
   return placed ? why.substr(why.find(": ") + 2) : why;
@@ -220,7 +220,7 @@ void Ros2Requests::go_on(Start& start, const Snapshot& snapshot, HostNs now) {
     const std::lock_guard lock(shared_->mutex);
     if (shared_->choice.first != start.number) return;
     why = shared_->choice.second;
-    start.until_ns = now + kPatienceNs;
+    start.until_ns = now + kStartTimeoutNs;
   }
   if (why.empty() && snapshot.start_refusal != StartRefusal::kNone && now < start.until_ns) return;
   if (why.empty()) why = why_not(start, snapshot);

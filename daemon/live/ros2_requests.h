@@ -25,7 +25,7 @@ class Ros2Requests {
   /// repeats starts nothing again after a STOP.
   static constexpr HostNs kSilenceNs = 2 * kNsPerS;
   /// A start that cannot begin this long after its course is in force is refused.
-  static constexpr HostNs kPatienceNs = 3 * kNsPerS;
+  static constexpr HostNs kStartTimeoutNs = 3 * kNsPerS;
 
   /// `controls` must outlive all requests that it was passed.
   explicit Ros2Requests(server::Controls& controls) : controls_(controls) {}

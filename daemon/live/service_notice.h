@@ -52,7 +52,7 @@ class LastWait {
   /// From now on 5 s in all; the unit's TimeoutStopSec is longer. `cycles`: the loop's last count.
   LastWait(ServiceNotice& notice, std::uint64_t cycles) : notice_(notice), cycles_(cycles) {}
 
-  /// `done_by` waits until a time for what it is to wait for. False: not within the 5 s.
+  /// `done_by(deadline)` waits until the work is done. False: not within the 5 s.
   bool operator()(const std::function<bool(std::chrono::steady_clock::time_point)>& done_by);
 
  private:

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 using course::Bundled;
 
 // A robot that was stopped has come to rest, and the gyro has seen it, in less.
-constexpr HostNs kPatienceNs = 3 * kNsPerS;
+constexpr HostNs kChangeTimeoutNs = 3 * kNsPerS;
 constexpr const char* kBusyDisk = "the disk does not answer; try again later";
 
 struct FieldList {
@@ -174,7 +174,7 @@ void SetupChanger::ask(Asked asked, Answer answer) {
     } catch (const SetupError& error) {
       return end(error.what());
     }
-    request->until_ns = monotonic_now() + kPatienceNs;
+    request->until_ns = monotonic_now() + kChangeTimeoutNs;
     const std::lock_guard lock(mutex_);
     request_ = std::move(request);
     cycle_.change_setup(*request_);

@@ -11,7 +11,7 @@
 #include "core/error.h"
 #include "course/course.h"
 #include "course/path.h"
-#include "course/robot.h"
+#include "course/robot_file.h"
 #include "identify/identify.h"
 #include "messages/messages.h"
 #include "terrain/climbable.h"

@@ -86,7 +86,7 @@ struct Supervisor::State {
   LinkMonitor link_monitor;
   std::unique_ptr<CameraPort> camera;
   std::unique_ptr<LiveWorld> world;
-  std::vector<loop::Grant> grants;
+  std::vector<loop::Privilege> privileges;
   DaemonFigures figures;
   RunState run_state = RunState::kIdle;
   SessionState session = SessionState::kClosed;
@@ -109,7 +109,7 @@ int Supervisor::State::run() {
   figures.course = settings.course;
   figures.robot = settings.robot;
   figures.setup = settings.setup;
-  grants = settings.process->grants();
+  privileges = settings.process->privileges();
   began_ns = monotonic_now();
   sinks.insert(sinks.end(),
                {&link_monitor, settings.recording, settings.black_box, settings.server});
@@ -128,12 +128,12 @@ int Supervisor::State::run() {
   });
   sinks.push_back(world.get());
   loop.start();
-  grants.insert(grants.end(), loop.grants().begin(), loop.grants().end());
+  privileges.insert(privileges.end(), loop.privileges().begin(), loop.privileges().end());
   terminal = std::make_unique<Terminal>(
       context, Terminal::Reach{cycle, *settings.controls, *settings.server, log, settings.course});
   try {
     tick();
-    log.grants(grants);
+    log.privileges(privileges);
     begin_serving();
     context.run();
   } catch (...) {
@@ -182,7 +182,7 @@ void Supervisor::State::finish_files() {
 }
 
 void Supervisor::State::begin_serving() {
-  settings.controls->set_grants(grants);
+  settings.controls->set_privileges(privileges);
   settings.server->start();
   if (!settings.server->note().empty()) log.warn(settings.server->note());
   if (!figures.page.empty()) log.info("page: " + figures.page);

@@ -40,7 +40,7 @@ FixedRateLoop::~FixedRateLoop() {
 void FixedRateLoop::start() {
   try {
     thread_ = std::thread([this] {
-      grants_ = apply_to_this_thread(settings_.thread);
+      privileges_ = apply_to_this_thread(settings_.thread);
       ready_.store(true, std::memory_order_release);
       run();
       ended_.store(true, std::memory_order_release);

@@ -118,7 +118,7 @@ class FixedRateLoop {
 
   const LoopStatistics& statistics() const { return statistics_; }
   /// The privileges that the thread requested; after start().
-  const std::vector<Grant>& grants() const { return grants_; }
+  const std::vector<Privilege>& privileges() const { return privileges_; }
 
  private:
   void run();
@@ -135,7 +135,7 @@ class FixedRateLoop {
   LoopStatistics statistics_;
   SpscQueue<OfferedPort, 8> offered_;
   SpscQueue<LostPort, 8> lost_;
-  std::vector<Grant> grants_;
+  std::vector<Privilege> privileges_;
   std::thread thread_;
   std::atomic<bool> stop_{false};
   std::atomic<bool> ready_{false};

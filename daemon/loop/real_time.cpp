@@ -33,31 +33,32 @@ std::string by_limit(const std::string& limit, const std::string& capability) {
          "\" | sudo tee -a /etc/security/limits.d/tp100.conf, then log in again";
 }
 
-Grant lock_memory() {
-  Grant grant{"memory locked", false, by_limit("memlock unlimited", "ipc_lock")};
+Privilege lock_memory() {
+  Privilege privilege{"memory locked", false, by_limit("memlock unlimited", "ipc_lock")};
   rlimit limit{};
   const bool enough = ::getrlimit(RLIMIT_MEMLOCK, &limit) == 0 && limit.rlim_cur >= kEnoughLockable;
-  if (!enough && ::geteuid() != 0) return grant;
-  grant.granted = ::mlockall(MCL_CURRENT | MCL_FUTURE) == 0;
-  return grant;
+  if (!enough && ::geteuid() != 0) return privilege;
+  privilege.granted = ::mlockall(MCL_CURRENT | MCL_FUTURE) == 0;
+  return privilege;
 }
 
-Grant fifo(int priority) {
-  Grant grant{"SCHED_FIFO " + std::to_string(priority), false, by_limit("rtprio 90", "sys_nice")};
+Privilege fifo(int priority) {
+  Privilege privilege{"SCHED_FIFO " + std::to_string(priority), false,
+                      by_limit("rtprio 90", "sys_nice")};
   sched_param wanted{};
   wanted.sched_priority = priority;
   ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &wanted);
   int policy = SCHED_OTHER;
   sched_param got{};
   ::pthread_getschedparam(::pthread_self(), &policy, &got);
-  grant.granted = policy == SCHED_FIFO && got.sched_priority == priority;
-  return grant;
+  privilege.granted = policy == SCHED_FIFO && got.sched_priority == priority;
+  return privilege;
 }
 
-Grant affinity(int cpu) {
-  Grant grant{"processor " + std::to_string(cpu), false,
-              "set loop.cpu to one that taskset -pc $$ lists"};
-  if (cpu >= CPU_SETSIZE) return grant;
+Privilege affinity(int cpu) {
+  Privilege privilege{"processor " + std::to_string(cpu), false,
+                      "set loop.cpu to one that taskset -pc $$ lists"};
+  if (cpu >= CPU_SETSIZE) return privilege;
   cpu_set_t wanted;
   CPU_ZERO(&wanted);
   CPU_SET(static_cast<std::size_t>(cpu), &wanted);
@@ -65,8 +66,8 @@ Grant affinity(int cpu) {
   cpu_set_t got;
   CPU_ZERO(&got);
   ::pthread_getaffinity_np(::pthread_self(), sizeof got, &got);
-  grant.granted = CPU_EQUAL(&wanted, &got);
-  return grant;
+  privilege.granted = CPU_EQUAL(&wanted, &got);
+  return privilege;
 }
 
 void touch_stack() {
@@ -101,29 +102,29 @@ int raise_kernel_workers() {
   return raised;
 }
 
-void resolve(Grant& grant) {
-  if (grant.granted) grant.fix.clear();
+void resolve(Privilege& privilege) {
+  if (privilege.granted) privilege.fix.clear();
 }
 
 }  // namespace
 
 RealTimeProcess::RealTimeProcess(const ProcessRequest& request) {
-  if (request.lock_memory) grants_.push_back(lock_memory());
+  if (request.lock_memory) privileges_.push_back(lock_memory());
   if (request.hold_cpu_latency) {
     latency_fd_ = ::open("/dev/cpu_dma_latency", O_WRONLY | O_CLOEXEC);
     const std::int32_t zero = 0;
     const bool held = latency_fd_ >= 0 && ::write(latency_fd_, &zero, sizeof zero) == sizeof zero;
-    grants_.push_back({"processor kept awake (/dev/cpu_dma_latency)", held,
-                       R"(echo KERNEL==\"cpu_dma_latency\",OWNER=\"$USER\" | )"
-                       "sudo tee /etc/udev/rules.d/90-tp100.rules && sudo udevadm trigger "
-                       "/dev/cpu_dma_latency"});
+    privileges_.push_back({"processor kept awake (/dev/cpu_dma_latency)", held,
+                           R"(echo KERNEL==\"cpu_dma_latency\",OWNER=\"$USER\" | )"
+                           "sudo tee /etc/udev/rules.d/90-tp100.rules && sudo udevadm trigger "
+                           "/dev/cpu_dma_latency"});
   }
   workers_raised_ = request.raise_kernel_workers && raise_kernel_workers() > 0;
   if (workers_raised_) {
     const std::string nice = std::to_string(kWorkerNice);
-    grants_.push_back({"kernel workers that carry serial data at nice " + nice, true, {}});
+    privileges_.push_back({"kernel workers that carry serial data at nice " + nice, true, {}});
   }
-  for (Grant& grant : grants_) resolve(grant);
+  for (Privilege& privilege : privileges_) resolve(privilege);
 }
 
 RealTimeProcess::~RealTimeProcess() {
@@ -134,15 +135,15 @@ void RealTimeProcess::keep() const {
   if (workers_raised_) raise_kernel_workers();
 }
 
-std::vector<Grant> apply_to_this_thread(const ThreadRequest& request) {
-  std::vector<Grant> grants;
+std::vector<Privilege> apply_to_this_thread(const ThreadRequest& request) {
+  std::vector<Privilege> privileges;
   // By default, ordinary threads are woken up to 50 us late.
   ::prctl(PR_SET_TIMERSLACK, 1UL);
-  if (request.cpu >= 0) grants.push_back(affinity(request.cpu));
-  if (request.priority > 0) grants.push_back(fifo(request.priority));
-  for (Grant& grant : grants) resolve(grant);
+  if (request.cpu >= 0) privileges.push_back(affinity(request.cpu));
+  if (request.priority > 0) privileges.push_back(fifo(request.priority));
+  for (Privilege& privilege : privileges) resolve(privilege);
   touch_stack();
-  return grants;
+  return privileges;
 }
 
 }  // namespace tp100::loop

@@ -7,7 +7,7 @@
 namespace tp100::loop {
 
 /// One requested privilege.
-struct Grant {
+struct Privilege {
   std::string what;  ///< e.g. "SCHED_FIFO 80"
   bool granted = false;
   std::string fix;  ///< how to get it; empty if granted
@@ -37,18 +37,18 @@ class RealTimeProcess {
   RealTimeProcess(const RealTimeProcess&) = delete;
   RealTimeProcess& operator=(const RealTimeProcess&) = delete;
 
-  const std::vector<Grant>& grants() const { return grants_; }
+  const std::vector<Privilege>& privileges() const { return privileges_; }
   /// Raises workers that the kernel has made since. Reads /proc, so once a second is enough, and
   /// not in the real-time thread.
   void keep() const;
 
  private:
-  std::vector<Grant> grants_;
+  std::vector<Privilege> privileges_;
   int latency_fd_ = -1;
   bool workers_raised_ = false;
 };
 
 /// For the calling thread; also sets its timer slack to 1 ns and touches its stack.
-std::vector<Grant> apply_to_this_thread(const ThreadRequest& request);
+std::vector<Privilege> apply_to_this_thread(const ThreadRequest& request);
 
 }  // namespace tp100::loop

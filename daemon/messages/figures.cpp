@@ -18,15 +18,12 @@ void add_us(Histogram& histogram, double us) {
 }
 
 Durations durations_of(const Histogram& histogram) {
-  const auto us = [&](double fraction) {
-    return static_cast<double>(histogram.percentile(fraction)) * 1e-3;
-  };
   return {.count = histogram.count(),
           .mean_us = histogram.mean() * 1e-3,
-          .p50_us = us(0.5),
-          .p99_us = us(0.99),
-          .p999_us = us(0.999),
-          .max_us = static_cast<double>(histogram.max()) * 1e-3};
+          .p50_us = histogram.percentile_us(0.5),
+          .p99_us = histogram.percentile_us(0.99),
+          .p999_us = histogram.percentile_us(0.999),
+          .max_us = histogram.max_us()};
 }
 
 LatenessCounts lateness_counts_of(const Histogram& histogram) {

@@ -80,8 +80,8 @@ struct LoopFigures {
 /// The port in use.
 struct PortFigures {
   std::string path;
-  RobotKind kind = RobotKind::kPhysical;  ///< known once a board was heard
-  std::string firmware = {};              ///< empty: no board was heard yet
+  RobotKind kind = RobotKind::kPhysical;  ///< known once a board has answered
+  std::string firmware = {};              ///< empty: no board has answered yet
   std::string note = {};  ///< last line about the search for the port, as in the log
 };
 

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "core/faults.h"
-#include "messages/status_messages.h"
 #include "text/json_writer.h"
 
 namespace tp100::messages {
@@ -226,16 +225,16 @@ std::string Messages::estimate(const StepRecord& record, const std::optional<Tru
       .begin_object()
       .field("roll_rad", snapshot.imu_roll_rad)
       .field("pitch_rad", snapshot.imu_pitch_rad)
-      .field("slope", name_of(snapshot.imu_slope))
-      .field("obstacle_class", name_of(snapshot.imu_obstacle))
+      .field("slope", to_string(snapshot.imu_slope))
+      .field("obstacle_class", to_string(snapshot.imu_obstacle))
       .end_object()
-      .field("pitch_source", name_of(snapshot.terrain_contact.pitch_source));
+      .field("pitch_source", to_string(snapshot.terrain_contact.pitch_source));
   json.key("terrain_contact")
       .begin_object()
-      .field("obstacle", name_of(snapshot.terrain_contact.obstacle))
+      .field("obstacle", to_string(snapshot.terrain_contact.obstacle))
       .field("climbing", snapshot.terrain_contact.climbing)
       .field("slope_rad", snapshot.terrain_contact.slope_rad)
-      .field("traction", name_of(snapshot.terrain_contact.traction))
+      .field("traction", to_string(snapshot.terrain_contact.traction))
       .end_object();
   write_tracks(json, record);
   json.field("cross_track_m", snapshot.cross_track_m)
@@ -270,7 +269,7 @@ std::string Messages::sample(const Sample& sample, HostNs now) const {
       .field("battery_v", sample.battery_v)
       .field("left_duty", sample.left_duty)
       .field("right_duty", sample.right_duty)
-      .field("state", name_of(sample.state));
+      .field("state", to_string(sample.state));
   json.key("faults").begin_array();
   FaultMask faults = sample.faults;
   while (const auto fault = first_fault(faults)) {

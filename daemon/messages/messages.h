@@ -11,7 +11,7 @@
 #include "core/time.h"
 #include "course/course.h"
 #include "course/path.h"
-#include "course/robot.h"
+#include "course/robot_file.h"
 
 namespace tp100::messages {
 

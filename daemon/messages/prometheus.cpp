@@ -1,7 +1,6 @@
 #include "messages/prometheus.h"
 
 #include <array>
-#include <charconv>
 #include <cstdint>
 #include <string_view>
 #include <utility>
@@ -39,11 +38,7 @@ class Exposition {
       text_ += '"';
     }
     if (!labels.empty()) text_ += '}';
-    std::array<char, 32> shortest;
-    const auto end = std::to_chars(shortest.begin(), shortest.end(), value).ptr;
-    text_ += ' ';
-    text_.append(shortest.data(), end);
-    text_ += '\n';
+    text_ += ' ' + text::shortest(value) + '\n';
   }
   void gauge(std::string_view name, std::string_view help, double value) {
     family(name, "gauge", help);

@@ -61,72 +61,6 @@ void write_stop(text::JsonWriter& json, const StopFigures& stop, const PublishCl
 
 }  // namespace
 
-const char* name_of(RobotState state) {
-  switch (state) {
-    case RobotState::kHello:
-      return "hello";
-    case RobotState::kParameters:
-      return "parameters";
-    case RobotState::kDisarmed:
-      return "disarmed";
-    case RobotState::kArmed:
-      return "armed";
-    case RobotState::kRunning:
-      return "running";
-    case RobotState::kFaulted:
-      return "faulted";
-  }
-  return "unknown";
-}
-
-const char* name_of(Slope slope) {
-  switch (slope) {
-    case Slope::kFlat:
-      return "flat";
-    case Slope::kUp:
-      return "up";
-    case Slope::kDown:
-      return "down";
-  }
-  return "unknown";
-}
-
-const char* name_of(PitchSource source) {
-  switch (source) {
-    case PitchSource::kVirtual:
-      return "virtual";
-    case PitchSource::kImu:
-      return "imu";
-    case PitchSource::kExternal:
-      return "external";
-  }
-  return "unknown";
-}
-
-const char* name_of(Obstacle obstacle) {
-  switch (obstacle) {
-    case Obstacle::kNone:
-      return "none";
-    case Obstacle::kRamp:
-      return "ramp";
-    case Obstacle::kBlock:
-      return "block";
-  }
-  return "unknown";
-}
-
-const char* name_of(Traction traction) {
-  switch (traction) {
-    case Traction::kHolding:
-      return "holding";
-    case Traction::kSlipping:
-      return "slipping";
-    case Traction::kImmobilised:
-      return "immobilised";
-  }
-  return "unknown";
-}
-
 const char* to_string(StopFigures::Status status) {
   switch (status) {
     case StopFigures::Status::kNone:
@@ -212,7 +146,7 @@ std::string state_message(HostNs now, const PublishClock& clock, const StateFigu
       .field("t_s", clock.t_s(now))
       .field("run", to_string(state.run))
       .field("session", to_string(state.session));
-  if (state.robot) json.field("robot_state", name_of(*state.robot));
+  if (state.robot) json.field("robot_state", to_string(*state.robot));
   json.field("motors_on", state.motors_on)
       .field("run_s", state.run_s)
       .field("progress_m", state.progress_m)

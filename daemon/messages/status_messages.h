@@ -17,13 +17,6 @@ std::string state_message(HostNs now, const PublishClock& clock, const StateFigu
 std::string recording_message(const RecordingFigures& recording);
 std::string clients_message(const ClientsFigures& clients);
 
-// Names as in the messages.
-const char* name_of(RobotState state);
-const char* name_of(Slope slope);
-const char* name_of(PitchSource source);
-const char* name_of(Obstacle obstacle);
-const char* name_of(Traction traction);
-
 /// Name as in /state.stop.status.
 const char* to_string(StopFigures::Status status);
 /// "good", "poor" or "lost".

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+
+#include "core/arithmetic.h"
 
 namespace tp100::model {
 namespace {
@@ -15,6 +18,18 @@ constexpr double kLagS = 0.1;
 
 double between(double value, double low, double high) {
   return std::clamp((value - low) / (high - low), 0.0, 1.0);
+}
+
+// Steepness of the straight line through the rows.
+constexpr double kLeftPerDeg = 0.00222, kRightPerDeg = 0.00362;
+
+SlipPair interpolated(double deg) {
+  std::size_t upper = 1;
+  while (upper + 1 < kSlipRows.size() && kSlipRows[upper].slope_deg < deg) ++upper;
+  const SlipRow& low = kSlipRows[upper - 1];
+  const SlipRow& high = kSlipRows[upper];
+  const double share = (deg - low.slope_deg) / (high.slope_deg - low.slope_deg);
+  return {std::lerp(low.left, high.left, share), std::lerp(low.right, high.right, share), false};
 }
 
 }  // namespace
@@ -34,12 +49,28 @@ TurnShape turn_shape(double left_mps, double right_mps) {
           between(turn, kWideArc, kTightArc), between(turn, kTightArc, kSpin)};
 }
 
-TurnShape TurnMonitor::update(double left_mps, double right_mps, double dt_s) {
+TurnShape TurnShapeFilter::update(double left_mps, double right_mps, double dt_s) {
   const double share = started_ ? 1.0 - std::exp(-dt_s / kLagS) : 1.0;
   started_ = true;
   left_mps_ += (left_mps - left_mps_) * share;
   right_mps_ += (right_mps - right_mps_) * share;
   return turn_shape(left_mps_, right_mps_);
+}
+
+SlipPair slip_at_slope(double slope_rad, SlipCurve curve) {
+  const double deg = slope_rad * kDegPerRad;
+  const double first = kSlipRows.front().slope_deg, last = kSlipRows.back().slope_deg;
+  const bool downhill = curve == SlipCurve::kTableDownhill || curve == SlipCurve::kFitDownhill;
+  const bool table = curve == SlipCurve::kTable || curve == SlipCurve::kTableDownhill;
+  const double lowest = downhill ? -last : first;
+  const double held = std::isnan(deg) ? first : std::clamp(deg, lowest, last);
+  SlipPair slip{0.1557 + kLeftPerDeg * held, 0.1534 + kRightPerDeg * held, false};
+  if (table && held >= first) slip = interpolated(held);
+  if (table && held < first)
+    slip = {kSlipRows[0].left + kLeftPerDeg * held, kSlipRows[0].right + kRightPerDeg * held,
+            false};
+  slip.outside = !(deg >= first && deg <= last);
+  return slip;
 }
 
 Slip slip_on(const TrackParameters& parameters, Mode mode, const Incline& incline) {
@@ -115,8 +146,8 @@ const Twist& TrackModel::advance(double left_mps, double right_mps, double dt_s,
                                  const Incline& incline) {
   const Incline under = mode_ == Mode::kPaper ? Incline{} : incline;
   slip_ = slip_on(parameters_, mode_, under);
-  const TurnShape shape =
-      turn_monitor_.update(left_mps * (1.0 - slip_.left), right_mps * (1.0 - slip_.right), dt_s);
+  const TurnShape shape = turn_shape_filter_.update(left_mps * (1.0 - slip_.left),
+                                                    right_mps * (1.0 - slip_.right), dt_s);
   twist_ = body_twist(parameters_, mode_, left_mps, right_mps, under, shape);
   model::advance(pose_, twist_, dt_s, under);
   return twist_;

@@ -1,6 +1,7 @@
 #pragma once
 // The slip-compensated skid-steer model, eqs 1-5, integrated over exact arcs.
 
+#include <array>
 #include <cmath>
 
 #include "core/pose.h"
@@ -21,6 +22,34 @@ struct Incline {
 inline Incline inclined(double slope_rad) {
   return {.slope_rad = slope_rad, .horizontal_fraction = std::cos(slope_rad)};
 }
+
+// Slip ratio against slope: the paper's table and interpolations of it.
+
+/// A row of the paper's table: straight climb at 0.10 m/s.
+struct SlipRow {
+  double slope_deg, left, right;
+};
+inline constexpr std::array<SlipRow, 7> kSlipRows = {{{0, 0.16, 0.162},
+                                                      {8, 0.17, 0.176},
+                                                      {12, 0.18, 0.197},
+                                                      {16, 0.19, 0.204},
+                                                      {20, 0.20, 0.218},
+                                                      {24, 0.21, 0.247},
+                                                      {28, 0.22, 0.260}}};
+
+/// Slip ratios of both tracks.
+struct SlipPair {
+  double left = 0.0;
+  double right = 0.0;
+  bool outside = false;  ///< the slope lies outside the table; the values are not measured
+};
+
+/// Slip of the board that the paper measured. `slope_rad`: climb angle, 0..28 deg inside; any other
+/// value, NaN included, gives the nearest end (NaN: the level one) and sets `outside`. Pure.
+SlipPair slip_at_slope(double slope_rad, SlipCurve curve = SlipCurve::kTable);
+
+/// Bound that keeps 1 - slip away from 0 where slip is divided out of a command.
+inline constexpr double kMaxSlip = 0.95;
 
 // The shape of a turn, and its effect on wheelbase, turning centre and slip. Our extension: the
 // paper fits one wheelbase and one pair of slip ratios to all turns, but the forces with which the
@@ -59,7 +88,7 @@ TurnShape turn_shape(double left_mps, double right_mps);
 
 /// The same from encoders that give a few edges per interval: speeds are low-pass filtered with a
 /// lag of 0.1 s. No allocation; safe in the real-time thread.
-class TurnMonitor {
+class TurnShapeFilter {
  public:
   /// One interval; returns the shape at its end.
   TurnShape update(double left_mps, double right_mps, double dt_s);
@@ -118,7 +147,7 @@ class TrackModel {
   /// Continues from `pose`.
   void reset(const Pose& pose) {
     pose_ = pose;
-    turn_monitor_.restart();
+    turn_shape_filter_.restart();
   }
   /// Tracks at constant speeds for `dt_s`. Returns the twist that was integrated.
   const Twist& advance(double left_mps, double right_mps, double dt_s, const Incline& incline = {});
@@ -133,7 +162,7 @@ class TrackModel {
   Pose pose_{};
   Twist twist_{};
   Slip slip_{};
-  TurnMonitor turn_monitor_{};
+  TurnShapeFilter turn_shape_filter_{};
 };
 
 }  // namespace tp100::model

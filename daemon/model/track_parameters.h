@@ -8,9 +8,27 @@
 #include <string_view>
 
 #include "core/arithmetic.h"
-#include "model/slip_table.h"
+#include "core/enum_names.h"
 
 namespace tp100::model {
+
+/// How the paper's table of slip against slope (slip_at_slope) is interpolated and extrapolated. It
+/// has no downhill rows: `kTable` and `kFit` hold the level value there, which overstates slip
+/// (contact physics gives about 0.09 at -28 deg, 0.16 level); the other two continue with the fit's
+/// slope to -28 deg, which is our extension.
+enum class SlipCurve {
+  kTable,          ///< linear between the rows, ends held
+  kFit,            ///< left 0.1557 + 0.00222 per deg, right 0.1534 + 0.00362 per deg, ends held
+  kTableDownhill,  ///< kTable uphill, from its level value down with the steepness of the fit
+  kFitDownhill,    ///< the same, held at -28 and 28 deg
+};
+/// Names as in files.
+inline constexpr std::array<EnumName<SlipCurve>, 4> kSlipCurveNames = {{
+    {SlipCurve::kTable, "table"},
+    {SlipCurve::kFit, "fit"},
+    {SlipCurve::kTableDownhill, "table-downhill"},
+    {SlipCurve::kFitDownhill, "fit-downhill"},
+}};
 
 /// Parameters of eqs 1-5 and ours, and the scale of the gyro that measures the same motion. The
 /// defaults are the paper's (tarpaulin; wheelbase as printed), with ours switched off.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
-#include <ctime>
 #include <deque>
 #include <exception>
 #include <future>
@@ -11,6 +10,7 @@
 #include <thread>
 #include <utility>
 
+#include "core/clock.h"
 #include "core/error.h"
 #include "record/record_queue.h"
 #include "record/step_codec.h"
@@ -19,7 +19,7 @@ namespace tp100::record {
 namespace {
 
 constexpr std::size_t kQueueBytes = std::size_t{16} << 20;
-constexpr auto kPatience = std::chrono::milliseconds(50);
+constexpr auto kTakeTimeout = std::chrono::milliseconds(50);
 constexpr std::size_t kMaxRequests = 16;
 // A recording that looks back holds at most so many inputs of the steps before it: twenty minutes.
 constexpr std::uint64_t kMaxBeforeLookBack = 50'000'000;
@@ -37,12 +37,6 @@ struct Request {
 
 constexpr double Pose::*kPose[] = {&Pose::x_m,      &Pose::y_m,       &Pose::z_m,
                                    &Pose::roll_rad, &Pose::pitch_rad, &Pose::yaw_rad};
-
-double thread_cpu_s() {
-  timespec used{};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
-  return static_cast<double>(used.tv_sec) + static_cast<double>(used.tv_nsec) * 1e-9;
-}
 
 }  // namespace
 
@@ -98,7 +92,7 @@ struct Recorder::State {
   void run() {
     Bytes taken;
     for (bool more = true; more;) {
-      more = queue.take(taken, kPatience);
+      more = queue.take(taken, kTakeTimeout);
       ByteReader in(taken);
       while (in.left() > 0) {
         const auto kind = static_cast<EntryKind>(in.number<std::uint8_t>());
@@ -250,7 +244,7 @@ struct Recorder::State {
       if (now.warning.empty() && !late.empty()) now.warning = now.path + ": " + late;
       if (now.first_ns != 0) now.last_ns = last_ns;
     }
-    now.cpu_s = thread_cpu_s();
+    now.cpu_s = to_s(thread_cpu_ns());
     const bool over = writer != nullptr && !now.active;
     if (over) writer.reset();
     {

@@ -148,7 +148,7 @@ template <class Visitor, MaybeConst<TerrainContact> T>
 void visit_fields(Visitor& v, T& terrain_contact) {
   auto& [pitch_source, obstacle, climbing, slope, slip_offset, traction] = terrain_contact;
   v("pitch_source", pitch_source, PitchSource::kExternal);
-  v("obstacle", obstacle, Obstacle::kBlock);
+  v("obstacle", obstacle, ObstacleClass::kBlock);
   v("climbing", climbing);
   v("slope_rad", slope);
   v("slip_offset", slip_offset);
@@ -182,7 +182,7 @@ void visit_fields(Visitor& v, T& snapshot) {
   v("imu_roll_rad", imu_roll);
   v("imu_pitch_rad", imu_pitch);
   v("imu_slope", imu_slope, Slope::kDown);
-  v("imu_obstacle", imu_obstacle, Obstacle::kBlock);
+  v("imu_obstacle", imu_obstacle, ObstacleClass::kBlock);
   v("command", command);
   v("commanded_left_mps", commanded_left);
   v("commanded_right_mps", commanded_right);

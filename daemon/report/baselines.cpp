@@ -5,11 +5,6 @@
 namespace tp100::report {
 namespace {
 
-// One edge may flicker while a wheel stands still.
-constexpr std::int64_t kStandstillCounts = 1;
-// A shorter standstill gives no useful bias.
-constexpr double kStandstillS = 0.3;
-
 double seconds(const Measured& from, const Measured& to) {
   return static_cast<double>(to.device_us - from.device_us) * 1e-6;
 }
@@ -31,7 +26,7 @@ void MeasuredMotion::take(const Sample& sample) {
                      std::abs(now_.right_counts - standstill_.right_counts) <= kStandstillCounts;
   if (!still) standstill_ = now_;
   const double standstill_s = seconds(standstill_, now_);
-  if (standstill_s >= kStandstillS)
+  if (standstill_s >= kBiasStandstillS)
     bias_radps_ = (now_.gyro_rad - standstill_.gyro_rad) / standstill_s;
 }
 

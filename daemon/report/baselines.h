@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "core/sample.h"
-#include "course/robot.h"
+#include "course/robot_file.h"
 #include "model/model_form.h"
 
 namespace tp100::report {

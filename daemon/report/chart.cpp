@@ -64,9 +64,9 @@ std::vector<double> ticks(const Range& range) {
 }
 
 /// The plot's rectangle and the scales of its axes.
-class Frame {
+class PlotArea {
  public:
-  Frame(double left, double top, double width, double height, Range x, Range y)
+  PlotArea(double left, double top, double width, double height, Range x, Range y)
       : left_(left), top_(top), width_(width), height_(height), x_(x), y_(y) {}
 
   double x(double value) const { return left_ + (value - x_.low) / (x_.high - x_.low) * width_; }
@@ -102,7 +102,7 @@ class Frame {
   Range x_, y_;
 };
 
-Frame frame_of(const Chart& chart, double top) {
+PlotArea plot_area_of(const Chart& chart, double top) {
   const double width = chart.width_px - kLeft - kRight;
   const double height = chart.height_px - kTop - kBottom;
   Range x, y;
@@ -129,7 +129,7 @@ std::string stroke(const ChartSeries& series) {
                 series.dashed ? " stroke-dasharray='5 4'" : "");
 }
 
-std::string line(const Frame& frame, const ChartSeries& series) {
+std::string line(const PlotArea& area, const ChartSeries& series) {
   const std::size_t every = series.points.size() / kMaxPointsOfSeries + 1;
   std::string path;
   bool pen_down = false;
@@ -141,7 +141,7 @@ std::string line(const Frame& frame, const ChartSeries& series) {
       pen_down = false;
       continue;
     }
-    path += format("%c%.1f %.1f", pen_down ? 'L' : 'M', frame.x(x), frame.y(y));
+    path += format("%c%.1f %.1f", pen_down ? 'L' : 'M', area.x(x), area.y(y));
     pen_down = true;
   }
   return "<path fill='none' " + stroke(series) + " d='" + path + "'/>";
@@ -151,10 +151,10 @@ std::string dot(double x, double y, double radius, const std::string& colour) {
   return format("<circle cx='%.1f' cy='%.1f' r='%g' fill='%s'/>", x, y, radius, colour.c_str());
 }
 
-std::string dots(const Frame& frame, const ChartSeries& series) {
+std::string dots(const PlotArea& area, const ChartSeries& series) {
   std::string out;
   for (const auto& [x, y] : series.points)
-    if (std::isfinite(x) && std::isfinite(y)) out += dot(frame.x(x), frame.y(y), 3, series.colour);
+    if (std::isfinite(x) && std::isfinite(y)) out += dot(area.x(x), area.y(y), 3, series.colour);
   return out;
 }
 
@@ -193,15 +193,15 @@ std::string shortened(const std::string& label) {
   return label.size() <= kMaxLabel ? label : label.substr(0, kMaxLabel - 3) + "...";
 }
 
-std::string box(const Frame& frame, double y, std::vector<double> values) {
+std::string box(const PlotArea& area, double y, std::vector<double> values) {
   std::erase_if(values, [](double value) { return !std::isfinite(value); });
   if (values.empty()) return {};
   const auto at = [&](double share) { return percentile(values, share); };
   const double low = at(0.05), high = at(0.95);
   std::string out =
       format("<path fill='none' stroke='%s' d='M%.1f %.1fv%.0fm0 %.0fH%.1fm0 %.0fv%.0f'/>",
-             kValueColour, frame.x(low), y - 4, 8.0, -4.0, frame.x(high), -4.0, 8.0);
-  const double left = frame.x(at(0.25)), right = frame.x(at(0.75)), middle = frame.x(at(0.5));
+             kValueColour, area.x(low), y - 4, 8.0, -4.0, area.x(high), -4.0, 8.0);
+  const double left = area.x(at(0.25)), right = area.x(at(0.75)), middle = area.x(at(0.5));
   out += format(
       "<rect x='%.1f' y='%.1f' width='%.1f' height='%.0f' fill='white' stroke='%s'/>"
       "<path stroke='%s' stroke-width='3' d='M%.1f %.1fv%.0f'/>",
@@ -213,8 +213,7 @@ std::string box(const Frame& frame, double y, std::vector<double> values) {
   // Of thousands, no more than the image can show.
   const std::size_t every = beyond.size() / 100 + 1;
   for (std::size_t i = 0; i < beyond.size(); ++i)
-    if (i % every == 0 || i + 1 == beyond.size())
-      out += dot(frame.x(beyond[i]), y, 2, kValueColour);
+    if (i % every == 0 || i + 1 == beyond.size()) out += dot(area.x(beyond[i]), y, 2, kValueColour);
   return out;
 }
 
@@ -224,16 +223,16 @@ std::string svg(const Chart& chart) {
   double legend_height = 0.0;
   const std::string names = legend(chart, legend_height);
   const double height_px = chart.height_px + legend_height;
-  const Frame frame = frame_of(chart, kTop + legend_height);
-  std::string out = opening(chart.width_px, height_px, chart.title) + frame.box() + frame.x_axis() +
-                    frame.y_axis();
+  const PlotArea area = plot_area_of(chart, kTop + legend_height);
+  std::string out =
+      opening(chart.width_px, height_px, chart.title) + area.box() + area.x_axis() + area.y_axis();
   for (const ChartSeries& series : chart.series)
-    out += series.marks ? dots(frame, series) : line(frame, series);
+    out += series.marks ? dots(area, series) : line(area, series);
   out += names +
-         format("<text x='%.0f' y='%.0f' text-anchor='middle'>", frame.middle_x(), height_px - 10) +
+         format("<text x='%.0f' y='%.0f' text-anchor='middle'>", area.middle_x(), height_px - 10) +
          escaped(chart.x_label) + "</text>";
   out += format("<text transform='translate(14 %.0f) rotate(-90)' text-anchor='middle'>",
-                frame.middle_y()) +
+                area.middle_y()) +
          escaped(chart.y_label) + "</text></svg>\n";
   return out;
 }
@@ -251,15 +250,15 @@ std::string box_plot(const BoxChart& chart) {
   const double left = 12 + kLetter * static_cast<double>(longest);
   const double height = kBoxRow * static_cast<double>(chart.boxes.size());
   const double height_px = kTop + height + kBottom;
-  const Frame frame(left, kTop, chart.width_px - left - kRight, height, x, {0.0, 1.0});
-  std::string out = opening(chart.width_px, height_px, chart.title) + frame.box() + frame.x_axis();
+  const PlotArea area(left, kTop, chart.width_px - left - kRight, height, x, {0.0, 1.0});
+  std::string out = opening(chart.width_px, height_px, chart.title) + area.box() + area.x_axis();
   for (std::size_t i = 0; i < chart.boxes.size(); ++i) {
     const double y = kTop + kBoxRow * (static_cast<double>(i) + 0.5);
     out += format("<text x='%.0f' y='%.1f' text-anchor='end'>", left - 6, y + 4) +
-           escaped(labels[i]) + "</text>" + box(frame, y, chart.boxes[i].values);
+           escaped(labels[i]) + "</text>" + box(area, y, chart.boxes[i].values);
   }
   return out +
-         format("<text x='%.0f' y='%.0f' text-anchor='middle'>", frame.middle_x(), height_px - 10) +
+         format("<text x='%.0f' y='%.0f' text-anchor='middle'>", area.middle_x(), height_px - 10) +
          escaped(chart.x_label) + "</text></svg>\n";
 }
 

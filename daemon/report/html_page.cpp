@@ -8,7 +8,7 @@
 namespace tp100::report {
 namespace {
 
-// A page with fewer headings is seen at a glance.
+// Pages with fewer headings get no contents.
 constexpr std::size_t kFewHeadings = 3;
 
 struct Scheme {

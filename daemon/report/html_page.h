@@ -35,7 +35,7 @@ class HtmlPage {
  public:
   explicit HtmlPage(std::string title) : title_(std::move(title)) {}
 
-  /// What the page comes to, in one sentence; to be called first.
+  /// The verdict of the page, one sentence. Call it first.
   void verdict(bool good, const std::string& text);
   /// Names and values, below each other.
   void facts(const std::vector<std::pair<std::string, Cell>>& list);

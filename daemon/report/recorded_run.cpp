@@ -67,7 +67,7 @@ class Reader {
   std::uint64_t start_unix_ns_;
 
   MeasuredMotion measured_;
-  RunMonitor watch_;
+  RunMonitor run_monitor_;
   std::optional<Times> times_{std::in_place};
   std::vector<HostNs> disturbances_ns_;
   RunState state_ = RunState::kIdle;
@@ -89,7 +89,7 @@ void Reader::step(const StepRecord& record) {
   for (const Sample& sample : record.inputs.samples) measured_.take(sample);
   for (const WorldSample& answer : record.inputs.world) world_answered_ns_ = answer.answered_ns;
   if (run_.steps == 0) begin(record.now_ns);
-  watch_.step(record);
+  run_monitor_.step(record);
   const RunState state = record.snapshot.run_state;
   if (state == RunState::kRunning && state_ != RunState::kRunning) {
     ++run_.runs;
@@ -235,10 +235,10 @@ void Reader::event(std::uint64_t unix_ns, std::string_view text) {
   const HostNs at =
       start_ns_ + (static_cast<HostNs>(unix_ns) - static_cast<HostNs>(start_unix_ns_));
   if (kind == "push" && disturbances_ns_.size() < RunMonitor::kMax) disturbances_ns_.push_back(at);
-  watch_.add({.at_ns = at,
-              .text = words.substr(0, 300),
-              .fix = field("fix").substr(0, 300),
-              .bad = field("level") == "error"});
+  run_monitor_.add({.at_ns = at,
+                    .text = words.substr(0, 300),
+                    .fix = field("fix").substr(0, 300),
+                    .bad = field("level") == "error"});
 }
 
 // The start of each is recorded; its duration is in the course.
@@ -293,10 +293,10 @@ void Reader::finish() {
   run_.jitter_counts = messages::lateness_counts_of(times_->jitter);
   run_.sample_age = messages::durations_of(times_->sample_age);
   run_.world_age = messages::durations_of(times_->world_age);
-  for (const Happening& one : watch_.happenings())
+  for (const StepEvent& one : run_monitor_.events())
     run_.events.push_back({t_s(one.at_ns), one.text, one.fix, one.bad});
   std::ranges::stable_sort(run_.events, {}, &RunEvent::t_s);
-  run_.more_events = watch_.more();
+  run_.more_events = run_monitor_.more();
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 
 #include "core/estimates.h"
 #include "course/course.h"
-#include "course/robot.h"
+#include "course/robot_file.h"
 #include "messages/figures.h"
 #include "record/recording.h"
 #include "report/run_result.h"

@@ -48,15 +48,12 @@ Json json_of(const TrackingErrors& errors) {
           {"false_alarms", errors.false_alarms}};
 }
 
-const char* name_of(Slope slope) {
-  return slope == Slope::kFlat ? "flat" : slope == Slope::kUp ? "up" : "down";
-}
-
 Json json_of(const SlopeFigures& slope) {
   Json changes = Json::array();
   for (const SlopeChange& change : slope.changes)
-    changes.push_back(
-        {{"at_s", change.at_s}, {"to", name_of(change.to)}, {"found_s", json_of(change.found_s)}});
+    changes.push_back({{"at_s", change.at_s},
+                       {"to", to_string(change.to)},
+                       {"found_s", json_of(change.found_s)}});
   return {{"ramp_pitch_max_error_rad", slope.ramp_pitch_max_error_rad},
           {"ramp_pitch_rms_error_rad", slope.ramp_pitch_rms_error_rad},
           {"changes", changes},
@@ -245,13 +242,11 @@ std::string result_table(const RunResult& run, const RunFigures& figures) {
   if (run.setup == "stand")
     text +=
         "On a stand nothing moves: the virtual pose stands in for the truth and is judged against "
-        "itself.\n"
-        "Only completion and tracking mean something here.\n";
+        "itself.\nOnly completion and tracking mean something here.\n";
   if (run.robot == "end-loaded")
     text +=
         "This robot's slip is fitted through its contacts and its tracks make eqs 1-5 nearly "
-        "exact;\n"
-        "the uniformly loaded robot is the harder judge.\n";
+        "exact;\nthe uniformly loaded robot is the harder judge.\n";
   return text;
 }
 

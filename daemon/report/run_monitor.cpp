@@ -2,30 +2,8 @@
 
 #include <utility>
 
-#include "messages/status_messages.h"
-
 namespace tp100::report {
 namespace {
-
-const char* name_of(OperatorRequest request) {
-  switch (request) {
-    case OperatorRequest::kStart:
-      return "start";
-    case OperatorRequest::kHold:
-      return "hold";
-    case OperatorRequest::kStop:
-      return "STOP";
-    case OperatorRequest::kGoOn:
-      return "go on";
-    case OperatorRequest::kDrive:
-      return "drive by hand";
-    case OperatorRequest::kPause:
-      return "pause";
-    case OperatorRequest::kResume:
-      return "resume";
-  }
-  return "unknown";
-}
 
 template <class State>
 std::string change(const char* what, State from, State to) {
@@ -35,9 +13,9 @@ std::string change(const char* what, State from, State to) {
 
 }  // namespace
 
-void RunMonitor::add(Happening happening) {
-  if (happenings_.size() < kMax)
-    happenings_.push_back(std::move(happening));
+void RunMonitor::add(StepEvent event) {
+  if (events_.size() < kMax)
+    events_.push_back(std::move(event));
   else
     ++more_;
 }
@@ -52,7 +30,7 @@ void RunMonitor::step(const StepRecord& record) {
   step_ = record.step;
   for (std::uint32_t i = 0; i < record.inputs.requests.size(); ++i)
     add({.at_ns = record.now_ns,
-         .text = std::string("operator: ") + name_of(record.inputs.requests[i])});
+         .text = std::string("operator: ") + to_string(record.inputs.requests[i])});
   if (record.inputs.robot_rebooted)
     add({.at_ns = record.now_ns, .text = "the robot has booted", .bad = !first_});
   if (record.inputs.answer == RequestAnswer::kFailed)
@@ -77,7 +55,7 @@ void RunMonitor::states(const StepRecord& record) {
     report(snapshot.recovering ? "a disturbance was detected" : "back on the path");
   recovering_ = snapshot.recovering;
   if (!snapshot.has_sample || snapshot.sample.state == robot_) return;
-  report(std::string("robot: ") + messages::name_of(snapshot.sample.state));
+  report(std::string("robot: ") + to_string(snapshot.sample.state));
   robot_ = snapshot.sample.state;
 }
 

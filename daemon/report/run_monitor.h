@@ -11,7 +11,7 @@
 namespace tp100::report {
 
 /// One event.
-struct Happening {
+struct StepEvent {
   HostNs at_ns = 0;
   std::string text = {}, fix = {};
   bool bad = false;
@@ -23,9 +23,9 @@ class RunMonitor {
   static constexpr std::size_t kMax = 500;
 
   void step(const StepRecord& record);
-  void add(Happening happening);
+  void add(StepEvent event);
 
-  const std::vector<Happening>& happenings() const { return happenings_; }
+  const std::vector<StepEvent>& events() const { return events_; }
   /// Number of events beyond kMax.
   std::uint64_t more() const { return more_; }
 
@@ -33,7 +33,7 @@ class RunMonitor {
   void states(const StepRecord& record);
   void faults(const StepRecord& record);
 
-  std::vector<Happening> happenings_;
+  std::vector<StepEvent> events_;
   std::uint64_t more_ = 0;
   bool first_ = true;
   std::uint64_t step_ = 0;

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/arithmetic.h"
 #include "core/estimates.h"
 #include "core/link_state.h"
 #include "core/pose.h"
@@ -39,8 +40,8 @@ struct TrajectoryPoint {
   bool recovering = false;     ///< the controller detected a disturbance and has not recovered yet
   double imu_pitch_rad = 0.0;  ///< by the IMU, of the real body
   Slope slope = Slope::kFlat;  ///< state derived from it
-  Obstacle obstacle_class = Obstacle::kNone;  ///< ... and from its rise
-  Measured measured{};                        ///< by the robot, up to this instant
+  ObstacleClass obstacle_class = ObstacleClass::kNone;  ///< ... and from its rise
+  Measured measured{};                                  ///< by the robot, up to this instant
 };
 
 /// Time window of a disturbance.
@@ -58,7 +59,7 @@ struct CameraFigures {
   static constexpr double kNisDegrees = 3.0;
   /// Half width of the band around kNisDegrees that contains the mean of independent samples with a
   /// probability of 95 %.
-  double nis_half_band() const { return 1.96 * std::sqrt(2.0 * kNisDegrees / judged); }
+  double nis_half_band() const { return kNormal95 * std::sqrt(2.0 * kNisDegrees / judged); }
 };
 
 /// Of a step of the run.

@@ -17,7 +17,7 @@ constexpr double kBelongsS = 1.0;
 constexpr double kOnRampRad = 0.5 * kRadPerDeg;
 constexpr double kRobotM = 0.15;
 // The obstacle class has to be known this long after the body begins to lean.
-constexpr double kToldS = 0.5;
+constexpr double kClassifiedWithinS = 0.5;
 
 Slope slope_of(const Pose& pose) {
   if (std::abs(pose.pitch_rad) <= kLeansRad) return Slope::kFlat;
@@ -95,13 +95,14 @@ void judge_kinds(SlopeFigures& figures, const std::vector<TrajectoryPoint>& poin
                  const course::Terrain& terrain) {
   for (const SlopeChange& change : figures.changes) {
     if (change.to != Slope::kUp || !change.found_s) continue;
-    const auto detected = std::find_if(
-        points.begin(), points.end(),
-        [&](const TrajectoryPoint& point) { return point.t_s >= change.at_s + kToldS; });
+    const auto detected =
+        std::find_if(points.begin(), points.end(), [&](const TrajectoryPoint& point) {
+          return point.t_s >= change.at_s + kClassifiedWithinS;
+        });
     if (detected == points.end()) continue;
     ++figures.obstacles;
-    const Obstacle real =
-        ramp_at(terrain, detected->truth) != nullptr ? Obstacle::kRamp : Obstacle::kBlock;
+    const ObstacleClass real =
+        ramp_at(terrain, detected->truth) != nullptr ? ObstacleClass::kRamp : ObstacleClass::kBlock;
     if (detected->obstacle_class != real) ++figures.mistaken;
   }
 }

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "course/robot.h"
+#include "course/robot_file.h"
 
 namespace tp100::ros2 {
 

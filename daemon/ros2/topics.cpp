@@ -174,7 +174,7 @@ diagnostic_msgs::DiagnosticStatus link_status(const StepRecord& record,
                 .message = std::string(to_string(session)),
                 .hardware_id = run_context.robot.name};
   if (record.snapshot.has_sample) {
-    status.values = {entry("robot_state", messages::name_of(record.snapshot.sample.state)),
+    status.values = {entry("robot_state", to_string(record.snapshot.sample.state)),
                      entry("age_us", std::to_string(record.snapshot.age_us))};
   }
   each_counter(record.link, [&](const char* name, std::uint64_t count) {

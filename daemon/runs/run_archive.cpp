@@ -209,10 +209,8 @@ void RunArchive::in_process(const std::string& of, const Answer& answer, Job job
     }
   }
   if (!busy.empty())
-    return answer("a report of " + text::one_line(busy) +
-                      " is being made; try again when it is "
-                      "done",
-                  "");
+    return answer(
+        "a report of " + text::one_line(busy) + " is being made; try again when it is done", "");
   const bool posted = reports_.post([this, answer, job] {
     std::string json, why;
     try {

@@ -29,7 +29,7 @@ constexpr std::size_t kMaxEntries = 20'000;
 constexpr std::size_t kMaxNoteFile = 16'384;
 using record::kRecordingFile;
 
-constexpr std::array<FileKind, 8> kKinds = {{
+constexpr std::array<RunFileType, 8> kKinds = {{
     {kRunNoteFile, "note", "text/plain; charset=utf-8"},
     {".mcap", "recording", "application/octet-stream"},
     {".html", "report", "text/html; charset=utf-8"},
@@ -39,7 +39,7 @@ constexpr std::array<FileKind, 8> kKinds = {{
     {".svg", "figure", "image/svg+xml"},
     {".toml", "other", "text/plain; charset=utf-8"},
 }};
-constexpr FileKind kOther = {"", "other", "application/octet-stream"};
+constexpr RunFileType kOther = {"", "other", "application/octet-stream"};
 
 double seconds(const timespec& time) {
   return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
@@ -131,8 +131,8 @@ class OwnRecording {
 
 bool is_run_name(std::string_view name) { return text::is_file_name(name, kMaxFileName); }
 
-const FileKind& kind_of(std::string_view file) {
-  for (const FileKind& each : kKinds)
+const RunFileType& kind_of(std::string_view file) {
+  for (const RunFileType& each : kKinds)
     if (each.end == kRunNoteFile ? file == each.end : file.ends_with(each.end)) return each;
   return kOther;
 }
@@ -232,7 +232,7 @@ void delete_run(const std::string& folder, const std::string& run) {
                      "); check the folder's permissions");
 }
 
-FreedSpace free_space(const std::string& folder, std::uint64_t most_bytes) {
+FreedSpace free_space(const std::string& folder, std::uint64_t max_bytes) {
   FreedSpace freed;
   std::vector<Run> runs = list_runs(folder);
   std::size_t noted = 0;
@@ -240,7 +240,7 @@ FreedSpace free_space(const std::string& folder, std::uint64_t most_bytes) {
   for (const Run& run : runs) freed.bytes += run.bytes;
   std::reverse(runs.begin(), runs.end());
   for (const Run& run : runs) {
-    if (freed.bytes <= most_bytes) return freed;
+    if (freed.bytes <= max_bytes) return freed;
     if (run.has_note) {
       ++noted;
       continue;
@@ -253,13 +253,13 @@ FreedSpace free_space(const std::string& folder, std::uint64_t most_bytes) {
       if (failure.empty()) failure = error.what();
     }
   }
-  if (freed.bytes > most_bytes)
-    freed.why_not = text::format(
-                        "the recordings have %.0f MB, more than the %.0f MB of "
-                        "record.quota_mb: %zu have a name, note or tags",
-                        static_cast<double>(freed.bytes) * 1e-6,
-                        static_cast<double>(most_bytes) * 1e-6, noted) +
-                    (failure.empty() ? "; delete some" : "; " + failure);
+  if (freed.bytes > max_bytes)
+    freed.why_not =
+        text::format(
+            "the recordings have %.0f MB, more than the %.0f MB of "
+            "record.quota_mb: %zu have a name, note or tags",
+            static_cast<double>(freed.bytes) * 1e-6, static_cast<double>(max_bytes) * 1e-6, noted) +
+        (failure.empty() ? "; delete some" : "; " + failure);
   return freed;
 }
 

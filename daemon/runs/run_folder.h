@@ -18,12 +18,12 @@ inline constexpr std::size_t kMaxFileName = 128;
 bool is_run_name(std::string_view name);
 
 /// What a file of a run is, by the end of its name.
-struct FileKind {
+struct RunFileType {
   std::string_view end;  ///< ".mcap"
   std::string_view kind;
   std::string_view media_type;
 };
-const FileKind& kind_of(std::string_view file);
+const RunFileType& kind_of(std::string_view file);
 
 struct RunFile {
   std::string name;
@@ -85,8 +85,8 @@ struct FreedSpace {
   std::string why_not{};    ///< why that is still more than permitted, in one line, or empty
 };
 /// Deletes the oldest runs without a note, as delete_run() does, until all together are at most
-/// `most_bytes`.
-FreedSpace free_space(const std::string& folder, std::uint64_t most_bytes);
+/// `max_bytes`.
+FreedSpace free_space(const std::string& folder, std::uint64_t max_bytes);
 
 /// Free space on the disk of the folder; 0: not known.
 std::uint64_t free_bytes(const std::string& folder);

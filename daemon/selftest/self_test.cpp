@@ -30,9 +30,9 @@ void SelfTest::note_port(const std::string& line) {
   note_ = line;
 }
 
-void SelfTest::set_grants(const std::vector<loop::Grant>& grants) {
+void SelfTest::set_privileges(const std::vector<loop::Privilege>& privileges) {
   const std::lock_guard lock(mutex_);
-  grants_ = grants;
+  privileges_ = privileges;
 }
 
 void SelfTest::take_setup(const messages::RunContext& run_context, HostNs /*at*/) {
@@ -115,15 +115,15 @@ std::string SelfTest::port_findings() const {
 }
 
 std::string SelfTest::machine_findings() const {
-  std::vector<loop::Grant> grants;
+  std::vector<loop::Privilege> privileges;
   std::string path;
   {
     const std::lock_guard lock(mutex_);
-    grants = grants_;
+    privileges = privileges_;
     path = monitor_.port().path;
   }
   const doctor::System system;
-  Findings findings = doctor::real_time_findings(grants);
+  Findings findings = doctor::real_time_findings(privileges);
   append(findings, doctor::clock_source_findings(system));
   append(findings, doctor::governor_findings(system));
   findings.push_back(doctor::ok("page-port", "this daemon serves the page"));

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "config/configuration.h"
-#include "course/robot.h"
+#include "course/robot_file.h"
 #include "loop/real_time.h"
 #include "messages/sink.h"
 #include "record/worker.h"
@@ -30,7 +30,7 @@ class SelfTest : public messages::Sink {
   /// A line about the search for the port.
   void note_port(const std::string& line);
   /// The privileges that were requested.
-  void set_grants(const std::vector<loop::Grant>& grants);
+  void set_privileges(const std::vector<loop::Privilege>& privileges);
   void take(const StepRecord& record) override;
   void take_setup(const messages::RunContext& run_context, HostNs at) override;
 
@@ -55,7 +55,7 @@ class SelfTest : public messages::Sink {
   SessionMonitor monitor_;
   double battery_cutoff_v_ = 0.0;
   std::string note_;
-  std::vector<loop::Grant> grants_;
+  std::vector<loop::Privilege> privileges_;
   Answer answer_;        // set: an examination is under way
   record::Worker disk_;  // declared last: its jobs use the others
 };

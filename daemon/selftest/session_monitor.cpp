@@ -3,13 +3,14 @@
 #include "bridge/cycle.h"
 #include "core/board.h"
 #include "core/faults.h"
+#include "core/time.h"
 
 namespace tp100::selftest {
 namespace {
 
 // As long as `tp100d doctor` takes for both.
 constexpr HostNs kTestNs = kNsPerS;
-constexpr HostNs kPatienceNs = 5 * kNsPerS;
+constexpr HostNs kTimeoutNs = 5 * kNsPerS;
 
 }  // namespace
 
@@ -48,7 +49,7 @@ void SessionMonitor::take(const StepRecord& record) {
     measure(record);
   }
   const bool measured = probing_ == Probing::kMeasuring && record.now_ns - ready_ns_ >= kTestNs;
-  const bool waited = probing_ == Probing::kWaiting && record.now_ns - begun_ns_ >= kPatienceNs;
+  const bool waited = probing_ == Probing::kWaiting && record.now_ns - begun_ns_ >= kTimeoutNs;
   if (!measured && !waited) return;
   probing_ = Probing::kDone;
   ended_ns_ = record.now_ns;
@@ -79,7 +80,7 @@ void SessionMonitor::follow_commands(const StepRecord& record) {
     sent_ = static_cast<std::uint16_t>(sent_ + missing);
   }
   for (const Sample& sample : record.inputs.samples) {
-    if (!awaited_ || static_cast<std::int16_t>(sample.last_command - *awaited_) < 0) continue;
+    if (!awaited_ || wrapped_difference(sample.last_command, *awaited_) < 0) continue;
     if (probing_ == Probing::kMeasuring) round_trip_->add(record.now_ns - awaited_since_ns_);
     awaited_.reset();
   }

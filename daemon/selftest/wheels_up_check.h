@@ -8,7 +8,7 @@
 #include <string>
 
 #include "config/configuration.h"
-#include "course/robot.h"
+#include "course/robot_file.h"
 #include "doctor/wheels_up.h"
 #include "record/worker.h"
 #include "selftest/port_handover.h"

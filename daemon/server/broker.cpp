@@ -5,7 +5,7 @@
 
 namespace tp100::server {
 
-void Outbox::push_data(Frame frame) {
+void Outbox::push_data(WebSocketFrame frame) {
   data_bytes_ += frame.size();
   data_.push_back(std::move(frame));
   // One frame may always wait, however large.
@@ -16,7 +16,7 @@ void Outbox::push_data(Frame frame) {
   }
 }
 
-bool Outbox::push_reply(Frame frame) {
+bool Outbox::push_reply(WebSocketFrame frame) {
   const std::size_t bytes = reply_bytes_ + frame.size();
   if (replies_.size() >= kMaxReplies || bytes > kMaxReplyBytes) return false;
   reply_bytes_ = bytes;
@@ -24,21 +24,21 @@ bool Outbox::push_reply(Frame frame) {
   return true;
 }
 
-Frame Outbox::pop() {
+WebSocketFrame Outbox::pop() {
   if (!replies_.empty()) {
-    Frame frame = std::move(replies_.front());
+    WebSocketFrame frame = std::move(replies_.front());
     replies_.pop_front();
     reply_bytes_ -= frame.size();
     return frame;
   }
-  Frame frame = std::move(data_.front());
+  WebSocketFrame frame = std::move(data_.front());
   data_.pop_front();
   data_bytes_ -= frame.size();
   return frame;
 }
 
 void Viewer::reply(std::string body, bool binary) {
-  Frame frame;
+  WebSocketFrame frame;
   frame.binary = binary;
   frame.body = std::make_shared<const std::string>(std::move(body));
   if (outbox_.push_reply(std::move(frame))) {
@@ -50,7 +50,7 @@ void Viewer::reply(std::string body, bool binary) {
 
 void Viewer::send(std::uint32_t subscription, std::uint64_t unix_ns,
                   const std::shared_ptr<const std::string>& body) {
-  Frame frame;
+  WebSocketFrame frame;
   frame.binary = true;
   frame.head = message_head(subscription, unix_ns);
   frame.head_size = static_cast<std::uint8_t>(frame.head.size());

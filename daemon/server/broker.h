@@ -19,7 +19,7 @@
 namespace tp100::server {
 
 /// One WebSocket message; bodies are shared between clients.
-struct Frame {
+struct WebSocketFrame {
   bool binary = false;
   std::uint8_t head_size = 0;
   std::array<std::uint8_t, 13> head{};
@@ -37,21 +37,21 @@ class Outbox {
   static constexpr std::size_t kMaxReplyBytes = 4 << 20;
 
   /// Queues one data frame; drops older ones, and counts them, if there is no room.
-  void push_data(Frame frame);
+  void push_data(WebSocketFrame frame);
   /// Queues an answer; answers precede data and are never dropped. False: the client requests more
   /// than it reads.
-  [[nodiscard]] bool push_reply(Frame frame);
+  [[nodiscard]] bool push_reply(WebSocketFrame frame);
 
   bool empty() const { return data_.empty() && replies_.empty(); }
   std::size_t size() const { return data_.size() + replies_.size(); }
   /// The next frame to write. Must not be empty.
-  Frame pop();
+  WebSocketFrame pop();
 
   std::uint64_t dropped() const { return dropped_; }
 
  private:
-  std::deque<Frame> data_;
-  std::deque<Frame> replies_;
+  std::deque<WebSocketFrame> data_;
+  std::deque<WebSocketFrame> replies_;
   std::size_t data_bytes_ = 0;
   std::size_t reply_bytes_ = 0;
   std::uint64_t dropped_ = 0;

@@ -73,7 +73,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   std::array<char, kPart> part_{};
   bool last_ = false;
   bool counted_ = true;  // counted among the server's connections
-  boost::asio::steady_timer patience_{stream_.get_executor()};
+  boost::asio::steady_timer timeout_{stream_.get_executor()};
   std::uint64_t question_ = 0;  // number of the newest job for the disk
 };
 
@@ -181,15 +181,15 @@ void Connection::ask_disk() {
 void Connection::on_disk(std::uint64_t question, const std::function<void()>& then) {
   if (question != question_) return;
   ++question_;
-  patience_.cancel();
+  timeout_.cancel();
   then();
 }
 
 void Connection::await_disk(std::function<void()> late) {
   stream_.expires_never();
-  patience_.expires_after(kDiskTime);
-  patience_.async_wait([self = shared_from_this(), question = question_,
-                        late = std::move(late)](boost::system::error_code cancelled) {
+  timeout_.expires_after(kDiskTime);
+  timeout_.async_wait([self = shared_from_this(), question = question_,
+                       late = std::move(late)](boost::system::error_code cancelled) {
     if (cancelled || question != self->question_) return;
     ++self->question_;
     late();

@@ -64,7 +64,7 @@ struct RunRequest {
   std::string measured{};             ///< of kIdentify, as in RunArchive::identify()
 };
 
-/// Why what needs a robot at rest is refused.
+/// Refusal of requests that need a robot at rest.
 inline constexpr const char* kUnderWay =
     "a run is under way, or somebody drives by hand; stop it first";
 
@@ -121,8 +121,8 @@ class Controls {
   /// Answers with what `tp100d doctor` finds; nothing moves.
   virtual void examine(DoctorPart part, Answer answer) = 0;
 
-  /// The tracks run, at the word of `viewer`, who watches; `token` is set. Returns why it is
-  /// impossible, in one line.
+  /// Starts the check of the tracks for `viewer`, which must keep polling; sets `token`. Returns
+  /// why it is impossible, in one line.
   virtual std::string wheels_up_begin(const Driver& viewer, HostNs now, std::string& token) = 0;
   /// Answers at once with how far it is. Returns why it is impossible, in one line.
   virtual std::string wheels_up_watch(const WheelsUpWatch& watch, HostNs now,

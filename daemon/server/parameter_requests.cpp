@@ -58,7 +58,7 @@ void ParameterRequests::get(Viewer& viewer, const GetParameters& wanted) const {
   viewer.reply(parameter_values(select(wanted.names), wanted.id));
 }
 
-void ParameterRequests::watch(Viewer& viewer, const WatchParameters& wanted) {
+void ParameterRequests::watch(Viewer& viewer, const ParameterSubscription& wanted) {
   // Keeps existing names only, so that a client cannot make this grow.
   std::set<std::string>& names = watched_[viewer.id()];
   for (const messages::ParameterText* parameter : select(wanted.names)) {

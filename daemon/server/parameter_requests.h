@@ -24,7 +24,7 @@ class ParameterRequests {
   void get(Viewer& viewer, const GetParameters& wanted) const;
   /// `may_command`: false for a client from which only STOP is taken.
   void set(Viewer& viewer, const SetParameters& wanted, bool may_command, HostNs now);
-  void watch(Viewer& viewer, const WatchParameters& wanted);
+  void watch(Viewer& viewer, const ParameterSubscription& wanted);
   // Services; each returns why it is impossible, in one line; empty: answered later.
   std::string save(const std::vector<RequestField>& request, Controls::Answer answer);
   std::string restore(const std::vector<RequestField>& request, Controls::Answer answer);

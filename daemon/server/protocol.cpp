@@ -120,8 +120,8 @@ ClientMessage message(const Json& json) {
     }
     return out;
   }
-  if (op == "subscribeParameterUpdates") return WatchParameters{names(json), true};
-  if (op == "unsubscribeParameterUpdates") return WatchParameters{names(json), false};
+  if (op == "subscribeParameterUpdates") return ParameterSubscription{names(json), true};
+  if (op == "unsubscribeParameterUpdates") return ParameterSubscription{names(json), false};
   for (const char* known : {"advertise", "unadvertise", "subscribeConnectionGraph",
                             "unsubscribeConnectionGraph", "fetchAsset"})
     if (op == known) return Unserved{op};

@@ -44,7 +44,7 @@ struct SetParameters {
   std::vector<One> parameters;
   std::string id;
 };
-struct WatchParameters {
+struct ParameterSubscription {
   std::vector<std::string> names;  ///< empty: all
   bool watch = true;               ///< false: unsubscribe
 };
@@ -62,7 +62,7 @@ struct Malformed {
   std::string why;
 };
 using ClientMessage = std::variant<Subscribe, Unsubscribe, GetParameters, SetParameters,
-                                   WatchParameters, ServiceCall, Unserved, Malformed>;
+                                   ParameterSubscription, ServiceCall, Unserved, Malformed>;
 
 ClientMessage parse_text(std::string_view text);
 ClientMessage parse_binary(std::span<const std::uint8_t> bytes);

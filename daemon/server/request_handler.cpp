@@ -68,7 +68,7 @@ bool RequestHandler::handle(const std::shared_ptr<Viewer>& viewer, const ClientM
     parameters_.get(*viewer, *get);
   } else if (const auto* set = std::get_if<SetParameters>(&message)) {
     parameters_.set(*viewer, *set, permission == Permission::kCommand, now);
-  } else if (const auto* watch = std::get_if<WatchParameters>(&message)) {
+  } else if (const auto* watch = std::get_if<ParameterSubscription>(&message)) {
     parameters_.watch(*viewer, *watch);
   } else if (const auto* call = std::get_if<ServiceCall>(&message)) {
     on(viewer, *call, permission, now);
@@ -94,8 +94,9 @@ std::string RequestHandler::start(const std::vector<RequestField>& request) {
   const messages::StateFigures& state = publisher_.state();
   if (!state.can_start) return state.why_not_start;
   if (!here) return controls_.start();
-  return state.go_on_from ? controls_.go_on()
-                          : "no run ended on its way; start from the course's start";
+  return state.go_on_from
+             ? controls_.go_on()
+             : "no run ended before the end of its course; start from the course's start";
 }
 
 std::string RequestHandler::pause(const Viewer& viewer, bool on, HostNs now) {

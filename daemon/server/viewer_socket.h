@@ -53,7 +53,7 @@ class ViewerSocket : public std::enable_shared_from_this<ViewerSocket> {
   std::shared_ptr<Viewer> viewer_;
   Permission permission_ = Permission::kStopOnly;
   std::string address_, agent_;
-  Frame writing_{};
+  WebSocketFrame writing_{};
   bool busy_ = false;  // a write is under way
   bool open_ = false;
   bool closing_ = false;

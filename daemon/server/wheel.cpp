@@ -62,18 +62,19 @@ std::optional<std::string> Wheel::take(const Driver& driver, HostNs now) {
   *this = Wheel{};
   token_ = random_name();
   driver_ = driver;
-  taken_ns_ = input_ns_ = heard_ns_ = now;
+  taken_ns_ = input_ns_ = received_ns_ = now;
   return token_;
 }
 
 std::optional<VelocityInput> Wheel::drive(const DriveRequest& request, HostNs now) {
   if (!holds(request.token)) return std::nullopt;
-  // The quickest message tells how the clocks stand; a later one was delayed by what it is slower.
+  // The least delayed message gives the clocks' offset; the extra delay of another is its age.
   const HostNs offset_ns = now - from_s(request.input_ms * 1e-3);
   clock_offset_ns_ =
-      clock_offset_ns_ ? std::min(offset_ns, *clock_offset_ns_ + (now - heard_ns_) / kDriftDivisor)
-                       : offset_ns;
-  heard_ns_ = now;
+      clock_offset_ns_
+          ? std::min(offset_ns, *clock_offset_ns_ + (now - received_ns_) / kDriftDivisor)
+          : offset_ns;
+  received_ns_ = now;
   const HostNs at_ns = now - offset_ns + *clock_offset_ns_;
   input_ns_ = std::max(input_ns_, at_ns);
   return VelocityInput{at_ns, request.speed_mps, request.yaw_rate_radps};

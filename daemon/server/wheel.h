@@ -67,7 +67,7 @@ class Wheel {
   HostNs taken_ns_ = 0;
   HostNs asked_ns_ = 0;
   HostNs input_ns_ = 0;                    // of the newest input
-  HostNs heard_ns_ = 0;                    // when the newest message arrived
+  HostNs received_ns_ = 0;                 // when the newest message arrived
   std::optional<HostNs> clock_offset_ns_;  // host time - the client's clock
 };
 

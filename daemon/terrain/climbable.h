@@ -2,7 +2,7 @@
 // Static test, before any motion, whether a robot can climb the obstacles of its course.
 
 #include "course/course.h"
-#include "course/robot.h"
+#include "course/robot_file.h"
 
 namespace tp100::terrain {
 

@@ -95,7 +95,7 @@ void TerrainFollower::climb(double distance_m, double dt_s) {
   state_.height_m = now.reference_m.z;
   state_.pitch_rad = now.pitch_rad;
   state_.roll_rad = 0.0;
-  state_.obstacle = Obstacle::kBlock;
+  state_.obstacle = ObstacleClass::kBlock;
   state_.climbing = true;
   const bool backed_off = now.phase == model::ClimbPhase::kApproach && now.travel_m < -kBackedOffM;
   if (now.phase != model::ClimbPhase::kDown && !backed_off) return;
@@ -103,7 +103,7 @@ void TerrainFollower::climb(double distance_m, double dt_s) {
   active_ = nullptr;
 }
 
-void TerrainFollower::stand(const Pose& pose, const std::optional<Attitude>& measured) {
+void TerrainFollower::follow_map(const Pose& pose, const std::optional<Attitude>& measured) {
   Pose at = pose;
   at.pitch_rad = measured ? measured->pitch_rad : state_.pitch_rad;
   const ContactPose contact_pose = world_->at(at);
@@ -125,7 +125,7 @@ const ContactState& TerrainFollower::advance(const Pose& pose, double distance_m
   if (active_ != nullptr || begin_climb(pose, measured)) {
     climb(distance_m, dt_s);
   } else {
-    stand(pose, measured);
+    follow_map(pose, measured);
   }
   if (measured) {
     state_.pitch_rad = measured->pitch_rad;

@@ -29,7 +29,7 @@ struct ContactState {
   double height_m = 0.0;  ///< of the reference point
   double pitch_rad = 0.0;
   double roll_rad = 0.0;
-  Obstacle obstacle = Obstacle::kNone;
+  ObstacleClass obstacle = ObstacleClass::kNone;
   bool climbing = false;  ///< between touching a block and lying flat behind it
 };
 
@@ -66,7 +66,7 @@ class TerrainFollower {
 
   bool begin_climb(const Pose& pose, const std::optional<Attitude>& measured);
   void climb(double distance_m, double dt_s);
-  void stand(const Pose& pose, const std::optional<Attitude>& measured);
+  void follow_map(const Pose& pose, const std::optional<Attitude>& measured);
 
   const World* world_;
   std::vector<Climb> climbs_;

@@ -133,8 +133,8 @@ void Profile::join() {
 
 double Profile::height_m(double at_m) const { return height_of(points_, count_, at_m); }
 
-void Profile::lift(const Places& places, Obstacle what, std::span<double> wheel,
-                   std::span<Obstacle> ground) const {
+void Profile::lift(const Places& places, ObstacleClass what, std::span<double> wheel,
+                   std::span<ObstacleClass> ground) const {
   const double radius = places.radius_m;
   const double last = static_cast<double>(wheel.size()) - 1.0;
   // Each corner and each edge is below a few neighbouring positions only.
@@ -186,9 +186,9 @@ SupportLine support_line(const WheelHeights& wheel, double com) {
 World::World(const course::Terrain& terrain, const course::ShapeValues& shape)
     : terrain_(terrain), shape_(shape) {
   for (const course::Ramp& ramp : terrain_.ramps)
-    pieces_.push_back({outline_of(ramp), Obstacle::kRamp});
+    pieces_.push_back({outline_of(ramp), ObstacleClass::kRamp});
   for (const course::Block& block : terrain_.blocks)
-    pieces_.push_back({outline_of(block), Obstacle::kBlock});
+    pieces_.push_back({outline_of(block), ObstacleClass::kBlock});
 }
 
 bool World::near(const Outline& outline, double x_m, double y_m) const {
@@ -203,7 +203,7 @@ World::Support World::support(double x_m, double y_m, double cos_yaw, double sin
   const double radius = shape_.wheel_radius_m;
   struct Under {
     Profile profile;
-    Obstacle ground;
+    ObstacleClass ground;
   };
   std::array<std::optional<Under>, kMaxProfiles> under;
   std::size_t count = 0;
@@ -212,13 +212,13 @@ World::Support World::support(double x_m, double y_m, double cos_yaw, double sin
     const Profile profile(piece.outline, x_m, y_m, cos_yaw, sin_yaw);
     if (!profile.empty()) under[count++].emplace(Under{profile, piece.obstacle});
   }
-  Support result{0.0, 0.0, Obstacle::kNone};
+  Support result{0.0, 0.0, ObstacleClass::kNone};
   if (count == 0) return result;
   result.slope_rad = std::clamp(slope_rad, -kSteepestRad, kSteepestRad);
 
   double tried_rad = result.slope_rad, tried_before_rad = 0.0;
   WheelHeights wheel{};
-  std::array<Obstacle, SupportLine::kPlaces> ground{};
+  std::array<ObstacleClass, SupportLine::kPlaces> ground{};
   for (int round = 0; round < kRounds; ++round) {
     tried_rad = std::clamp(tried_rad, -kSteepestRad, kSteepestRad);
     const double c = std::cos(tried_rad);
@@ -227,7 +227,7 @@ World::Support World::support(double x_m, double y_m, double cos_yaw, double sin
     const double half = shape_.axle_spacing_m / 2.0 * c;
     const double step = 2.0 * half / (SupportLine::kPlaces - 1);
     wheel.fill(radius);
-    ground.fill(Obstacle::kNone);
+    ground.fill(ObstacleClass::kNone);
     for (std::size_t n = 0; n < count; ++n)
       under[n]->profile.lift({middle - half, step, radius}, under[n]->ground, wheel, ground);
     // Places are those of the wheels' centres; the track touches the ground radius * s further on.

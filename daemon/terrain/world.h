@@ -46,8 +46,8 @@ class Profile {
   };
   /// Raises the centres of wheels that would cut into the piece, an obstacle of class `what`, until
   /// they touch it, and records that in `ground`, which is as long as `wheel`.
-  void lift(const Places& places, Obstacle what, std::span<double> wheel,
-            std::span<Obstacle> ground) const;
+  void lift(const Places& places, ObstacleClass what, std::span<double> wheel,
+            std::span<ObstacleClass> ground) const;
 
  private:
   using Point = Outline::Point;
@@ -90,7 +90,7 @@ struct ContactPose {
   double slope_rad = 0.0;  ///< climb angle along the heading, nose-up positive
   double pitch_rad = 0.0;  ///< the same as REP-103 has it: nose-up negative
   double roll_rad = 0.0;   ///< left side up positive
-  Obstacle obstacle = Obstacle::kNone;
+  ObstacleClass obstacle = ObstacleClass::kNone;
   const course::Surface* surface = nullptr;  ///< under the reference point; null: ordinary floor
 };
 
@@ -129,12 +129,12 @@ class World {
  private:
   struct Piece {
     Outline outline;
-    Obstacle obstacle;
+    ObstacleClass obstacle;
   };
   struct Support {
     double slope_rad;
     double height_m;  // of the reference point
-    Obstacle obstacle;
+    ObstacleClass obstacle;
   };
   bool near(const Outline& outline, double x_m, double y_m) const;
   Support support(double x_m, double y_m, double cos_yaw, double sin_yaw, double slope_rad) const;

@@ -16,6 +16,9 @@ std::string one_line(std::string_view text, std::size_t most = 80);
 /// A number in messages: at most ten significant digits.
 std::string number_text(double value);
 
+/// The shortest text that reads back as the same value.
+std::string shortest(double value);
+
 /// As printf prints it, however long. Throws std::runtime_error if printf cannot.
 [[gnu::format(printf, 1, 2)]] std::string format(const char* pattern, ...);
 

@@ -168,10 +168,6 @@ bool read_world(const Json& json, Frame frame, WorldMessage& out) {
 
 }  // namespace
 
-std::string_view to_string(Authority authority) {
-  return authority == Authority::kWorld ? "world" : "bridge";
-}
-
 std::string encode(const Hello& hello) {
   return datagram({{"v", kWorldVersion},
                    {"type", "hello"},

@@ -29,7 +29,14 @@ inline constexpr double kMaxLeanRad = kPi / 2.0 + 1e-6;
 
 /// Which side integrates the pose.
 enum class Authority { kBridge, kWorld };
-std::string_view to_string(Authority authority);
+/// Names as in a hello.
+inline constexpr std::array<EnumName<Authority>, 2> kAuthorityNames = {{
+    {Authority::kBridge, "bridge"},
+    {Authority::kWorld, "world"},
+}};
+constexpr std::string_view to_string(Authority authority) {
+  return name_in(kAuthorityNames, authority);
+}
 
 /// The bridge's message until it is welcomed.
 struct Hello {

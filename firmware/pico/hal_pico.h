@@ -48,7 +48,7 @@ class PicoHal final : public Hal {
   void kick_watchdog() override;
   uint32_t boot_nonce() override { return nonce_; }
   wire::ResetCause reset_cause() override;
-  wire::Board board() override { return wire::Board::kRp2040; }
+  wire::BoardType board() override { return wire::BoardType::kRp2040; }
 
   uint8_t lock() override;
   void unlock(uint8_t saved) override;

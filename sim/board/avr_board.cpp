@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/time.h"
 #include "sim/board/avr_core.h"
 #include "sim/board/avr_pins.h"
 #include "sim/board/avr_uart.h"
@@ -55,7 +56,7 @@ struct AvrBoard::Machine {
       core.program(read_avr_image(stock_bootloader()));
       core.set_reset_address(kBootloaderAddress);
     }
-    core.on_event = [this](Cycle at) { return deliver(at); };
+    core.on_event = [this](CpuCycles at) { return deliver(at); };
     core.on_reset = [this] { restore(); };
     fill_eeprom();
     if (settings.start_us != 0) preset_clock();
@@ -93,7 +94,7 @@ struct AvrBoard::Machine {
     }
   }
 
-  void reset(PowerUp cause, std::int64_t now_ns) {
+  void reset(PowerUp cause, HostNs now_ns) {
     take_stamped(now_ns);
     powered = true;
     now = now_ns;
@@ -121,16 +122,16 @@ struct AvrBoard::Machine {
     let_go();
   }
 
-  Cycle cycle_at(std::int64_t at_ns) const {
+  CpuCycles cycle_at(HostNs at_ns) const {
     if (at_ns <= begin_ns) return begin_cycle;
-    return begin_cycle +
-           static_cast<Cycle>(std::llround(static_cast<double>(at_ns - begin_ns) * cycles_per_ns));
+    return begin_cycle + static_cast<CpuCycles>(
+                             std::llround(static_cast<double>(at_ns - begin_ns) * cycles_per_ns));
   }
-  std::int64_t time_at(Cycle cycle) const {
+  HostNs time_at(CpuCycles cycle) const {
     return begin_ns + std::llround(static_cast<double>(cycle - begin_cycle) / cycles_per_ns);
   }
 
-  Cycle deliver(Cycle at) {
+  CpuCycles deliver(CpuCycles at) {
     while (!edges.empty() && cycle_at(edges.front().at_ns) <= at) {
       encoders.set(edges.front().channel, edges.front().level);
       edges = edges.subspan(1);
@@ -140,20 +141,20 @@ struct AvrBoard::Machine {
       bytes = bytes.subspan(1);
     }
     if (hang_wanted && core.asleep()) hang();
-    Cycle next = AvrCore::kNever;
+    CpuCycles next = AvrCore::kNever;
     if (!edges.empty()) next = std::min(next, cycle_at(edges.front().at_ns));
     if (!bytes.empty()) next = std::min(next, cycle_at(bytes.front().at_ns));
     if (hang_wanted) next = std::min(next, at + 16);
     return next;
   }
 
-  void advance(std::int64_t until_ns, std::span<const Edge> new_edges,
+  void advance(HostNs until_ns, std::span<const EncoderEdge> new_edges,
                std::span<const TimedByte> new_bytes) {
     edges = new_edges;
     bytes = new_bytes;
     now = until_ns;
     if (!powered || until_ns <= begin_ns) {
-      for (const Edge& edge : edges) encoders.set(edge.channel, edge.level);
+      for (const EncoderEdge& edge : edges) encoders.set(edge.channel, edge.level);
       lost_in_reset += bytes.size();
       return;
     }
@@ -179,11 +180,11 @@ struct AvrBoard::Machine {
   }
 
   // Bytes that have left by `until_ns`.
-  void take_stamped(std::int64_t until_ns) {
+  void take_stamped(HostNs until_ns) {
     std::vector<SentByte>& sent = uart.sent();
     auto byte = sent.begin();
     for (; byte != sent.end(); ++byte) {
-      const std::int64_t at_ns = time_at(byte->at);
+      const HostNs at_ns = time_at(byte->at);
       if (at_ns > until_ns) break;
       stamped.push_back({at_ns, byte->value});
     }
@@ -200,10 +201,10 @@ struct AvrBoard::Machine {
   double cycles_per_ns;
 
   bool powered = false;
-  std::int64_t now = 0;
-  std::int64_t begin_ns = 0;
-  Cycle begin_cycle = 0;
-  std::span<const Edge> edges;
+  HostNs now = 0;
+  HostNs begin_ns = 0;
+  CpuCycles begin_cycle = 0;
+  std::span<const EncoderEdge> edges;
   std::span<const TimedByte> bytes;
   std::vector<TimedByte> stamped;
   std::uint64_t lost_in_reset = 0;
@@ -224,9 +225,9 @@ AvrBoard::~AvrBoard() = default;
 AvrBoard::AvrBoard(AvrBoard&&) noexcept = default;
 AvrBoard& AvrBoard::operator=(AvrBoard&&) noexcept = default;
 
-void AvrBoard::reset(PowerUp cause, std::int64_t now_ns) { machine_->reset(cause, now_ns); }
+void AvrBoard::reset(PowerUp cause, HostNs now_ns) { machine_->reset(cause, now_ns); }
 
-void AvrBoard::advance(std::int64_t until_ns, std::span<const Edge> edges,
+void AvrBoard::advance(HostNs until_ns, std::span<const EncoderEdge> edges,
                        std::span<const TimedByte> received) {
   machine_->advance(until_ns, edges, received);
 }
@@ -236,7 +237,7 @@ std::vector<TimedByte> AvrBoard::take_sent() {
   return std::exchange(machine_->stamped, {});
 }
 
-MotorDuty AvrBoard::drive() const {
+MotorDuty AvrBoard::motor_duty() const {
   return machine_->powered ? motor_drive(machine_->core) : MotorDuty{};
 }
 
@@ -248,14 +249,14 @@ void AvrBoard::hang_main_loop() { machine_->hang_wanted = true; }
 AvrBoardCounters AvrBoard::counters() const {
   const Machine& m = *machine_;
   return {.rx_overruns = m.uart.overruns(),
-          .rx_unheard = m.uart.unheard() + m.lost_in_reset,
+          .rx_while_off = m.uart.while_off() + m.lost_in_reset,
           .watchdog_resets = m.core.own_resets(),
           .cycles = m.core.cycle(),
           .slept_cycles = m.core.slept(),
           .i2c_bytes = m.i2c.bytes()};
 }
 
-Cycle AvrBoard::longest_i2c_transfer() const { return machine_->i2c.longest_transfer(); }
+CpuCycles AvrBoard::longest_i2c_transfer() const { return machine_->i2c.longest_transfer(); }
 AvrCore& AvrBoard::core() { return machine_->core; }
 const AvrImage& AvrBoard::image() const { return machine_->image; }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/time.h"
 #include "sim/board/avr_i2c.h"
 #include "sim/board/board.h"
 
@@ -15,20 +16,20 @@ namespace tp100::sim {
 
 /// One board.
 struct AvrBoardSettings {
-  std::string image{};             ///< ELF or HEX; empty: the one built with this program
-  bool bootloader = false;         ///< Arduino's bootloader runs first and waits for a second
-  bool blank = false;              ///< no firmware yet: `image` is not read
-  std::uint64_t seed = 1;          ///< seed of EEPROM, SRAM at power-on and the ADC's noise
-  double clock_ppm = 0.0;          ///< error of the resonator; positive runs fast
-  std::uint32_t start_us = 0;      ///< device clock at each boot, in steps of 1024; needs an ELF
-  std::int64_t reset_hold_ns = 0;  ///< from reset() to the first instruction
+  std::string image{};         ///< ELF or HEX; empty: the one built with this program
+  bool bootloader = false;     ///< Arduino's bootloader runs first and waits for a second
+  bool blank = false;          ///< no firmware yet: `image` is not read
+  std::uint64_t seed = 1;      ///< seed of EEPROM, SRAM at power-on and the ADC's noise
+  double clock_ppm = 0.0;      ///< error of the resonator; positive runs fast
+  std::uint32_t start_us = 0;  ///< device clock at each boot, in steps of 1024; needs an ELF
+  HostNs reset_hold_ns = 0;    ///< from reset() to the first instruction
   std::uint32_t run_cycle_limit = 16000;  ///< of simavr; changes nothing but speed
 };
 
 /// Counts since construction.
 struct AvrBoardCounters {
   std::uint64_t rx_overruns = 0;      ///< bytes that found the receiver full
-  std::uint64_t rx_unheard = 0;       ///< bytes that arrived while the receiver was off
+  std::uint64_t rx_while_off = 0;     ///< bytes that arrived while the receiver was off
   std::uint64_t watchdog_resets = 0;  ///< resets by the chip's own watchdog
   std::uint64_t cycles = 0;
   std::uint64_t slept_cycles = 0;
@@ -44,11 +45,11 @@ class AvrBoard final : public Board {
   AvrBoard(AvrBoard&&) noexcept;
   AvrBoard& operator=(AvrBoard&&) noexcept;
 
-  void reset(PowerUp cause, std::int64_t now_ns) override;
-  void advance(std::int64_t until_ns, std::span<const Edge> edges,
+  void reset(PowerUp cause, HostNs now_ns) override;
+  void advance(HostNs until_ns, std::span<const EncoderEdge> edges,
                std::span<const TimedByte> received) override;
   std::vector<TimedByte> take_sent() override;
-  MotorDuty drive() const override;
+  MotorDuty motor_duty() const override;
   void set_battery(double volts) override;
   void set_supply(double volts) override;
 
@@ -57,7 +58,7 @@ class AvrBoard final : public Board {
   void hang_main_loop();
   AvrBoardCounters counters() const;
   /// Duration from START to STOP.
-  Cycle longest_i2c_transfer() const;
+  CpuCycles longest_i2c_transfer() const;
   /// For measurements and tests.
   AvrCore& core();
   const AvrImage& image() const;

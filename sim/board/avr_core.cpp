@@ -92,11 +92,11 @@ void AvrCore::on_chip_reset(avr_t* avr) {
 }
 
 // The default would sleep on the host.
-void AvrCore::on_sleep(avr_t* avr, Cycle cycles) { owner(avr).slept_ += cycles + 1; }
+void AvrCore::on_sleep(avr_t* avr, CpuCycles cycles) { owner(avr).slept_ += cycles + 1; }
 
-Cycle AvrCore::on_timer(avr_t* avr, Cycle, void* self) {
+CpuCycles AvrCore::on_timer(avr_t* avr, CpuCycles, void* self) {
   AvrCore& core = *static_cast<AvrCore*>(self);
-  const Cycle now = core.cycle();
+  const CpuCycles now = core.cycle();
   if (now >= core.next_) core.next_ = core.on_event ? core.on_event(now) : kNever;
   if (now >= core.until_) {
     core.reached_ = true;
@@ -117,7 +117,7 @@ void AvrCore::arm() {
 }
 
 void AvrCore::reset(std::uint8_t mcusr) {
-  const Cycle before = cycle();
+  const CpuCycles before = cycle();
   avr_reset(avr_);
   was_reset_ = false;
   offset_ = before - avr_->cycle;
@@ -125,14 +125,14 @@ void AvrCore::reset(std::uint8_t mcusr) {
   arm();
 }
 
-void AvrCore::run_until(Cycle until) {
+void AvrCore::run_until(CpuCycles until) {
   until_ = until;
   next_ = 0;
   reached_ = false;
   const auto wake = [&] { avr_cycle_timer_register(avr_, 1, on_timer, this); };
   wake();
   while (!reached_) {
-    const Cycle before = avr_->cycle;
+    const CpuCycles before = avr_->cycle;
     avr_run(avr_);
     // simavr lets two instructions pass after sei, the chip one: in `sei, sleep, cli` a waiting
     // interrupt would never run.
@@ -146,7 +146,7 @@ void AvrCore::run_until(Cycle until) {
     }
     if (avr_->state == cpu_Done || avr_->state == cpu_Crashed) {
       // The core is dead until a reset: only time passes.
-      const Cycle now = cycle();
+      const CpuCycles now = cycle();
       if (now < until_) offset_ += until_ - now;
       reached_ = true;
     }
@@ -154,7 +154,7 @@ void AvrCore::run_until(Cycle until) {
   avr_cycle_timer_cancel(avr_, on_timer, this);
 }
 
-Cycle AvrCore::cycle() const { return avr_->cycle + offset_; }
+CpuCycles AvrCore::cycle() const { return avr_->cycle + offset_; }
 std::uint8_t* AvrCore::data() const { return avr_->data; }
 std::uint8_t* AvrCore::flash() const { return avr_->flash; }
 std::uint32_t AvrCore::program_counter() const { return avr_->pc; }

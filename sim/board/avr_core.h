@@ -13,12 +13,12 @@ struct avr_t;
 namespace tp100::sim {
 
 /// Cycles since the core was created; continues over resets.
-using Cycle = std::uint64_t;
+using CpuCycles = std::uint64_t;
 
 class AvrCore {
  public:
   static constexpr std::uint32_t kHz = 16'000'000;
-  static constexpr Cycle kNever = ~Cycle{0};
+  static constexpr CpuCycles kNever = ~CpuCycles{0};
 
   /// `run_cycle_limit` is simavr's: the most cycles between two checks of its timers. Results do
   /// not depend on it. Throws SetupError.
@@ -29,7 +29,7 @@ class AvrCore {
 
   /// Called between two instructions at the cycle that the last call returned (kNever: at the next
   /// run_until()); does what is due and returns the cycle of its next call.
-  std::function<Cycle(Cycle now)> on_event;
+  std::function<CpuCycles(CpuCycles now)> on_event;
   /// Called after each reset, the chip's own included: restores the state of the pins.
   std::function<void()> on_reset;
 
@@ -40,11 +40,11 @@ class AvrCore {
   /// Resets, with these bits of MCUSR set.
   void reset(std::uint8_t mcusr);
   /// Runs until the first instruction boundary at or after `cycle`.
-  void run_until(Cycle cycle);
+  void run_until(CpuCycles cycle);
 
-  Cycle cycle() const;
+  CpuCycles cycle() const;
   /// Cycles that the CPU spent asleep.
-  Cycle slept() const { return slept_; }
+  CpuCycles slept() const { return slept_; }
   /// Number of resets by the chip's own watchdog.
   std::uint64_t own_resets() const { return own_resets_; }
   /// Registers, I/O and SRAM by data address.
@@ -57,8 +57,8 @@ class AvrCore {
 
  private:
   static void on_chip_reset(avr_t* avr);
-  static Cycle on_timer(avr_t* avr, Cycle when, void* core);
-  static void on_sleep(avr_t* avr, Cycle cycles);
+  static CpuCycles on_timer(avr_t* avr, CpuCycles when, void* core);
+  static void on_sleep(avr_t* avr, CpuCycles cycles);
   void repair_timers();
   void free_what_terminate_leaves();
   void arm();
@@ -66,10 +66,10 @@ class AvrCore {
   avr_t* avr_;
   std::uint32_t run_cycle_limit_;
   void (*chip_reset_)(avr_t*) = nullptr;
-  Cycle offset_ = 0;  // of simavr's own count
-  Cycle slept_ = 0;
-  Cycle until_ = 0;
-  Cycle next_ = kNever;
+  CpuCycles offset_ = 0;  // of simavr's own count
+  CpuCycles slept_ = 0;
+  CpuCycles until_ = 0;
+  CpuCycles next_ = kNever;
   bool reached_ = true;
   bool was_reset_ = false;
   std::uint64_t own_resets_ = 0;

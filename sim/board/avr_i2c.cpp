@@ -172,12 +172,13 @@ void AvrI2c::finish_transfer() {
 
 void AvrI2c::complete(unsigned bits, std::uint8_t status) {
   const std::uint8_t* data = core_.data();
-  const Cycle bit = 16U + Cycle{2} * data[kTwbr] * (Cycle{1} << (2U * (data[kTwsr] & 3U)));
+  const CpuCycles bit =
+      16U + CpuCycles{2} * data[kTwbr] * (CpuCycles{1} << (2U * (data[kTwsr] & 3U)));
   next_status_ = status;
   avr_cycle_timer_register(core_.chip(), bits * bit, on_done, this);
 }
 
-Cycle AvrI2c::on_done(avr_t* avr, Cycle, void* self) {
+CpuCycles AvrI2c::on_done(avr_t* avr, CpuCycles, void* self) {
   AvrI2c& i2c = *static_cast<AvrI2c*>(self);
   if (i2c.state_ != State::kStarted) avr->data[kTwdr] = i2c.next_data_;
   avr->data[kTwsr] = static_cast<std::uint8_t>((avr->data[kTwsr] & 3U) | i2c.next_status_);

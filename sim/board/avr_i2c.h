@@ -33,14 +33,14 @@ class AvrI2c {
   /// Number of bytes, addresses included, since the core was created.
   std::uint64_t bytes() const { return bytes_; }
   /// Duration from the first START to STOP.
-  Cycle longest_transfer() const { return longest_transfer_; }
+  CpuCycles longest_transfer() const { return longest_transfer_; }
 
  private:
   enum class State { kIdle, kStarted, kSending, kReceiving, kRefused };
 
   static void on_control(avr_t*, std::uint16_t address, std::uint8_t value, void* i2c);
   static void on_pins(avr_irq_t*, std::uint32_t directions, void* i2c);
-  static Cycle on_done(avr_t*, Cycle when, void* i2c);
+  static CpuCycles on_done(avr_t*, CpuCycles when, void* i2c);
   void control(std::uint8_t value);
   void begin_step(std::uint8_t value);
   void address_byte(std::uint8_t byte);
@@ -64,8 +64,8 @@ class AvrI2c {
   std::vector<std::uint8_t> latched_;
   std::size_t next_latched_ = 0;
   std::uint64_t bytes_ = 0;
-  Cycle began_ = 0;
-  Cycle longest_transfer_ = 0;
+  CpuCycles began_ = 0;
+  CpuCycles longest_transfer_ = 0;
 };
 
 }  // namespace tp100::sim

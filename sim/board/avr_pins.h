@@ -36,7 +36,7 @@ class AvrEncoderPins {
  public:
   explicit AvrEncoderPins(AvrCore& core);
 
-  /// Sets a pin now. Channels as in Edge.
+  /// Sets a pin now. Channels as in EncoderEdge.
   void set(std::uint8_t channel, bool level);
   /// Restores the pins' levels after a reset of the chip.
   void restore();

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint16_t kUbrr0l = 0xC4;
 constexpr std::uint16_t kUbrr0h = 0xC5;
-constexpr Cycle kFrameBits = 10;  // 8N1
+constexpr CpuCycles kFrameBits = 10;  // 8N1
 constexpr std::size_t kReceiver = 3;
 
 avr_uart_t* find_uart(avr_t* avr) {
@@ -38,9 +38,9 @@ AvrUart::AvrUart(AvrCore& core) : core_(core), uart_(find_uart(core.chip())) {
   avr->io[AVR_DATA_TO_IO(uart_->r_udr)].r = {this, on_read};
 }
 
-Cycle AvrUart::byte_cycles() const {
+CpuCycles AvrUart::byte_cycles() const {
   const std::uint8_t* data = core_.data();
-  const Cycle divider = (data[kUbrr0h] & 0x0FU) * 256U + data[kUbrr0l] + 1U;
+  const CpuCycles divider = (data[kUbrr0h] & 0x0FU) * 256U + data[kUbrr0l] + 1U;
   return kFrameBits * divider * (avr_regbit_get(core_.chip(), uart_->u2x) != 0 ? 8U : 16U);
 }
 
@@ -52,7 +52,7 @@ void AvrUart::on_baud(avr_irq_t*, std::uint32_t, void* self) {
 
 void AvrUart::on_send(avr_irq_t*, std::uint32_t value, void* self) {
   AvrUart& uart = *static_cast<AvrUart*>(self);
-  const Cycle byte = uart.byte_cycles();
+  const CpuCycles byte = uart.byte_cycles();
   uart.uart_->cycles_per_byte = byte;
   uart.transmitter_free_ = std::max(uart.transmitter_free_, uart.core_.cycle()) + byte;
   uart.sent_.push_back({uart.transmitter_free_, static_cast<std::uint8_t>(value)});
@@ -61,7 +61,7 @@ void AvrUart::on_send(avr_irq_t*, std::uint32_t value, void* self) {
 void AvrUart::receive(std::uint8_t value) {
   avr_t* avr = core_.chip();
   if (avr_regbit_get(avr, uart_->rxen) == 0) {
-    ++unheard_;
+    ++while_off_;
     return;
   }
   if (received_.size() >= kReceiver) {
@@ -90,7 +90,7 @@ std::uint8_t AvrUart::on_read(avr_t* avr, std::uint16_t address, void* self) {
 void AvrUart::restore() {
   received_.clear();
   // Bytes not completely sent never arrive.
-  const Cycle now = core_.cycle();
+  const CpuCycles now = core_.cycle();
   while (!sent_.empty() && sent_.back().at > now) sent_.pop_back();
   transmitter_free_ = now;
 }

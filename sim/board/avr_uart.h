@@ -16,7 +16,7 @@ namespace tp100::sim {
 
 /// A sent byte with the cycle at which its stop bit ends.
 struct SentByte {
-  Cycle at;
+  CpuCycles at;
   std::uint8_t value;
 };
 
@@ -33,22 +33,22 @@ class AvrUart {
 
   std::uint64_t overruns() const { return overruns_; }
   /// Number of bytes that arrived while the receiver was off.
-  std::uint64_t unheard() const { return unheard_; }
+  std::uint64_t while_off() const { return while_off_; }
   std::size_t waiting() const { return received_.size(); }
 
  private:
   static void on_baud(avr_irq_t*, std::uint32_t, void* uart);
   static void on_send(avr_irq_t*, std::uint32_t value, void* uart);
   static std::uint8_t on_read(avr_t*, std::uint16_t address, void* uart);
-  Cycle byte_cycles() const;
+  CpuCycles byte_cycles() const;
 
   AvrCore& core_;
   avr_uart_t* uart_;
   std::deque<std::uint8_t> received_;
   std::vector<SentByte> sent_;
-  Cycle transmitter_free_ = 0;
+  CpuCycles transmitter_free_ = 0;
   std::uint64_t overruns_ = 0;
-  std::uint64_t unheard_ = 0;
+  std::uint64_t while_off_ = 0;
 };
 
 }  // namespace tp100::sim

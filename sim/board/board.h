@@ -5,13 +5,14 @@
 #include <span>
 #include <vector>
 
+#include "core/time.h"
 #include "sim/sensors/quadrature_encoder.h"
 
 namespace tp100::sim {
 
 /// One byte with the time at which its stop bit ends.
 struct TimedByte {
-  std::int64_t at_ns;
+  HostNs at_ns;
   std::uint8_t value;
 };
 
@@ -27,14 +28,14 @@ class Board {
  public:
   virtual ~Board() = default;
   /// (Re)starts the firmware at virtual time `now_ns`.
-  virtual void reset(PowerUp cause, std::int64_t now_ns) = 0;
+  virtual void reset(PowerUp cause, HostNs now_ns) = 0;
   /// Runs until `until_ns`. `edges` and `received` are ascending in time and lie in this quantum.
-  virtual void advance(std::int64_t until_ns, std::span<const Edge> edges,
+  virtual void advance(HostNs until_ns, std::span<const EncoderEdge> edges,
                        std::span<const TimedByte> received) = 0;
   /// Bytes sent since the last take, with the end of their stop bits.
   virtual std::vector<TimedByte> take_sent() = 0;
   /// Outputs in effect at the end of the quantum.
-  virtual MotorDuty drive() const = 0;
+  virtual MotorDuty motor_duty() const = 0;
   /// Voltage at the battery divider, set before each quantum.
   virtual void set_battery(double volts) = 0;
   /// Supply of the board, which is the converter's reference; USB's 5 V by default.

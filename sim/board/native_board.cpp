@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "core/time.h"
 #include "firmware/battery.h"
 #include "firmware/firmware.h"
 #include "firmware/quadrature.h"
@@ -15,14 +16,14 @@
 namespace tp100::sim {
 namespace {
 
-constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
-constexpr std::int64_t kLoopNs = 250'000;
+constexpr HostNs kNever = std::numeric_limits<std::int64_t>::max();
+constexpr HostNs kLoopNs = 250'000;
 constexpr double kTickNs = 1e6;
-constexpr std::int64_t kByteNs = 10'000'000'000LL / wire::kBaud;
+constexpr HostNs kByteNs = 10'000'000'000LL / wire::kBaud;
 constexpr std::size_t kUartBuffer = 64;  // one slot of the ring stays free, as in the Arduino's
 // A burst of 14 registers is 17 bytes on the bus and blocks a Mega for 471 us.
-constexpr std::int64_t kI2cByteNs = 471'000 / 17;
-constexpr std::int64_t kI2cRecoverNs = 200'000;
+constexpr HostNs kI2cByteNs = 471'000 / 17;
+constexpr HostNs kI2cRecoverNs = 200'000;
 constexpr double kAdcSteps = 1024.0;  // of 10 bits
 constexpr int kReadingsBetweenBandgaps = 200;
 
@@ -79,7 +80,7 @@ struct EncoderPins {
   void interrupt() { firmware::take_edge<1>(encoder, levels); }
 };
 
-std::size_t side(const Edge& edge) { return (edge.channel >> 1U) & 1U; }
+std::size_t side(const EncoderEdge& edge) { return (edge.channel >> 1U) & 1U; }
 
 }  // namespace
 
@@ -89,7 +90,7 @@ struct NativeBoard::Machine final : firmware::Hal {
         tick_ns(std::llround(kTickNs / (1.0 + board_settings.clock_ppm * 1e-6))),
         imu(imu_slave) {}
 
-  void reset(PowerUp power_up, std::int64_t at_ns) {
+  void reset(PowerUp power_up, HostNs at_ns) {
     program.reset();
     cause = wire_cause(power_up);
     ++counters.boots;
@@ -107,14 +108,14 @@ struct NativeBoard::Machine final : firmware::Hal {
     for (EncoderPins& pins : encoders) pins.reset();
   }
 
-  void advance(std::int64_t until_ns, std::span<const Edge> edges,
+  void advance(HostNs until_ns, std::span<const EncoderEdge> edges,
                std::span<const TimedByte> bytes) {
     auto edge = edges.begin();
     auto byte = bytes.begin();
     for (;;) {
-      const std::int64_t edge_ns = edge != edges.end() ? edge->at_ns : kNever;
-      const std::int64_t byte_ns = byte != bytes.end() ? byte->at_ns : kNever;
-      const std::int64_t next_ns = std::min({edge_ns, byte_ns, next_tick_ns, next_loop_ns});
+      const HostNs edge_ns = edge != edges.end() ? edge->at_ns : kNever;
+      const HostNs byte_ns = byte != bytes.end() ? byte->at_ns : kNever;
+      const HostNs next_ns = std::min({edge_ns, byte_ns, next_tick_ns, next_loop_ns});
       if (next_ns > until_ns) break;
       now_ns = next_ns;
       if (next_ns == edge_ns) {
@@ -163,21 +164,21 @@ struct NativeBoard::Machine final : firmware::Hal {
     }
   }
 
-  std::uint32_t device_us(std::int64_t at_ns) const {
-    const std::int64_t run_ns = at_ns - boot_ns;
+  std::uint32_t device_us(HostNs at_ns) const {
+    const HostNs run_ns = at_ns - boot_ns;
     const auto error_ns =
         static_cast<std::int64_t>(static_cast<double>(run_ns) * settings.clock_ppm * 1e-6);
     return settings.start_us + static_cast<std::uint32_t>((run_ns + error_ns) / 1000);
   }
 
   // Time inside loop(): what blocks lets time pass, all else is free.
-  std::int64_t here_ns() const { return now_ns + blocked_ns; }
+  HostNs here_ns() const { return now_ns + blocked_ns; }
 
   std::uint32_t micros() override { return device_us(here_ns()); }
 
   bool uart_read(std::uint8_t& byte) override { return received.pop(byte); }
   std::uint8_t uart_waiting() override {
-    const std::int64_t left_ns = transmitter_free_ns - here_ns();
+    const HostNs left_ns = transmitter_free_ns - here_ns();
     return left_ns <= 0 ? std::uint8_t{0}
                         : static_cast<std::uint8_t>((left_ns + kByteNs - 1) / kByteNs);
   }
@@ -237,7 +238,7 @@ struct NativeBoard::Machine final : firmware::Hal {
   void kick_watchdog() override {}
   std::uint32_t boot_nonce() override { return nonce; }
   wire::ResetCause reset_cause() override { return cause; }
-  wire::Board board() override { return wire::Board::kNative; }
+  wire::BoardType board() override { return wire::BoardType::kNative; }
 
   // tick_1khz() never interrupts loop() here.
   std::uint8_t lock() override { return 0; }
@@ -245,18 +246,18 @@ struct NativeBoard::Machine final : firmware::Hal {
   void idle() override {}
 
   NativeBoardSettings settings;
-  std::int64_t tick_ns;  // the timer hangs on the same resonator
+  HostNs tick_ns;  // the timer hangs on the same resonator
   I2cSlave* imu;
   NativeBoardCounters counters{};
   wire::ResetCause cause = wire::ResetCause::kUnknown;
   std::uint32_t nonce = 1;
 
-  std::int64_t now_ns = 0;
-  std::int64_t boot_ns = 0;
-  std::int64_t next_loop_ns = kNever;  // no power yet
-  std::int64_t next_tick_ns = kNever;
-  std::int64_t blocked_ns = 0;
-  std::int64_t transmitter_free_ns = 0;
+  HostNs now_ns = 0;
+  HostNs boot_ns = 0;
+  HostNs next_loop_ns = kNever;  // no power yet
+  HostNs next_tick_ns = kNever;
+  HostNs blocked_ns = 0;
+  HostNs transmitter_free_ns = 0;
 
   std::array<EncoderPins, 2> encoders{};
   ReceiveBuffer received;
@@ -275,9 +276,9 @@ NativeBoard::~NativeBoard() = default;
 NativeBoard::NativeBoard(NativeBoard&&) noexcept = default;
 NativeBoard& NativeBoard::operator=(NativeBoard&&) noexcept = default;
 
-void NativeBoard::reset(PowerUp cause, std::int64_t now_ns) { machine_->reset(cause, now_ns); }
+void NativeBoard::reset(PowerUp cause, HostNs now_ns) { machine_->reset(cause, now_ns); }
 
-void NativeBoard::advance(std::int64_t until_ns, std::span<const Edge> edges,
+void NativeBoard::advance(HostNs until_ns, std::span<const EncoderEdge> edges,
                           std::span<const TimedByte> received) {
   machine_->advance(until_ns, edges, received);
 }
@@ -292,7 +293,7 @@ std::vector<TimedByte> NativeBoard::take_sent() {
   return taken;
 }
 
-MotorDuty NativeBoard::drive() const { return machine_->duties; }
+MotorDuty NativeBoard::motor_duty() const { return machine_->duties; }
 
 void NativeBoard::set_battery(double volts) { machine_->battery_v = volts; }
 void NativeBoard::set_supply(double volts) { machine_->supply_v = volts; }

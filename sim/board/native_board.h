@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "core/time.h"
 #include "sim/board/board.h"
 #include "sim/sensors/mpu6050.h"
 
@@ -14,10 +15,10 @@ namespace tp100::sim {
 
 /// One board.
 struct NativeBoardSettings {
-  std::uint64_t seed = 1;                  ///< of the boot nonces
-  double clock_ppm = 0.0;                  ///< error of the resonator; positive runs fast
-  std::uint32_t start_us = 0;              ///< device clock at each boot [us]
-  std::int64_t boot_delay_ns = 4'000'000;  ///< from reset to setup(); bytes are lost meanwhile
+  std::uint64_t seed = 1;            ///< of the boot nonces
+  double clock_ppm = 0.0;            ///< error of the resonator; positive runs fast
+  std::uint32_t start_us = 0;        ///< device clock at each boot [us]
+  HostNs boot_delay_ns = 4'000'000;  ///< from reset to setup(); bytes are lost meanwhile
 };
 
 /// Counts since construction.
@@ -37,11 +38,11 @@ class NativeBoard final : public Board {
   NativeBoard(NativeBoard&&) noexcept;
   NativeBoard& operator=(NativeBoard&&) noexcept;
 
-  void reset(PowerUp cause, std::int64_t now_ns) override;
-  void advance(std::int64_t until_ns, std::span<const Edge> edges,
+  void reset(PowerUp cause, HostNs now_ns) override;
+  void advance(HostNs until_ns, std::span<const EncoderEdge> edges,
                std::span<const TimedByte> received) override;
   std::vector<TimedByte> take_sent() override;
-  MotorDuty drive() const override;
+  MotorDuty motor_duty() const override;
   void set_battery(double volts) override;
   void set_supply(double volts) override;
 

@@ -7,13 +7,14 @@
 #include <memory>
 
 #include "core/pose.h"
-#include "course/robot.h"
+#include "core/time.h"
+#include "course/robot_file.h"
 #include "course/terrain.h"
 
 namespace tp100::sim {
 
 /// Physics step. [ns]
-inline constexpr std::int64_t kPhysicsStepNs = 1'000'000;
+inline constexpr HostNs kPhysicsStepNs = 1'000'000;
 inline constexpr double kPhysicsStepS = static_cast<double>(kPhysicsStepNs) * 1e-9;
 inline constexpr double kGravityMps2 = 9.81;
 

@@ -163,7 +163,7 @@ struct OdeBody::World {
   bool on_stand;
   course::Terrain terrain;
   UnevenFloor floor;
-  Tracks tracks;
+  TrackContacts tracks;
   OdeWorld ode;
   dBodyID body = nullptr;
   std::vector<dJointFeedback> feedback;

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "core/pose.h"
-#include "course/robot.h"
+#include "course/robot_file.h"
 #include "course/terrain.h"
 #include "sim/body/body.h"
 #include "sim/body/uneven_floor.h"

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "core/pose.h"
-#include "course/robot.h"
+#include "course/robot_file.h"
 #include "course/terrain.h"
 #include "sim/body/body.h"
 #include "sim/body/uneven_floor.h"

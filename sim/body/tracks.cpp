@@ -113,7 +113,7 @@ bool Obstacle::near(double x_m, double y_m, double reach_m) const {
   return dx * dx + dy * dy < reach * reach;
 }
 
-Tracks::Tracks(const course::EmulatedBody& values, const course::Terrain& terrain)
+TrackContacts::TrackContacts(const course::EmulatedBody& values, const course::Terrain& terrain)
     : radius_m_(values.wheel_radius_m), side_m_((0.5 - kColumnShare) * values.shoe_width_m) {
   // `along`: from -1, the rear axle, to 1; `column`: 1 to the left.
   const auto make = [&](double side, double column, double along, double stands_for) -> Station {
@@ -148,8 +148,8 @@ Tracks::Tracks(const course::EmulatedBody& values, const course::Terrain& terrai
   contacts_.reserve(4 * stations_.size());
 }
 
-const std::vector<TrackContact>& Tracks::touch(const Vector3d& position_m,
-                                               const Eigen::Matrix3d& rotation) {
+const std::vector<TrackContact>& TrackContacts::touch(const Vector3d& position_m,
+                                                      const Eigen::Matrix3d& rotation) {
   const auto touch_floor_with = [&](const std::vector<Station>& stations) {
     contacts_.clear();
     for (const Station& station : stations)
@@ -183,19 +183,19 @@ const std::vector<TrackContact>& Tracks::touch(const Vector3d& position_m,
   return contacts_;
 }
 
-void Tracks::touch_floor(const Station& station, const Vector3d& centre) {
+void TrackContacts::touch_floor(const Station& station, const Vector3d& centre) {
   const double depth = radius_m_ - centre.z();
   if (depth <= 0.0) return;
   contacts_.push_back(
       {{centre.x(), centre.y(), 0.0}, Vector3d::UnitZ(), depth, station.stands_for, station.left});
 }
 
-void Tracks::add(const Vector3d& point, const Vector3d& normal, double depth_m, bool left) {
+void TrackContacts::add(const Vector3d& point, const Vector3d& normal, double depth_m, bool left) {
   if (depth_m > 0.0) contacts_.push_back({point, normal, std::min(depth_m, kDeepestM), 1.0, left});
 }
 
-void Tracks::touch_faces(const Obstacle& obstacle, const Vector3d& centre, const Vector3d& sideways,
-                         bool left) {
+void TrackContacts::touch_faces(const Obstacle& obstacle, const Vector3d& centre,
+                                const Vector3d& sideways, bool left) {
   // Of a convex body the nearest face is the one that is farthest in front of the point.
   const Face* nearest = nullptr;
   double distance = 0.0;
@@ -212,8 +212,8 @@ void Tracks::touch_faces(const Obstacle& obstacle, const Vector3d& centre, const
       (flank ? side_m_ : radius_m_) - distance, left);
 }
 
-void Tracks::touch_edge_along(const Edge3& edge, const Vector3d& centre, const Vector3d& sideways,
-                              bool left) {
+void TrackContacts::touch_edge_along(const Edge3& edge, const Vector3d& centre,
+                                     const Vector3d& sideways, bool left) {
   const Vector3d span = edge.end - edge.begin;
   const double share = span.dot(centre - edge.begin) / span.squaredNorm();
   if (share < 0.0 || share > 1.0) return;
@@ -226,8 +226,8 @@ void Tracks::touch_edge_along(const Edge3& edge, const Vector3d& centre, const V
   add(point, normal, (flank ? side_m_ : radius_m_) - distance, left);
 }
 
-void Tracks::touch_edge_across(const Edge3& edge, const Vector3d& rear, const Vector3d& front,
-                               const Vector3d& sideways, bool left) {
+void TrackContacts::touch_edge_across(const Edge3& edge, const Vector3d& rear,
+                                      const Vector3d& front, const Vector3d& sideways, bool left) {
   const Vector3d span = edge.end - edge.begin;
   const double share = (rear - edge.begin).dot(sideways) / span.dot(sideways);
   if (share < 0.0 || share > 1.0) return;

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "course/robot.h"
+#include "course/robot_file.h"
 #include "course/terrain.h"
 
 namespace tp100::sim {
@@ -70,9 +70,9 @@ struct TrackContact {
 /// where the load is even (no `mid_lift_m`), all stations touch the floor and no obstacle is near,
 /// the middle ones of a track are four that stand for four each, with the same mean distance from
 /// the middle and mean square. Where it is not, that moves the turning centre too far.
-class Tracks {
+class TrackContacts {
  public:
-  Tracks(const course::EmulatedBody& values, const course::Terrain& terrain);
+  TrackContacts(const course::EmulatedBody& values, const course::Terrain& terrain);
 
   /// Contacts for a body whose centre of mass is at `position_m` with `rotation` (body to world).
   /// The result is valid until the next call.

@@ -92,7 +92,7 @@ FloorVariation UnevenFloor::at(double x_m, double y_m) const {
           .slip_offset = field(variation_->slip_sd, kSlip, kSlipTiles)};
 }
 
-course::Emulated drawn(const course::Emulated& values, std::uint64_t seed) {
+course::Emulated sampled(const course::Emulated& values, std::uint64_t seed) {
   course::Emulated robot = values;
   if (values.floor == course::Floor::kEven) return robot;
   const course::EmulatedVariation& variation = values.variation;

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "core/pose.h"
-#include "course/robot.h"
+#include "course/robot_file.h"
 
 namespace tp100::sim {
 
@@ -35,7 +35,7 @@ class UnevenFloor {
 
 /// The robot as it is in the run with this seed: tension of the tracks, payload, battery and scale
 /// of the gyro. As it is in its file if the floor is even.
-course::Emulated drawn(const course::Emulated& values, std::uint64_t seed);
+course::Emulated sampled(const course::Emulated& values, std::uint64_t seed);
 
 /// Where the robot stands that was to be placed at `start`; there exactly if the floor is even.
 Pose placed(const Pose& start, const course::Emulated& values, std::uint64_t seed);

@@ -98,7 +98,7 @@ class Finding {
       for (const std::string& robot : configured_robots(spec_))
         add_bundled("robot", course::Bundled::kRobots, robot);
     } catch (const SetupError&) {
-      // As unreadable as the configuration, which stands here already.
+      // The configuration's error is reported already.
     }
   }
 
@@ -205,7 +205,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kSaidOfDifference = 600;
+constexpr std::size_t kMaxDifferenceText = 600;
 
 }  // namespace
 
@@ -216,7 +216,7 @@ CampaignFolder::CampaignFolder(std::string path, std::string spec_text, Origin o
     : CampaignFolder(std::move(path), std::move(spec_text)) {
   const std::string origin_path = path_ + "/origin.txt";
   text::make_folder(path_ + "/runs");
-  // Written before the spec, so whoever sees the spec sees it too.
+  // Written before the spec: who finds the spec finds the origin.
   const bool begun = fs::exists(spec_path());
   if (begun && course::read_text_file(spec_path()).text != spec_text_)
     throw SetupError(path_ + ": holds the runs of another campaign (its spec.toml differs); give " +
@@ -238,7 +238,7 @@ void CampaignFolder::require(const Origin& origin) const {
   const std::string differs = difference(origin_, origin);
   if (differs.empty()) return;
   throw SetupError(path_ + ": its runs come from something else (" +
-                   text::one_line(differs, kSaidOfDifference) +
+                   text::one_line(differs, kMaxDifferenceText) +
                    "); put that back, or give another --out to drive all runs again");
 }
 

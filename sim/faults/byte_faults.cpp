@@ -14,17 +14,17 @@ namespace {
 constexpr std::size_t kStump = 8;
 constexpr std::string_view kChatterText = "AT\r\nATE0Q0V1\r\n~~ Mega 2560 ready ~~\r\n";
 
-std::int64_t ns_of_ms(double ms) { return from_s(ms * 1e-3); }
+HostNs ns_of_ms(double ms) { return from_s(ms * 1e-3); }
 
 }  // namespace
 
-ByteFaults::ByteFaults(const std::vector<PlannedFault>& faults, std::int64_t spacing_ns,
+ByteFaults::ByteFaults(const std::vector<PlannedFault>& faults, HostNs spacing_ns,
                        std::uint64_t seed)
     : spacing_ns_(spacing_ns), random_(seed) {
   for (const PlannedFault& fault : faults) faults_.push_back({fault, fault.begin_ns});
 }
 
-std::vector<TimedByte> ByteFaults::pass(std::span<const TimedByte> bytes, std::int64_t until_ns) {
+std::vector<TimedByte> ByteFaults::pass(std::span<const TimedByte> bytes, HostNs until_ns) {
   for (const TimedByte& byte : bytes) carry(byte);
   speak(until_ns);
   std::vector<TimedByte> arrived;
@@ -48,7 +48,7 @@ void ByteFaults::carry(TimedByte byte) {
   }
   bool lost = false;
   int copies = 1;
-  std::int64_t at_ns = byte.at_ns + frame_late_ns_;
+  HostNs at_ns = byte.at_ns + frame_late_ns_;
   for (Planned& planned : faults_) {
     const FaultKind kind = planned.fault.kind;
     at_ns = late(planned, at_ns);
@@ -84,14 +84,14 @@ bool ByteFaults::corruption(Planned& planned, TimedByte& byte) {
   }
 }
 
-std::int64_t ByteFaults::late(const Planned& planned, std::int64_t at_ns) const {
+HostNs ByteFaults::late(const Planned& planned, HostNs at_ns) const {
   const PlannedFault& fault = planned.fault;
   if (!fault.active(at_ns)) return at_ns;
   switch (fault.kind) {
     case FaultKind::kDelay:
       return at_ns + ns_of_ms(fault.number);
     case FaultKind::kBatch: {
-      const std::int64_t period_ns = ns_of_ms(fault.number);
+      const HostNs period_ns = ns_of_ms(fault.number);
       return (at_ns + period_ns - 1) / period_ns * period_ns;
     }
     case FaultKind::kStall:
@@ -101,7 +101,7 @@ std::int64_t ByteFaults::late(const Planned& planned, std::int64_t at_ns) const 
   }
 }
 
-void ByteFaults::speak(std::int64_t until_ns) {
+void ByteFaults::speak(HostNs until_ns) {
   for (Planned& planned : faults_) {
     const PlannedFault& fault = planned.fault;
     if (planned.next_ns > until_ns || !fault.active(planned.next_ns)) continue;

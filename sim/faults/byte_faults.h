@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/time.h"
 #include "sim/board/board.h"
 #include "sim/faults/fault.h"
 
@@ -17,34 +18,34 @@ class ByteFaults {
  public:
   /// `spacing_ns`: least interval between bytes at the far end; 0: in bursts. Same seed, same
   /// faults.
-  ByteFaults(const std::vector<PlannedFault>& faults, std::int64_t spacing_ns, std::uint64_t seed);
+  ByteFaults(const std::vector<PlannedFault>& faults, HostNs spacing_ns, std::uint64_t seed);
 
   /// `bytes`, ascending, leave the near end; times of all are since the port was opened. Returns
   /// those that reach the far end by `until_ns`, ascending.
-  std::vector<TimedByte> pass(std::span<const TimedByte> bytes, std::int64_t until_ns);
+  std::vector<TimedByte> pass(std::span<const TimedByte> bytes, HostNs until_ns);
 
  private:
   struct Planned {
     PlannedFault fault;
-    std::int64_t next_ns;  ///< when it next sends something by itself
+    HostNs next_ns;  ///< when it next sends something by itself
     bool hits_frame = false;
   };
 
   void carry(TimedByte byte);
-  void speak(std::int64_t until_ns);
+  void speak(HostNs until_ns);
   /// False: the byte is lost.
   bool corruption(Planned& planned, TimedByte& byte);
-  std::int64_t late(const Planned& planned, std::int64_t at_ns) const;
+  HostNs late(const Planned& planned, HostNs at_ns) const;
   void put(TimedByte byte);
   double random_share();
   std::uint8_t random_byte() { return static_cast<std::uint8_t>(random_() >> 56); }
 
   std::vector<Planned> faults_;
-  std::int64_t spacing_ns_;
+  HostNs spacing_ns_;
   std::mt19937_64 random_;
   std::deque<TimedByte> on_the_way_;
-  std::int64_t last_ns_ = 0;
-  std::int64_t frame_late_ns_ = 0;
+  HostNs last_ns_ = 0;
+  HostNs frame_late_ns_ = 0;
   std::size_t in_frame_ = 0;  ///< bytes of this frame so far
 };
 

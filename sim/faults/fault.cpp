@@ -62,7 +62,7 @@ constexpr std::array kTexts = std::to_array<FaultText>({
     {kRebootLoop, "reboot-loop", "link", "period, s", 0.5, 0.05, 3600, kNone, false,
      "the board restarts again and again"},
     {kHang, "hang", "link", "", 0, 0, 0, kNone, true,
-     "the firmware's main loop turns in one place until the watchdog bites (board avr)"},
+     "the firmware's main loop hangs until the watchdog resets the board (board avr)"},
     {kVersion, "version", "protocol", "version", 2, 0, 65535, kNone, false,
      "hello names another protocol"},
     {kSchema, "schema", "protocol", "", 0, 0, 0, kNone, false,
@@ -90,7 +90,7 @@ constexpr std::array kTexts = std::to_array<FaultText>({
      "the MPU6050 answers with the same values for ever"},
     {kImuSaturated, "imu-saturated", "sensor", "", 0, 0, 0, kNone, false,
      "gyro and accelerometer at full scale"},
-    {kBattery, "battery", "sensor", "V, both cells", 5.5, 0, 20, kNone, false,
+    {kBattery, "battery", "sensor", "V", 5.5, 0, 20, kNone, false,
      "the battery divider shows another voltage"},
     {kHostStall, "host-stall", "host", "ms", 300, 1, 60000, kNone, true,
      "the daemon's loop stands still (tp100-sim course; stop the daemon for it elsewhere)"},
@@ -153,7 +153,7 @@ void take_number(std::string_view word, const FaultText& text, std::string_view 
   fault.number = *number;
 }
 
-std::int64_t time_of(std::string_view text, std::string_view whole) {
+HostNs time_of(std::string_view text, std::string_view whole) {
   const std::optional<double> seconds = number_of(text);
   if (!seconds || *seconds < 0.0 || *seconds > kMaxS)
     refuse(whole, "'" + text::one_line(std::string(text)) + "' is no time in seconds");

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/time.h"
+
 namespace tp100::sim {
 
 enum class FaultKind : std::uint8_t {
@@ -88,10 +90,10 @@ struct PlannedFault {
   double number = 0.0;  ///< in the unit of the list
   bool to_host = true, to_robot = true;
   bool left = true, right = true;
-  std::int64_t begin_ns = 0;  ///< since the port was opened
-  std::int64_t end_ns = std::numeric_limits<std::int64_t>::max();
+  HostNs begin_ns = 0;  ///< since the port was opened
+  HostNs end_ns = std::numeric_limits<std::int64_t>::max();
 
-  bool active(std::int64_t at_ns) const { return at_ns >= begin_ns && at_ns < end_ns; }
+  bool active(HostNs at_ns) const { return at_ns >= begin_ns && at_ns < end_ns; }
 };
 
 /// NAME[:NUMBER][:WORD][@T[+D]]: from T s after the port was opened (0) for D s (for ever). Throws

@@ -34,7 +34,7 @@ Faults of_direction(const Faults& faults, bool to_host, bool frames) {
 
 }  // namespace
 
-FaultInjector::FaultInjector(const Faults& faults, std::int64_t byte_ns, std::uint64_t seed)
+FaultInjector::FaultInjector(const Faults& faults, HostNs byte_ns, std::uint64_t seed)
     : frames_to_robot_(of_direction(faults, false, true)),
       frames_to_host_(of_direction(faults, true, true)),
       bytes_to_robot_(of_direction(faults, false, false), byte_ns, seed),
@@ -43,11 +43,11 @@ FaultInjector::FaultInjector(const Faults& faults, std::int64_t byte_ns, std::ui
   for (const PlannedFault& fault : faults) faults_.push_back({fault, fault.begin_ns});
 }
 
-void FaultInjector::begin(std::int64_t now_ns) {
+void FaultInjector::begin(HostNs now_ns) {
   if (!faults_.empty() && !begin_ns_) begin_ns_ = now_ns;
 }
 
-std::vector<TimedByte> FaultInjector::pass(std::span<const TimedByte> bytes, std::int64_t until_ns,
+std::vector<TimedByte> FaultInjector::pass(std::span<const TimedByte> bytes, HostNs until_ns,
                                            FrameFaults& frames, ByteFaults& corruption) const {
   std::vector<TimedByte> moved(bytes.begin(), bytes.end());
   if (!begin_ns_) return moved;
@@ -57,21 +57,19 @@ std::vector<TimedByte> FaultInjector::pass(std::span<const TimedByte> bytes, std
   return moved;
 }
 
-std::vector<TimedByte> FaultInjector::to_robot(std::span<const TimedByte> bytes,
-                                               std::int64_t until_ns) {
+std::vector<TimedByte> FaultInjector::to_robot(std::span<const TimedByte> bytes, HostNs until_ns) {
   return pass(bytes, until_ns, frames_to_robot_, bytes_to_robot_);
 }
 
-std::vector<TimedByte> FaultInjector::to_host(std::span<const TimedByte> bytes,
-                                              std::int64_t until_ns) {
+std::vector<TimedByte> FaultInjector::to_host(std::span<const TimedByte> bytes, HostNs until_ns) {
   return pass(bytes, until_ns, frames_to_host_, bytes_to_host_);
 }
 
-void FaultInjector::edges(std::vector<Edge>& edges, std::int64_t from_ns) {
+void FaultInjector::edges(std::vector<EncoderEdge>& edges, HostNs from_ns) {
   if (begin_ns_) encoders_.pass(edges, from_ns, -*begin_ns_);
 }
 
-double FaultInjector::battery(double volts, std::int64_t now_ns) const {
+double FaultInjector::battery(double volts, HostNs now_ns) const {
   for (const Planned& planned : faults_)
     if (begin_ns_ && planned.fault.kind == FaultKind::kBattery &&
         planned.fault.active(now_ns - *begin_ns_))
@@ -79,16 +77,16 @@ double FaultInjector::battery(double volts, std::int64_t now_ns) const {
   return volts;
 }
 
-bool FaultInjector::active(FaultKind kind, std::int64_t now_ns) const {
+bool FaultInjector::active(FaultKind kind, HostNs now_ns) const {
   for (const Planned& planned : faults_)
     if (begin_ns_ && planned.fault.kind == kind && planned.fault.active(now_ns - *begin_ns_))
       return true;
   return false;
 }
 
-std::optional<double> FaultInjector::take(FaultKind kind, std::int64_t now_ns) {
+std::optional<double> FaultInjector::take(FaultKind kind, HostNs now_ns) {
   for (Planned& planned : faults_) {
-    const std::int64_t at_ns = begin_ns_ ? now_ns - *begin_ns_ : -1;
+    const HostNs at_ns = begin_ns_ ? now_ns - *begin_ns_ : -1;
     if (!begin_ns_ || planned.fault.kind != kind || !planned.fault.active(at_ns) ||
         at_ns < planned.next_ns)
       continue;

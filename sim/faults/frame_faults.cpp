@@ -29,13 +29,13 @@ FrameFaults::FrameFaults(const std::vector<PlannedFault>& faults) {
   for (const PlannedFault& fault : faults) faults_.push_back({.fault = fault});
 }
 
-std::vector<TimedByte> FrameFaults::pass(std::span<const TimedByte> bytes, std::int64_t until_ns) {
+std::vector<TimedByte> FrameFaults::pass(std::span<const TimedByte> bytes, HostNs until_ns) {
   if (faults_.empty()) return {bytes.begin(), bytes.end()};
   std::vector<TimedByte> out;
   for (const TimedByte& byte : bytes) {
     frame_.push_back(byte);
-    const wire::Received received = decoder_.push(byte.value);
-    if (byte.value != wire::kDelimiter && received != wire::Received::kOversize) continue;
+    const wire::DecodeResult received = decoder_.push(byte.value);
+    if (byte.value != wire::kDelimiter && received != wire::DecodeResult::kOversize) continue;
     finish(received, out);
     frame_.clear();
   }
@@ -45,12 +45,12 @@ std::vector<TimedByte> FrameFaults::pass(std::span<const TimedByte> bytes, std::
   return out;
 }
 
-void FrameFaults::finish(wire::Received received, std::vector<TimedByte>& out) {
+void FrameFaults::finish(wire::DecodeResult received, std::vector<TimedByte>& out) {
   const auto give = [&](const std::vector<TimedByte>& frame) {
     out.insert(out.end(), frame.begin(), frame.end());
   };
-  if (received != wire::Received::kFrame) return give(frame_);
-  const std::int64_t at_ns = frame_.back().at_ns;
+  if (received != wire::DecodeResult::kFrame) return give(frame_);
+  const HostNs at_ns = frame_.back().at_ns;
   const std::uint8_t type = decoder_.type();
   std::vector<std::uint8_t> payload(decoder_.payload(), decoder_.payload() + decoder_.size());
   const bool sync = type == static_cast<std::uint8_t>(wire::Type::kSyncReply);
@@ -116,7 +116,7 @@ void FrameFaults::edit(Planned& planned, std::uint8_t type, std::vector<std::uin
 }
 
 std::vector<TimedByte> FrameFaults::coded(std::uint8_t type, std::span<const std::uint8_t> payload,
-                                          std::int64_t at_ns) {
+                                          HostNs at_ns) {
   std::array<std::uint8_t, wire::kMaxFrame> bytes{};
   const std::size_t size = wire::encode_frame(type, payload.data(), payload.size(), bytes.data());
   std::vector<TimedByte> frame;

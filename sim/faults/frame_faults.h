@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "core/time.h"
 #include "sim/board/board.h"
 #include "sim/faults/fault.h"
 #include "wire/frame.h"
@@ -20,11 +21,11 @@ class FrameFaults {
   /// `bytes`, ascending, leave the near end; all times are since the port was opened. Returns the
   /// bytes that reach the far end by `until_ns`: whole frames, each when its end has passed, and
   /// bytes outside frames unchanged. Without faults nothing is held back.
-  std::vector<TimedByte> pass(std::span<const TimedByte> bytes, std::int64_t until_ns);
+  std::vector<TimedByte> pass(std::span<const TimedByte> bytes, HostNs until_ns);
 
  private:
   struct Held {
-    std::int64_t due_ns;
+    HostNs due_ns;
     std::vector<TimedByte> frame;
   };
   struct Planned {
@@ -33,11 +34,11 @@ class FrameFaults {
     std::uint16_t first_sequence = 0;
   };
 
-  void finish(wire::Received received, std::vector<TimedByte>& out);
+  void finish(wire::DecodeResult received, std::vector<TimedByte>& out);
   /// Changes the payload of the current frame.
   void edit(Planned& planned, std::uint8_t type, std::vector<std::uint8_t>& payload);
   static std::vector<TimedByte> coded(std::uint8_t type, std::span<const std::uint8_t> payload,
-                                      std::int64_t at_ns);
+                                      HostNs at_ns);
 
   std::vector<Planned> faults_;
   wire::FrameDecoder decoder_;

@@ -4,13 +4,14 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "core/time.h"
 #include "sim/body/body.h"
 
 namespace tp100::sim {
 namespace {
 
 // As fast as a Mega's interrupts follow.
-constexpr std::int64_t kEdgeNs = 40'000;
+constexpr HostNs kEdgeNs = 40'000;
 
 // ACCEL_XOUT_H to GYRO_ZOUT_L (MPU-6000/6050 register map rev 4.2, 4.17 to 4.19), temperature in
 // between.
@@ -36,20 +37,21 @@ EncoderFaults::EncoderFaults(const std::vector<PlannedFault>& faults) {
   }
 }
 
-void EncoderFaults::pass(std::vector<Edge>& edges, std::int64_t from_ns, std::int64_t shift_ns) {
+void EncoderFaults::pass(std::vector<EncoderEdge>& edges, HostNs from_ns, HostNs shift_ns) {
   std::array<bool, 4> after = levels_;
-  for (const Edge& edge : edges) after[edge.channel] = edge.level;
+  for (const EncoderEdge& edge : edges) after[edge.channel] = edge.level;
   for (Planned& planned : faults_) {
     const PlannedFault& fault = planned.fault;
-    const auto hit = [&](const Edge& edge) {
+    const auto hit = [&](const EncoderEdge& edge) {
       return fault.active(edge.at_ns + shift_ns) && of_side(fault, edge.channel);
     };
     if (fault.kind == FaultKind::kEncoderStuck) std::erase_if(edges, hit);
     if (fault.kind == FaultKind::kEncoderSilent)
-      std::erase_if(edges, [&](const Edge& edge) { return hit(edge) && edge.channel % 2 == 1; });
+      std::erase_if(edges,
+                    [&](const EncoderEdge& edge) { return hit(edge) && edge.channel % 2 == 1; });
     if (fault.kind == FaultKind::kEncoderLose) lose(edges, shift_ns, planned);
     if (fault.kind == FaultKind::kEncoderFlip)
-      for (Edge& edge : edges)
+      for (EncoderEdge& edge : edges)
         if (hit(edge)) edge.channel ^= 1U;
     if (fault.kind == FaultKind::kEncoderJump && fault.active(from_ns + shift_ns))
       for (std::uint8_t side = 0; side < 2; ++side)
@@ -58,11 +60,11 @@ void EncoderFaults::pass(std::vector<Edge>& edges, std::int64_t from_ns, std::in
   levels_ = after;
 }
 
-void EncoderFaults::lose(std::vector<Edge>& edges, std::int64_t shift_ns, Planned& planned) const {
+void EncoderFaults::lose(std::vector<EncoderEdge>& edges, HostNs shift_ns, Planned& planned) const {
   const PlannedFault& fault = planned.fault;
   std::array<bool, 4> levels = levels_;
-  std::vector<Edge> passed;
-  for (const Edge& edge : edges) {
+  std::vector<EncoderEdge> passed;
+  for (const EncoderEdge& edge : edges) {
     const std::size_t side = edge.channel / 2U;
     Slipping& slipping = planned.slipping[side];
     const std::array<bool, 2> before{levels[2 * side], levels[2 * side + 1]};
@@ -86,14 +88,13 @@ void EncoderFaults::lose(std::vector<Edge>& edges, std::int64_t shift_ns, Planne
   edges = std::move(passed);
 }
 
-void EncoderFaults::jump(std::vector<Edge>& edges, std::int64_t from_ns, std::uint8_t first_channel,
-                         int& cycles) {
+void EncoderFaults::jump(std::vector<EncoderEdge>& edges, HostNs from_ns,
+                         std::uint8_t first_channel, int& cycles) {
   // Before the first edge of the track itself; whole cycles leave the phases as they were.
-  const auto first = std::find_if(edges.begin(), edges.end(), [&](const Edge& edge) {
+  const auto first = std::find_if(edges.begin(), edges.end(), [&](const EncoderEdge& edge) {
     return edge.channel / 2 == first_channel / 2;
   });
-  const std::int64_t room_ns =
-      first == edges.end() ? kPhysicsStepNs : first->at_ns - from_ns - kEdgeNs;
+  const HostNs room_ns = first == edges.end() ? kPhysicsStepNs : first->at_ns - from_ns - kEdgeNs;
   if (room_ns <= 0 || cycles == 0) return;
   const int now = std::clamp(cycles, -static_cast<int>(room_ns / (4 * kEdgeNs)),
                              static_cast<int>(room_ns / (4 * kEdgeNs)));
@@ -107,7 +108,7 @@ void EncoderFaults::jump(std::vector<Edge>& edges, std::int64_t from_ns, std::ui
   }
   cycles -= now;
   std::stable_sort(edges.begin(), edges.end(),
-                   [](const Edge& a, const Edge& b) { return a.at_ns < b.at_ns; });
+                   [](const EncoderEdge& a, const EncoderEdge& b) { return a.at_ns < b.at_ns; });
 }
 
 bool ImuFaults::write(std::span<const std::uint8_t> bytes) {

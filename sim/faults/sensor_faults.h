@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/time.h"
 #include "sim/faults/fault.h"
 #include "sim/sensors/mpu6050.h"
 #include "sim/sensors/quadrature_encoder.h"
@@ -18,10 +19,10 @@ class EncoderFaults {
   explicit EncoderFaults(const std::vector<PlannedFault>& faults);
   /// `edges` of the quantum from `from_ns`, ascending. `shift_ns` makes their times those since the
   /// port was opened.
-  void pass(std::vector<Edge>& edges, std::int64_t from_ns, std::int64_t shift_ns);
+  void pass(std::vector<EncoderEdge>& edges, HostNs from_ns, HostNs shift_ns);
 
  private:
-  void jump(std::vector<Edge>& edges, std::int64_t from_ns, std::uint8_t first_channel,
+  void jump(std::vector<EncoderEdge>& edges, HostNs from_ns, std::uint8_t first_channel,
             int& cycles);
 
   /// Replaces the phases of one side's encoder at the counter, once edges were lost.
@@ -35,7 +36,7 @@ class EncoderFaults {
     std::array<int, 2> cycles;  ///< phases still to be generated, signed
     std::array<Slipping, 2> slipping{};
   };
-  void lose(std::vector<Edge>& edges, std::int64_t shift_ns, Planned& planned) const;
+  void lose(std::vector<EncoderEdge>& edges, HostNs shift_ns, Planned& planned) const;
 
   std::vector<Planned> faults_;
   std::array<bool, 4> levels_{};

@@ -157,7 +157,7 @@ struct LiveRun {
   bool in_time = true;    ///< no fault about late samples or commands
 };
 
-/// A machine that stood still ended it: nothing else does with an emulated robot.
+/// True if a stalled machine ended the run.
 bool paused(const LiveRun& run) {
   return run.status != 0 && !run.in_time && run.pause_ms > kPauseMs;
 }

@@ -5,6 +5,7 @@
 
 #include "core/arithmetic.h"
 #include "core/error.h"
+#include "core/time.h"
 #include "sim/board/avr_board.h"
 #include "sim/board/native_board.h"
 #include "sim/body/seed.h"
@@ -20,7 +21,6 @@ std::uint64_t stream(std::uint64_t seed, std::uint64_t number) {
   return mix((seed - 1) * kSeedStep + number * 0xBF58476D1CE4E5B9U);
 }
 
-constexpr std::int64_t kNsPerUs = 1000;
 constexpr std::uint32_t kTickUs = 1024;
 
 // Errors that belong to the robot and not to a run.
@@ -39,7 +39,7 @@ struct BoardClock {
 };
 
 /// At least a tick before the wrap: from 0 on it would be 71 minutes away.
-std::uint32_t start_before_wrap_us(std::int64_t wrap_ns) {
+std::uint32_t start_before_wrap_us(HostNs wrap_ns) {
   const std::int64_t ahead_us = std::max<std::int64_t>(wrap_ns / kNsPerUs, kTickUs);
   return static_cast<std::uint32_t>(-ahead_us) / kTickUs * kTickUs;
 }
@@ -81,14 +81,14 @@ std::unique_ptr<Board> make_board(const EmulatedRobotSettings& settings, I2cSlav
 
 }  // namespace
 
-void UartLine::send(std::span<const std::uint8_t> bytes, std::int64_t now_ns) {
+void UartLine::send(std::span<const std::uint8_t> bytes, HostNs now_ns) {
   for (const std::uint8_t value : bytes) {
     free_ns_ = std::max(free_ns_, now_ns) + byte_ns_;
     bytes_.push_back({free_ns_, value});
   }
 }
 
-const std::vector<TimedByte>& UartLine::take(std::int64_t until_ns) {
+const std::vector<TimedByte>& UartLine::take(HostNs until_ns) {
   taken_.clear();
   while (!bytes_.empty() && bytes_.front().at_ns <= until_ns) {
     taken_.push_back(bytes_.front());
@@ -97,18 +97,8 @@ const std::vector<TimedByte>& UartLine::take(std::int64_t until_ns) {
   return taken_;
 }
 
-const char* to_string(BoardKind board) {
-  switch (board) {
-    case BoardKind::kNative:
-      return "native";
-    case BoardKind::kAvr:
-      return "avr";
-  }
-  return "unknown";
-}
-
 EmulatedRobot::EmulatedRobot(const EmulatedRobotSettings& settings)
-    : EmulatedRobot(settings, drawn(settings.values, stream(settings.seed, 7))) {}
+    : EmulatedRobot(settings, sampled(settings.values, stream(settings.seed, 7))) {}
 
 EmulatedRobot::EmulatedRobot(const EmulatedRobotSettings& settings, const course::Emulated& values)
     : body_(make_body(values, placed(settings.start, values, stream(settings.seed, 7)),
@@ -134,7 +124,7 @@ void EmulatedRobot::reset(PowerUp cause) {
   board_->reset(cause, now_ns_);
 }
 
-void EmulatedRobot::receive(std::span<const std::uint8_t> bytes, std::int64_t now_ns) {
+void EmulatedRobot::receive(std::span<const std::uint8_t> bytes, HostNs now_ns) {
   to_board_.send(bytes, now_ns);
 }
 
@@ -153,12 +143,12 @@ void EmulatedRobot::inject() {
 
 std::vector<TimedByte> EmulatedRobot::advance() {
   constexpr double kStepS = static_cast<double>(kPhysicsStepNs) * 1e-9;
-  const std::int64_t until_ns = now_ns_ + kPhysicsStepNs;
-  const MotorDuty drive = board_->drive();
+  const HostNs until_ns = now_ns_ + kPhysicsStepNs;
+  const MotorDuty duty = board_->motor_duty();
   const double volts = battery_.volts();
   const Clock::time_point physics = Clock::now();
-  left_motor_.step(drive.left, volts, body_->state().left_load_n);
-  right_motor_.step(drive.right, volts, body_->state().right_load_n);
+  left_motor_.step(duty.left, volts, body_->state().left_load_n);
+  right_motor_.step(duty.right, volts, body_->state().right_load_n);
   battery_.step(std::abs(left_motor_.force_n()) + std::abs(right_motor_.force_n()));
   body_->step(left_motor_.track_mps(), right_motor_.track_mps());
   spent_.physics += Clock::now() - physics;
@@ -170,7 +160,7 @@ std::vector<TimedByte> EmulatedRobot::advance() {
   const auto left_edges = static_cast<std::ptrdiff_t>(edges_.size());
   right_encoder_.move(right_motor_.track_mps() * kStepS, now_ns_, until_ns, edges_);
   std::inplace_merge(edges_.begin(), edges_.begin() + left_edges, edges_.end(),
-                     [](const Edge& a, const Edge& b) { return a.at_ns < b.at_ns; });
+                     [](const EncoderEdge& a, const EncoderEdge& b) { return a.at_ns < b.at_ns; });
 
   faults_.edges(edges_, now_ns_);
 

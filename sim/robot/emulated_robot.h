@@ -1,6 +1,7 @@
 #pragma once
 // The whole emulated TP100 in virtual time: body, motors, encoders, IMU, battery and board.
 
+#include <array>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -11,8 +12,10 @@
 #include <string>
 #include <vector>
 
+#include "core/enum_names.h"
+#include "core/time.h"
 #include "course/course.h"
-#include "course/robot.h"
+#include "course/robot_file.h"
 #include "course/terrain.h"
 #include "sim/board/board.h"
 #include "sim/body/body.h"
@@ -30,17 +33,17 @@ class UartLine {
   explicit UartLine(std::uint32_t baud) : byte_ns_(10'000'000'000LL / baud) {}
 
   /// `bytes` are handed to the sending UART at `now_ns`.
-  void send(std::span<const std::uint8_t> bytes, std::int64_t now_ns);
+  void send(std::span<const std::uint8_t> bytes, HostNs now_ns);
   /// The bytes whose stop bits end at or before `until_ns`, in order.
-  const std::vector<TimedByte>& take(std::int64_t until_ns);
+  const std::vector<TimedByte>& take(HostNs until_ns);
   /// Number of bytes in transmission.
   std::size_t pending() const { return bytes_.size(); }
   /// The cable is cut: bytes in transmission are lost.
   void clear() { bytes_.clear(); }
 
  private:
-  std::int64_t byte_ns_;
-  std::int64_t free_ns_ = 0;
+  HostNs byte_ns_;
+  HostNs free_ns_ = 0;
   std::deque<TimedByte> bytes_;
   std::vector<TimedByte> taken_;
 };
@@ -48,8 +51,12 @@ class UartLine {
 /// Where the firmware runs.
 enum class BoardKind { kNative, kAvr };
 
-/// As on the command line and in results.
-const char* to_string(BoardKind board);
+/// Names as on the command line and in results.
+inline constexpr std::array<EnumName<BoardKind>, 2> kBoardKindNames = {{
+    {BoardKind::kNative, "native"},
+    {BoardKind::kAvr, "avr"},
+}};
+constexpr const char* to_string(BoardKind board) { return name_in(kBoardKindNames, board); }
 
 /// Settings of one emulated robot. A seed is the noise of one robot; another robot has other
 /// `values`.
@@ -87,16 +94,16 @@ class EmulatedRobot {
   /// now; once per occurrence.
   std::optional<double> take_fault(FaultKind kind) { return faults_.take(kind, now_ns_); }
   /// Bytes that the host's UART takes at `now_ns`; they arrive at byte times.
-  void receive(std::span<const std::uint8_t> bytes, std::int64_t now_ns);
+  void receive(std::span<const std::uint8_t> bytes, HostNs now_ns);
   /// Advances one physics step and returns the bytes that the robot sent in it.
   std::vector<TimedByte> advance();
   /// Pushes the robot.
   void disturbance(double sideways_m, double yaw_rad, double duration_s);
   bool disturbed() const { return body_->disturbed(); }
 
-  std::int64_t now_ns() const { return now_ns_; }
+  HostNs now_ns() const { return now_ns_; }
   const BodyState& truth() const { return body_->state(); }
-  MotorDuty drive() const { return board_->drive(); }
+  MotorDuty motor_duty() const { return board_->motor_duty(); }
   double battery_v() const { return battery_.volts(); }
   const SpentTime& spent() const { return spent_; }
 
@@ -115,8 +122,8 @@ class EmulatedRobot {
   ImuFaults bus_;
   std::unique_ptr<Board> board_;
   UartLine to_board_;
-  std::vector<Edge> edges_;
-  std::int64_t now_ns_ = 0;
+  std::vector<EncoderEdge> edges_;
+  HostNs now_ns_ = 0;
   SpentTime spent_;
 };
 

@@ -15,6 +15,7 @@
 #include "core/arithmetic.h"
 #include "core/error.h"
 #include "core/faults.h"
+#include "core/time.h"
 #include "sim/robot/emulated_robot.h"
 #include "sim/robot/options.h"
 #include "sim/robot/truth_history.h"
@@ -29,9 +30,9 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double kEndToleranceM = 0.15;
 // The robot stands still this long before the host opens the port.
-constexpr std::int64_t kOpenNs = 20 * kNsPerMs;
+constexpr HostNs kOpenNs = 20 * kNsPerMs;
 constexpr double kStandstillS = 0.5;
-constexpr std::int64_t kOldestTruthNs = 200 * kNsPerMs;
+constexpr HostNs kOldestTruthNs = 200 * kNsPerMs;
 
 class Lockstep {
  public:
@@ -45,7 +46,7 @@ class Lockstep {
 
  private:
   void turn();
-  void judge(RunState state, std::int64_t end_ns);
+  void judge(RunState state, HostNs end_ns);
   void count(std::chrono::duration<double> wall);
   void advance_robot();
   void step_host();
@@ -56,7 +57,7 @@ class Lockstep {
   void record(const Snapshot& snapshot);
   void publish();
   /// The robot's true pose, seen from where it was put down for this run.
-  Pose truth_at(std::int64_t at_ns) const { return put_back_.of(truth_.find(at_ns)); }
+  Pose truth_at(HostNs at_ns) const { return put_back_.of(truth_.find(at_ns)); }
   Pose truth_now() const { return put_back_.of(robot_.truth().pose); }
   bool plugged() const { return robot_.now_ns() >= plugged_ns_; }
   bool stand() const { return settings_.setup == bridge::Setup::kStand; }
@@ -73,15 +74,15 @@ class Lockstep {
   report::MeasuredMotion measured_;
   StepRecord record_{};
   std::vector<std::uint8_t> arriving_;
-  std::int64_t plugged_ns_ = 0;     ///< until then the port is away
-  std::int64_t host_awake_ns_ = 0;  ///< the host is stalled until then
+  HostNs plugged_ns_ = 0;     ///< until then the port is away
+  HostNs host_awake_ns_ = 0;  ///< the host is stalled until then
   report::RunResult result_{};
-  std::int64_t period_ns_;
+  HostNs period_ns_;
   Transform2d behind_{};    ///< of the virtual robot against the real one
   Transform2d put_back_{};  ///< from where the robot stands to the start of the course
-  std::int64_t opened_ns_ = 0;
-  std::int64_t next_step_ns_ = 0;
-  std::int64_t begin_ns_ = -1;
+  HostNs opened_ns_ = 0;
+  HostNs next_step_ns_ = 0;
+  HostNs begin_ns_ = -1;
   std::int64_t last_recorded_us_ = -1;
   DisturbanceInjector disturbance_injector_;
   std::uint64_t steps_ = 0;
@@ -99,7 +100,7 @@ bridge::Parameters parameters_of(const LockstepSettings& settings) {
 
 bridge::Parameters host_parameters(const LockstepSettings& settings) {
   bridge::Parameters parameters = parameters_of(settings);
-  if (!settings.host_watches_encoders) {
+  if (!settings.host_checks_encoders) {
     parameters.drive.feed_forward = 0.0;
     parameters.control.turn_slip_share = 1.0;
   }
@@ -206,7 +207,7 @@ void Lockstep::push() {
 
 void Lockstep::record(const Snapshot& snapshot) {
   if (!snapshot.has_sample || snapshot.sample.device_us == last_recorded_us_) return;
-  const std::int64_t measured_ns = snapshot.sample.measured_ns;
+  const HostNs measured_ns = snapshot.sample.measured_ns;
   if (measured_ns < begin_ns_ || measured_ns > robot_.now_ns()) return;
   last_recorded_us_ = snapshot.sample.device_us;
   const Pose& steering = snapshot.estimates[parameters_.steering].pose;
@@ -236,14 +237,14 @@ void Lockstep::publish() {
   settings_.sink->take(record_);
   if (stand()) return;
   for (const Sample& sample : cycle_.inputs().samples) {
-    const std::int64_t age_ns = robot_.now_ns() - sample.measured_ns;
+    const HostNs age_ns = robot_.now_ns() - sample.measured_ns;
     if (age_ns >= 0 && age_ns < kOldestTruthNs)
       settings_.sink->take_truth(sample.measured_ns, truth_at(sample.measured_ns));
   }
 }
 
 void Lockstep::step_host() {
-  const std::int64_t now = robot_.now_ns();
+  const HostNs now = robot_.now_ns();
   if (!arriving_.empty()) {
     cycle_.session().receive(arriving_, now);
     arriving_.clear();
@@ -293,7 +294,7 @@ void Lockstep::turn() {
 
 void Lockstep::stand_still_until(double from_opening_s) {
   cycle_.request(OperatorRequest::kHold);
-  const std::int64_t until_ns =
+  const HostNs until_ns =
       std::max(opened_ns_ + from_s(from_opening_s), robot_.now_ns() + period_ns_);
   while (robot_.now_ns() < until_ns) turn();
   put_back_ = Transform2d::between(robot_.truth().pose, settings_.course.start);
@@ -301,14 +302,14 @@ void Lockstep::stand_still_until(double from_opening_s) {
 
 report::RunResult Lockstep::run() {
   const Clock::time_point wall_begin = Clock::now();
-  const std::int64_t started_ns = robot_.now_ns();
+  const HostNs started_ns = robot_.now_ns();
   begin_ns_ = -1;
   delivered_ = 0;
   result_.points.clear();
   result_.disturbances.clear();
   result_.camera = {};
   bool started = false;
-  std::int64_t end_ns = 0;
+  HostNs end_ns = 0;
   RunState state = RunState::kIdle;
   while (end_ns == 0 || robot_.now_ns() < end_ns) {
     const std::uint64_t steps = steps_;
@@ -330,7 +331,7 @@ report::RunResult Lockstep::run() {
   return result_;
 }
 
-void Lockstep::judge(RunState state, std::int64_t end_ns) {
+void Lockstep::judge(RunState state, HostNs end_ns) {
   result_.duration_s = begin_ns_ < 0 ? 0.0 : to_s(end_ns - from_s(kStandstillS) - begin_ns_);
   const course::PathPoint goal = path_.at(path_.segments().size() - 1, path_.length_m());
   const Pose end = begin_ns_ < 0 || (stand() && result_.points.empty()) ? settings_.course.start

@@ -13,7 +13,7 @@
 #include "core/time.h"
 #include "course/camera.h"
 #include "course/course.h"
-#include "course/robot.h"
+#include "course/robot_file.h"
 #include "link/session.h"
 #include "messages/sink.h"
 #include "report/run_result.h"
@@ -41,11 +41,11 @@ struct LockstepSettings {
                                    ///< instant
   /// Receives the session's events, with the robot's hello as far as it is known.
   std::function<void(const link::SessionEvent&, const wire::Hello&)> on_session_event{};
-  bool host_watches_encoders = true;  ///< false: only the robot compares them with duty and gyro
-  double begin_within_s = 10.0;       ///< of its start; a run that never begins is a failure
+  bool host_checks_encoders = true;  ///< false: only the robot compares them with duty and gyro
+  double begin_within_s = 10.0;      ///< of its start; a run that never begins is a failure
 };
 
-inline constexpr std::int64_t kDetectionDelayNs = 60 * kNsPerMs;
+inline constexpr HostNs kDetectionDelayNs = 60 * kNsPerMs;
 
 /// Drives the course once. On a stand no camera is used: the robot that it sees does not move.
 /// Deterministic except for `realtime_factor` and `loop`. Throws SetupError if course and robot do

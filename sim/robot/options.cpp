@@ -7,8 +7,7 @@ namespace tp100::sim {
 namespace {
 
 BoardKind board_kind(const std::string& name) {
-  if (name == "native") return BoardKind::kNative;
-  if (name == "avr") return BoardKind::kAvr;
+  if (const auto kind = value_in(kBoardKindNames, name)) return *kind;
   throw SetupError("--board " + text::one_line(name) + ": not a board; use native or avr");
 }
 

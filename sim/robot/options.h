@@ -9,7 +9,7 @@
 #include "config/run_setup.h"
 #include "course/camera.h"
 #include "course/course.h"
-#include "course/robot.h"
+#include "course/robot_file.h"
 #include "sim/robot/emulated_robot.h"
 #include "text/toml_document.h"
 

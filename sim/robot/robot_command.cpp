@@ -46,8 +46,7 @@ class CameraStream {
 
   /// Call once per physics step with the body's exact pose. `virtual_ns` is the camera's time,
   /// which began at `begin_ns` of the monotonic clock. Never waits.
-  void look(const Pose& truth, std::int64_t virtual_ns, std::int64_t begin_ns,
-            std::int64_t monotonic_ns);
+  void look(const Pose& truth, HostNs virtual_ns, HostNs begin_ns, HostNs monotonic_ns);
 
  private:
   OverheadCamera camera_;
@@ -64,11 +63,11 @@ CameraStream::CameraStream(const OverheadCamera& camera, const link::UdpAddress&
   message_.clock = link::monotonic_clock_name();
 }
 
-void CameraStream::look(const Pose& truth, std::int64_t virtual_ns, std::int64_t begin_ns,
-                        std::int64_t monotonic_ns) {
+void CameraStream::look(const Pose& truth, HostNs virtual_ns, HostNs begin_ns,
+                        HostNs monotonic_ns) {
   camera_.look(truth, virtual_ns);
   while (const auto seen = camera_.take(virtual_ns)) {
-    const std::int64_t stamp_ns = begin_ns + seen->measured_ns;
+    const HostNs stamp_ns = begin_ns + seen->measured_ns;
     message_.sequence = seen->sequence;
     message_.stamp_us = stamp_ns / kNsPerUs;
     message_.age_us = std::max<std::int64_t>(0, (monotonic_ns - stamp_ns) / kNsPerUs);
@@ -80,13 +79,13 @@ void CameraStream::look(const Pose& truth, std::int64_t virtual_ns, std::int64_t
 }
 
 // Behind real time by more than this (a suspended machine): go on from here instead of catching up.
-constexpr std::int64_t kGiveUpNs = 500 * kNsPerMs;
+constexpr HostNs kGiveUpNs = 500 * kNsPerMs;
 
 volatile std::sig_atomic_t g_stop = 0;
 
 void on_signal(int) { g_stop = 1; }
 
-void sleep_until(std::int64_t at_ns) {
+void sleep_until(HostNs at_ns) {
   const timespec at{at_ns / kNsPerS, at_ns % kNsPerS};
   while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &at, nullptr) == EINTR && g_stop == 0) {
   }
@@ -105,15 +104,16 @@ void go_beside_others() {
 /// not allow it, a machine that is busy for a fifth of a second makes the firmware stop for want of
 /// commands. Niceness alone does not help: the kernel weighs whole sessions against each other.
 void go_before_others() {
-  const std::vector<loop::Grant> grants = loop::apply_to_this_thread({.priority = kFifoPriority});
-  if (!std::ranges::all_of(grants, &loop::Grant::granted)) go_beside_others();
+  const std::vector<loop::Privilege> privileges =
+      loop::apply_to_this_thread({.priority = kFifoPriority});
+  if (!std::ranges::all_of(privileges, &loop::Privilege::granted)) go_beside_others();
 }
 
 /// Whether this thread computed nearly all the time since it was asked last, or since it began.
 class Overloaded {
  public:
-  bool operator()(std::int64_t now_ns) {
-    const std::int64_t used_ns = thread_time_ns();
+  bool operator()(HostNs now_ns) {
+    const HostNs used_ns = thread_cpu_ns();
     const bool all_the_time = used_ns - used_ns_ > (now_ns - asked_ns_) * 4 / 5;
     used_ns_ = used_ns;
     asked_ns_ = now_ns;
@@ -121,14 +121,8 @@ class Overloaded {
   }
 
  private:
-  static std::int64_t thread_time_ns() {
-    timespec used{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
-    return used.tv_sec * kNsPerS + used.tv_nsec;
-  }
-
-  std::int64_t asked_ns_ = monotonic_now();
-  std::int64_t used_ns_ = thread_time_ns();
+  HostNs asked_ns_ = monotonic_now();
+  HostNs used_ns_ = thread_cpu_ns();
 };
 
 /// Prints the firmware's log messages and when its motors begin to run, and counts its samples.
@@ -138,7 +132,7 @@ class FirmwareLog {
   std::uint64_t samples() const { return samples_; }
   void restart() { samples_ = 0; }
   void push(std::uint8_t byte) {
-    if (decoder_.push(byte) != wire::Received::kFrame) return;
+    if (decoder_.push(byte) != wire::DecodeResult::kFrame) return;
     if (decoder_.type() == static_cast<std::uint8_t>(wire::Type::kSample)) read_sample();
     if (decoder_.type() == static_cast<std::uint8_t>(wire::Type::kLog)) print_log();
   }
@@ -238,10 +232,10 @@ class Cable {
   EmulatedRobot& robot_;
   std::string link_;
   std::optional<Pty> pty_;
-  std::int64_t plug_ns_ = 0;
+  HostNs plug_ns_ = 0;
   FirmwareLog log_;
   bool open_ = false;
-  std::int64_t reset_ns_ = 0;
+  HostNs reset_ns_ = 0;
   std::vector<std::uint8_t> waiting_;
 };
 
@@ -328,14 +322,14 @@ int run_robot(const RobotCommand& command) {
   std::fflush(stdout);
 
   robot.reset(PowerUp::kPowerOn);
-  std::int64_t begin_ns = monotonic_now();
-  std::int64_t longest_pause_ns = 0;
+  HostNs begin_ns = monotonic_now();
+  HostNs longest_pause_ns = 0;
   Overloaded overloaded;
   while (g_stop == 0) {
     // A quantum is computed when it is over: nothing reaches the host before its time, and what the
     // host wrote meanwhile arrives with the next one.
-    const std::int64_t due_ns = begin_ns + robot.now_ns() + kPhysicsStepNs;
-    const std::int64_t now_ns = monotonic_now();
+    const HostNs due_ns = begin_ns + robot.now_ns() + kPhysicsStepNs;
+    const HostNs now_ns = monotonic_now();
     longest_pause_ns = std::max(longest_pause_ns, now_ns - due_ns);
     if (now_ns - due_ns > kGiveUpNs) {
       begin_ns += now_ns - due_ns;

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "core/pose.h"
+#include "core/time.h"
 #include "sim/robot/emulated_robot.h"
 
 namespace tp100::sim {
@@ -14,10 +15,10 @@ namespace tp100::sim {
 /// Truth of the last steps, to pair an estimate with the instant that it belongs to.
 class TruthHistory {
  public:
-  void add(std::int64_t at_ns, const Pose& pose) { at(at_ns) = pose; }
+  void add(HostNs at_ns, const Pose& pose) { at(at_ns) = pose; }
   /// Between two physics steps the pose is interpolated; `at_ns` is at most a quarter second old.
-  Pose find(std::int64_t at_ns) const {
-    const std::int64_t before = at_ns / kPhysicsStepNs * kPhysicsStepNs;
+  Pose find(HostNs at_ns) const {
+    const HostNs before = at_ns / kPhysicsStepNs * kPhysicsStepNs;
     const double share = static_cast<double>(at_ns - before) / static_cast<double>(kPhysicsStepNs);
     const Pose& a = history_[index(before)];
     const Pose& b = history_[index(before + kPhysicsStepNs)];
@@ -30,10 +31,10 @@ class TruthHistory {
   }
 
  private:
-  static std::size_t index(std::int64_t at_ns) {
+  static std::size_t index(HostNs at_ns) {
     return static_cast<std::size_t>(at_ns / kPhysicsStepNs) % kSize;
   }
-  Pose& at(std::int64_t at_ns) { return history_[index(at_ns)]; }
+  Pose& at(HostNs at_ns) { return history_[index(at_ns)]; }
 
   static constexpr std::size_t kSize = 256;
   std::array<Pose, kSize> history_{};

@@ -17,7 +17,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto kPatience = 5s;
+constexpr auto kTimeout = 5s;
 constexpr auto kGreetEvery = 250ms;
 
 // The socket interface knows all addresses by one type.
@@ -51,7 +51,7 @@ WorldClient::~WorldClient() { ::close(socket_); }
 void WorldClient::greet() {
   const auto record = std::make_unique<StepRecord>();
   const auto nothing = [](const WorldSample&) {};
-  const int rounds = kPatience / kGreetEvery;
+  const int rounds = kTimeout / kGreetEvery;
   // Before virtual time begins.
   for (int i = -rounds; i < 0 && !peer_.welcomed(); ++i) {
     const HostNs now = i * (std::chrono::nanoseconds(kGreetEvery).count() + 1);
@@ -101,7 +101,7 @@ void WorldClient::exchange(const StepRecord& record, HostNs now, const Take& tak
   if (!datagram) return;
   send(*datagram);
   if (!waits_ || !peer_.welcomed()) return;
-  const auto deadline = Clock::now() + kPatience;
+  const auto deadline = Clock::now() + kTimeout;
   while (peer_.answered() != peer_.sent()) {
     if (receive(now, deadline, take)) continue;
     waits_ = false;

@@ -8,7 +8,7 @@
 namespace tp100::sim {
 namespace {
 
-// From full to empty, both cells together.
+// Of the battery from full to empty.
 constexpr double kSwingV = 2.2;
 
 }  // namespace

@@ -1,7 +1,7 @@
 #pragma once
 // Battery and motors.
 
-#include "course/robot.h"
+#include "course/robot_file.h"
 
 namespace tp100::sim {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/arithmetic.h"
+#include "core/time.h"
 
 namespace tp100::sim {
 
@@ -47,7 +48,7 @@ void Mpu6050::power_on() {
   until_output_ = 0;
 }
 
-double Mpu6050::temperature_degc(std::int64_t now_ns) const {
+double Mpu6050::temperature_degc(HostNs now_ns) const {
   const double warm = 1.0 - std::exp(-static_cast<double>(now_ns) * 1e-9 / values_.warm_up_s);
   return values_.start_temperature_degc + values_.warm_up_degc * warm;
 }
@@ -64,7 +65,7 @@ void Mpu6050::put(std::uint8_t reg, double value) {
   registers_[reg + 1u] = static_cast<std::uint8_t>(bits & 0xFF);
 }
 
-void Mpu6050::measure(const BodyState& body, std::int64_t now_ns) {
+void Mpu6050::measure(const BodyState& body, HostNs now_ns) {
   const double temperature = temperature_degc(now_ns);
   const double warmer = temperature - values_.start_temperature_degc;
   for (double& bias : gyro_bias_radps_) {

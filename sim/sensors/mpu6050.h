@@ -6,7 +6,8 @@
 #include <random>
 #include <span>
 
-#include "course/robot.h"
+#include "core/time.h"
+#include "course/robot_file.h"
 #include "sim/body/body.h"
 
 namespace tp100::sim {
@@ -31,7 +32,7 @@ class Mpu6050 : public I2cSlave {
 
   /// Measures the body at virtual time `now_ns`; called once per physics step (1 ms, the sensor's
   /// own rate with the low-pass on).
-  void measure(const BodyState& body, std::int64_t now_ns);
+  void measure(const BodyState& body, HostNs now_ns);
 
   bool write(std::span<const std::uint8_t> bytes) override;
   bool read(std::span<std::uint8_t> bytes) override;
@@ -44,7 +45,7 @@ class Mpu6050 : public I2cSlave {
   /// First-order low-pass with white noise ahead of it.
   double filtered(double& state, double value, double noise_sd, double share);
   void put(std::uint8_t reg, double value);
-  double temperature_degc(std::int64_t now_ns) const;
+  double temperature_degc(HostNs now_ns) const;
 
   course::EmulatedImu values_;
   std::mt19937_64 random_;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/arithmetic.h"
+#include "core/time.h"
 
 namespace tp100::sim {
 namespace {
@@ -43,7 +44,7 @@ OverheadCamera::Image OverheadCamera::image(const Pose& body, double forward_m, 
   return {x_m_ + image_x * distorted, y_m_ + image_y * distorted};
 }
 
-void OverheadCamera::look(const Pose& truth, std::int64_t now_ns) {
+void OverheadCamera::look(const Pose& truth, HostNs now_ns) {
   const double due_s = first_frame_s_ + static_cast<double>(frames_) / values_.rate_hz;
   if (to_s(now_ns) < due_s) return;
   ++frames_;
@@ -71,12 +72,12 @@ void OverheadCamera::look(const Pose& truth, std::int64_t now_ns) {
   const bool outside =
       values_.view_m > 0.0 && magnitude(truth.x_m - x_m_, truth.y_m - y_m_) > values_.view_m;
   if (dropped || outside || (seen_s >= 0.0 && seen_s < values_.blind_s)) return;
-  std::int64_t at_ns = now_ns + from_s(delay_s);
+  HostNs at_ns = now_ns + from_s(delay_s);
   if (!under_way_.empty()) at_ns = std::max(at_ns, under_way_.back().at_ns);
   under_way_.push_back({at_ns, sample});
 }
 
-std::optional<CameraSample> OverheadCamera::take(std::int64_t now_ns) {
+std::optional<CameraSample> OverheadCamera::take(HostNs now_ns) {
   if (under_way_.empty() || under_way_.front().at_ns > now_ns) return std::nullopt;
   const CameraSample sample = under_way_.front().sample;
   under_way_.pop_front();

@@ -9,6 +9,7 @@
 
 #include "core/pose.h"
 #include "core/sample.h"
+#include "core/time.h"
 #include "course/camera.h"
 
 namespace tp100::sim {
@@ -21,13 +22,13 @@ class OverheadCamera {
                  std::uint64_t seed);
 
   /// Passes the body's exact pose at virtual time `now_ns`; call once per physics step.
-  void look(const Pose& truth, std::int64_t now_ns);
+  void look(const Pose& truth, HostNs now_ns);
   /// The next sample that has arrived by `now_ns`, in order.
-  std::optional<CameraSample> take(std::int64_t now_ns);
+  std::optional<CameraSample> take(HostNs now_ns);
 
  private:
   struct Arrival {
-    std::int64_t at_ns;
+    HostNs at_ns;
     CameraSample sample;
   };
   /// A point of the body, given in its own axes, as the image shows it in the marker's plane.

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/time.h"
+
 namespace tp100::sim {
 
 namespace {
@@ -25,7 +27,7 @@ double QuadratureEncoder::boundary(std::int64_t count) const {
   return static_cast<double>(count) + offsets_[phase(count)];
 }
 
-void QuadratureEncoder::emit(std::int64_t count, std::int64_t at_ns, std::vector<Edge>& edges) {
+void QuadratureEncoder::emit(std::int64_t count, HostNs at_ns, std::vector<EncoderEdge>& edges) {
   const unsigned changed = kLevels[phase(count)] ^ kLevels[phase(counts_)];
   const bool is_b = changed == 0b01;
   const bool level = (kLevels[phase(count)] & changed) != 0;
@@ -33,8 +35,8 @@ void QuadratureEncoder::emit(std::int64_t count, std::int64_t at_ns, std::vector
   edges.push_back({at_ns, static_cast<std::uint8_t>(first_channel_ + (is_b ? 1 : 0)), level});
 }
 
-void QuadratureEncoder::move(double travel_m, std::int64_t from_ns, std::int64_t to_ns,
-                             std::vector<Edge>& edges) {
+void QuadratureEncoder::move(double travel_m, HostNs from_ns, HostNs to_ns,
+                             std::vector<EncoderEdge>& edges) {
   const double from = position_;
   position_ += travel_m * counts_per_metre_;
   const double span = position_ - from;

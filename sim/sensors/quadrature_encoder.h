@@ -6,15 +6,16 @@
 #include <random>
 #include <vector>
 
-#include "course/robot.h"
+#include "core/time.h"
+#include "course/robot_file.h"
 
 namespace tp100::sim {
 
 // Edges of an encoder at a pin.
 
 /// One encoder edge. Channels: 0 left A, 1 left B, 2 right A, 3 right B.
-struct Edge {
-  std::int64_t at_ns;
+struct EncoderEdge {
+  HostNs at_ns;
   std::uint8_t channel;
   bool level;
 };
@@ -23,20 +24,20 @@ struct Edge {
 /// forward.
 class QuadratureEncoder {
  public:
-  /// `first_channel`: 0 for the left track, 2 for the right one (sim/sensors/edge.h).
+  /// `first_channel`: 0 for the left track, 2 for the right one (EncoderEdge).
   QuadratureEncoder(const course::EmulatedEncoder& values, std::uint8_t first_channel,
                     std::uint64_t seed);
 
   /// The track moves `travel_m` evenly between `from_ns` and `to_ns`; edges are appended in time
   /// order.
-  void move(double travel_m, std::int64_t from_ns, std::int64_t to_ns, std::vector<Edge>& edges);
+  void move(double travel_m, HostNs from_ns, HostNs to_ns, std::vector<EncoderEdge>& edges);
 
   /// Edges forward minus edges backward.
   std::int64_t counts() const { return counts_; }
 
  private:
   double boundary(std::int64_t count) const;
-  void emit(std::int64_t count, std::int64_t at_ns, std::vector<Edge>& edges);
+  void emit(std::int64_t count, HostNs at_ns, std::vector<EncoderEdge>& edges);
 
   double counts_per_metre_;
   std::uint8_t first_channel_;

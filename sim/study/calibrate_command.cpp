@@ -84,7 +84,7 @@ std::vector<CalibrationDrive> calibration_drives(const Loaded& loaded, int repea
                                                      .camera = load_camera("overhead"),
                                                      .seed = seed + kSeedStride * drives.size(),
                                                      .sink = &sink});
-      // Where a robot that nothing is known of ends is one of the things to learn.
+      // An unidentified robot does not end where its course does.
       if (!result.finished)
         throw SetupError(name + ": " + loaded.robot.name + " did not finish it (" + result.cause +
                          "); there is nothing to learn from");
@@ -103,7 +103,7 @@ std::string calibration_json(const std::string& robot, std::uint64_t seed, const
   text::JsonWriter json(text);
   json.begin_object().field("robot", robot).field("seed", seed);
   for (const model::ParameterRow& row : kTrackParameters) {
-    const identify::Estimate& estimate = fit[row.value];
+    const identify::ParameterEstimate& estimate = fit[row.value];
     json.key(row.key)
         .begin_object()
         .field("found", estimate.value / row.si)
@@ -139,13 +139,13 @@ course::Robot calibrated_robot(const Loaded& loaded, int repeats, std::uint64_t 
 }
 
 bool Calibration::holds(model::TrackParameter parameter) const {
-  const identify::Estimate& estimate = found.extended[parameter];
+  const identify::ParameterEstimate& estimate = found.extended[parameter];
   return estimate.found && std::abs(estimate.value - truth.*parameter) <= estimate.half_interval;
 }
 
 bool Calibration::accurate() const {
   const auto within = [this](model::TrackParameter parameter, double most) {
-    const identify::Estimate& estimate = found.extended[parameter];
+    const identify::ParameterEstimate& estimate = found.extended[parameter];
     return estimate.found && std::abs(estimate.value - truth.*parameter) <= most;
   };
   const auto share = [this](model::TrackParameter parameter) {
@@ -170,7 +170,7 @@ int run_calibrate(const CalibrateCommand& command) {
     all_accurate = all_accurate && calibration.accurate();
     for (std::size_t i = 0; i < kCount; ++i) {
       const model::TrackParameter parameter = kTrackParameters[i].value;
-      const identify::Estimate& estimate = calibration.found.extended[parameter];
+      const identify::ParameterEstimate& estimate = calibration.found.extended[parameter];
       const double error = estimate.value - calibration.truth.*parameter;
       Tally& tally = tallies[i];
       ++tally.count;

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "course/robot.h"
+#include "course/robot_file.h"
 #include "identify/identify.h"
 #include "model/track_parameters.h"
 #include "sim/robot/options.h"
@@ -34,7 +34,7 @@ struct Calibration {
 /// noise. Throws SetupError.
 Calibration calibrate(const Loaded& loaded, int repeats, std::uint64_t seed);
 
-/// The robot as nothing is known of it: [model] at its defaults.
+/// The unidentified robot: [model] at its defaults.
 course::Robot without_model(course::Robot robot);
 
 /// The drives of calibrate(). Throws SetupError.

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "course/robot.h"
+#include "course/robot_file.h"
 #include "sim/study/study.h"
 
 namespace tp100::sim {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/pose.h"
-#include "course/robot.h"
+#include "course/robot_file.h"
 #include "identify/drive.h"
 #include "model/track_parameters.h"
 

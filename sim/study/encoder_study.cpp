@@ -67,13 +67,13 @@ void look_away(LockstepSettings& settings) {
   control.max_heading_error_rad = 180.0 * kRadPerDeg;
   control.stall_s = 30.0;
   control.disagreement_radps = 10.0;
-  settings.host_watches_encoders = false;
+  settings.host_checks_encoders = false;
 }
 
 /// When a healthy robot is where encoders fail.
 class PlaceMonitor : public messages::Sink {
  public:
-  explicit PlaceMonitor(std::int64_t opened_ns) : opened_ns_(opened_ns) {}
+  explicit PlaceMonitor(HostNs opened_ns) : opened_ns_(opened_ns) {}
   void take(const StepRecord& record) override {
     const Snapshot& snapshot = record.snapshot;
     if (snapshot.run_state != RunState::kRunning) return;
@@ -81,16 +81,16 @@ class PlaceMonitor : public messages::Sink {
       if (there) onset_s.try_emplace(onset, to_s(record.now_ns - opened_ns_));
     };
     const double turned = snapshot.estimates[PoseSource::kOdometry].pose.yaw_rad;
-    const bool stands = snapshot.left_mps == 0.0 && snapshot.right_mps == 0.0;
+    const bool standstill = snapshot.left_mps == 0.0 && snapshot.right_mps == 0.0;
     mark(Onset::kStraight, snapshot.progress_m > kInLineM);
     mark(Onset::kArc, snapshot.progress_m > kInArcM);
-    mark(Onset::kStandstill, snapshot.progress_m > kStoppedM && stands);
+    mark(Onset::kStandstill, snapshot.progress_m > kStoppedM && standstill);
     mark(Onset::kSpin, snapshot.progress_m > kStoppedM && turned > kInSpinRad);
   }
   std::map<Onset, double> onset_s;
 
  private:
-  std::int64_t opened_ns_;
+  HostNs opened_ns_;
 };
 
 /// Greatest deviation from where a healthy robot has been so far. A robot that is late does not
@@ -133,7 +133,7 @@ class DeviationFromHealthy {
 };
 
 // As in lockstep.cpp: the robot stands before the host opens the port.
-constexpr std::int64_t kOpenNs = 20 * kNsPerMs;
+constexpr HostNs kOpenNs = 20 * kNsPerMs;
 
 std::vector<PlannedFault> planned(const EncoderFailure& failure, double at_s) {
   std::vector<PlannedFault> faults;
@@ -150,20 +150,6 @@ std::vector<PlannedFault> planned(const EncoderFailure& failure, double at_s) {
 std::span<const EncoderFailure> encoder_failures() { return kFailures; }
 std::span<const double> encoder_speeds() { return kSpeeds; }
 std::span<const std::string_view> encoder_robots() { return kRobots; }
-
-const char* to_string(Onset onset) {
-  switch (onset) {
-    case Onset::kStraight:
-      return "straight";
-    case Onset::kArc:
-      return "arc";
-    case Onset::kStandstill:
-      return "standstill";
-    case Onset::kSpin:
-      break;
-  }
-  return "spin";
-}
 
 void EncoderOutcome::merge(const EncoderOutcome& other) {
   if (end.empty() || other.end == "completed") end = other.end;
@@ -206,12 +192,12 @@ EncoderOutcome EncoderStudy::drive(const EncoderTrial& trial) {
   settings.watch = [&](const EmulatedRobot& robot) {
     if (robot.now_ns() <= kOpenNs) return;
     deviation.update(robot.truth().pose);
-    if (robot.drive().left == 0.0 && robot.drive().right == 0.0) return;
+    if (robot.motor_duty().left == 0.0 && robot.motor_duty().right == 0.0) return;
     outcome.off_after_s = to_s(robot.now_ns() - kOpenNs) - at_s;
     outcome.beyond_m = deviation.distance_m;
     outcome.beyond_rad = deviation.yaw_rad;
   };
-  if (!host_watches_) look_away(settings);
+  if (!host_checks_) look_away(settings);
   const report::RunResult result = run_lockstep(settings);
   outcome.end = result.finished ? "completed" : result.cause;
   return outcome;

@@ -2,6 +2,7 @@
 // Encoders that fail while the robot drives: how far the robot deviates until its motors are off,
 // over kinds of failure, speeds, positions and robots.
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <span>
@@ -25,10 +26,18 @@ struct EncoderFailure {
 /// The robot's motion when the failure begins.
 enum class Onset : std::uint8_t { kStraight, kArc, kStandstill, kSpin };
 
+/// Names as in results.
+inline constexpr std::array<EnumName<Onset>, 4> kOnsetNames = {{
+    {Onset::kStraight, "straight"},
+    {Onset::kArc, "arc"},
+    {Onset::kStandstill, "standstill"},
+    {Onset::kSpin, "spin"},
+}};
+constexpr const char* to_string(Onset onset) { return name_in(kOnsetNames, onset); }
+
 std::span<const EncoderFailure> encoder_failures();
 std::span<const double> encoder_speeds();  ///< of the course [m/s]
 std::span<const std::string_view> encoder_robots();
-const char* to_string(Onset onset);
 
 struct EncoderTrial {
   EncoderFailure failure{};
@@ -58,8 +67,8 @@ struct EncoderOutcome {
 /// robots. Deterministic.
 class EncoderStudy {
  public:
-  /// `host_watches` false: the daemon's own checks are off, and only the firmware's remain.
-  explicit EncoderStudy(bool host_watches = true) : host_watches_(host_watches) {}
+  /// `host_checks` false: the daemon's own checks are off, and only the firmware's remain.
+  explicit EncoderStudy(bool host_checks = true) : host_checks_(host_checks) {}
   /// Throws SetupError.
   EncoderOutcome drive(const EncoderTrial& trial);
 
@@ -70,7 +79,7 @@ class EncoderStudy {
   };
   const Healthy& healthy(const EncoderTrial& trial);
 
-  bool host_watches_;
+  bool host_checks_;
   std::map<std::tuple<std::string_view, double, BoardKind>, Healthy> healthy_;
 };
 

@@ -174,10 +174,10 @@ FaultOutcome try_fault(const FaultTrial& trial, BoardKind board, messages::Sink*
   const Loaded loaded = load({});
   std::vector<PlannedFault> faults;
   if (!trial.fault.empty()) faults.push_back(parse_fault(trial.fault));
-  const std::int64_t begin_ns = faults.empty() ? 0 : faults[0].begin_ns;
+  const HostNs begin_ns = faults.empty() ? 0 : faults[0].begin_ns;
   StepMonitor steps(sink);
   FaultOutcome outcome;
-  std::int64_t opened_ns = -1, driven_ns = -1;
+  HostNs opened_ns = -1, driven_ns = -1;
   const LockstepSettings settings{
       .course = short_course(),
       .robot = loaded.robot,
@@ -188,10 +188,10 @@ FaultOutcome try_fault(const FaultTrial& trial, BoardKind board, messages::Sink*
       .watch =
           [&](const EmulatedRobot& robot) {
             if (opened_ns < 0) opened_ns = robot.now_ns();
-            const MotorDuty drive = robot.drive();
+            const MotorDuty duty = robot.motor_duty();
             const bool second =
                 trial.again_s > 0.0 && to_s(robot.now_ns() - opened_ns) > trial.again_s;
-            if (!second && (drive.left != 0.0 || drive.right != 0.0)) driven_ns = robot.now_ns();
+            if (!second && (duty.left != 0.0 || duty.right != 0.0)) driven_ns = robot.now_ns();
           },
       .sink = &steps,
       .on_session_event =

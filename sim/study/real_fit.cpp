@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/arithmetic.h"
 #include "identify/least_squares.h"
 
 namespace tp100::sim {
@@ -18,7 +19,6 @@ constexpr double kDifference = 1e-4;   // step of the derivatives, in the unit o
 constexpr int kRounds = 100, kAttempts = 12;
 constexpr double kConverged = 1e-9;  // of the cost
 constexpr double kUnseen = 0.5;      // as identify: of the prior's standard deviation
-constexpr double kQuantile = 1.96;   // of intervals
 
 struct OwnConstant {
   SlipConstant value;
@@ -96,7 +96,7 @@ class Fitting {
     const Summed summed = sum(sums);
     const Eigen::VectorXd half = summed.half_intervals();
     for (Eigen::Index k = 0; k < size(); ++k) {
-      const double unseen = kQuantile * kUnseen * prior_sd(constant(k), start_);
+      const double unseen = kNormal95 * kUnseen * prior_sd(constant(k), start_);
       fit.fitted.push_back({constant(k), half[k], half[k] < unseen});
     }
     return fit;

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "course/robot.h"
+#include "course/robot_file.h"
 #include "sim/study/commands.h"
 #include "sim/study/real_study.h"
 #include "sim/study/study.h"

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "course/course.h"
-#include "course/robot.h"
+#include "course/robot_file.h"
 
 namespace tp100::sim {
 

@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <optional>
 
 #include "core/arithmetic.h"
+#include "model/track_model.h"
 #include "sim/body/ode_body.h"
 #include "sim/robot/options.h"
 #include "sim/study/commands.h"
@@ -17,14 +19,16 @@ namespace {
 constexpr double kRunInS = 0.5;
 constexpr double kMeasureS = 2.0;
 
-constexpr std::array<SlopeRow, 8> kRows = {{{0, 0.16, 0.162},
-                                            {4, {}, {}},
-                                            {8, 0.17, 0.176},
-                                            {12, 0.18, 0.197},
-                                            {16, 0.19, 0.204},
-                                            {20, 0.20, 0.218},
-                                            {24, 0.21, 0.247},
-                                            {28, 0.22, 0.260}}};
+/// The paper's rows, and one of 4 deg after the first.
+constexpr auto kRows = [] {
+  std::array<SlopeRow, model::kSlipRows.size() + 1> rows{};
+  for (std::size_t i = 0; i < model::kSlipRows.size(); ++i) {
+    const model::SlipRow& row = model::kSlipRows[i];
+    rows[i == 0 ? 0 : i + 1] = {row.slope_deg, row.left, row.right};
+  }
+  rows[1].slope_deg = 4;
+  return rows;
+}();
 
 /// A ramp that the drive does not leave, and where it starts.
 course::Terrain slope_of(double slope_rad, double length_m) {
@@ -82,10 +86,8 @@ void print_table(const std::string& robot, const std::array<SlopeSlip, kRows.siz
   std::printf(
       "\nlargest difference %.3f\n\n"
       "The reference robot's table is fitted through its contact creep, not predicted, and the "
-      "slip\n"
-      "on the level is a track speed deficit that no physics explains: see its file. The paper has "
-      "no\n"
-      "row for 4 deg.\n",
+      "slip\non the level is a track speed deficit that no physics explains: see its file. "
+      "The paper has no\nrow for 4 deg.\n",
       worst);
 }
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "course/robot.h"
+#include "course/robot_file.h"
 #include "sim/study/study.h"
 
 namespace tp100::sim {

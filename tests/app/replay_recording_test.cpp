@@ -6,8 +6,8 @@
 #include "../record/random_record.h"
 #include "app/commands.h"
 #include "app/replay.h"
-#include "core/arithmetic.h"
 #include "core/error.h"
+#include "core/processor.h"
 #include "recorded_run.h"
 #include "support/temporary_folder.h"
 

@@ -11,7 +11,7 @@
 
 #include "bridge/cycle.h"
 #include "core/statistics.h"
-#include "course/robot.h"
+#include "course/robot_file.h"
 #include "link/session.h"
 #include "sim/board/native_board.h"
 #include "sim/robot/emulated_robot.h"

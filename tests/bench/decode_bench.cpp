@@ -68,7 +68,7 @@ std::uint64_t decode(const Stream& stream) {
   wire::FrameDecoder decoder;
   std::uint64_t kept = 0;
   for (const std::uint8_t byte : stream.bytes)
-    if (decoder.push(byte) == wire::Received::kFrame) kept += decoder.size();
+    if (decoder.push(byte) == wire::DecodeResult::kFrame) kept += decoder.size();
   return kept;
 }
 

@@ -48,7 +48,7 @@ void share(AvrRig& rig, LoopMonitor& loop, const IsrMonitor& interrupts, const c
   const std::string way = std::string(what) + ": ";
   row((way + "processor busy").c_str(), busy * 100.0, "%");
   row((way + "a sample").c_str(), busy * kSampleCycles, "cycles");
-  row((way + "longest turn").c_str(), static_cast<double>(loop.longest()) / 16.0, "us");
+  row((way + "longest pass of the loop").c_str(), static_cast<double>(loop.longest()) / 16.0, "us");
   row((way + "emulated").c_str(), ms * 1e-3 / wall.count(), "times real time");
 }
 

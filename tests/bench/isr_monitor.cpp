@@ -6,7 +6,7 @@
 namespace tp100::sim {
 namespace {
 
-constexpr Cycle kReturnCycles = 5;  // simavr counts them after its notification
+constexpr CpuCycles kReturnCycles = 5;  // simavr counts them after its notification
 
 }  // namespace
 
@@ -17,13 +17,13 @@ IsrMonitor::IsrMonitor(AvrCore& core, std::uint8_t vector) : core_(core) {
 
 void IsrMonitor::on_running(avr_irq_t*, std::uint32_t running, void* self) {
   IsrMonitor& watch = *static_cast<IsrMonitor*>(self);
-  const Cycle now = watch.core_.cycle();
+  const CpuCycles now = watch.core_.cycle();
   if (running != 0) {
     watch.began_ = now;
     return;
   }
   if (watch.began_ == 0) return;
-  const Cycle took = now - watch.began_ + kEntryCycles + kReturnCycles;
+  const CpuCycles took = now - watch.began_ + kEntryCycles + kReturnCycles;
   watch.began_ = 0;
   watch.longest_ = std::max(watch.longest_, took);
   watch.sum_ += took;

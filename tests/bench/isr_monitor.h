@@ -14,14 +14,14 @@ class IsrMonitor {
  public:
   static constexpr std::uint8_t kAny = 0xFF;
   /// From an interrupt to its routine, on the chip.
-  static constexpr Cycle kEntryCycles = 5;
+  static constexpr CpuCycles kEntryCycles = 5;
 
   /// Starts to measure; the monitor must outlive the core's last run.
   IsrMonitor(AvrCore& core, std::uint8_t vector);
 
   /// Time from the interrupt to the end of its RETI. simavr does not count the entry, so
   /// kEntryCycles are added.
-  Cycle longest() const { return longest_; }
+  CpuCycles longest() const { return longest_; }
   double mean() const {
     return runs_ == 0 ? 0.0 : static_cast<double>(sum_) / static_cast<double>(runs_);
   }
@@ -32,9 +32,9 @@ class IsrMonitor {
   static void on_running(avr_irq_t*, std::uint32_t running, void* watch);
 
   AvrCore& core_;
-  Cycle began_ = 0;
-  Cycle longest_ = 0;
-  Cycle sum_ = 0;
+  CpuCycles began_ = 0;
+  CpuCycles longest_ = 0;
+  CpuCycles sum_ = 0;
   std::uint64_t runs_ = 0;
 };
 

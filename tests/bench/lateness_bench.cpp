@@ -45,14 +45,14 @@ void print_buckets(const Histogram& lateness) {
   std::printf("]");
 }
 
-void print_refused(const std::vector<loop::Grant>& process,
-                   const std::vector<loop::Grant>& thread) {
+void print_refused(const std::vector<loop::Privilege>& process,
+                   const std::vector<loop::Privilege>& thread) {
   std::printf("\"refused\":[");
   const char* comma = "";
-  for (const auto* grants : {&process, &thread}) {
-    for (const loop::Grant& grant : *grants) {
-      if (grant.granted) continue;
-      std::printf("%s\"%s\"", comma, grant.what.c_str());
+  for (const auto* privileges : {&process, &thread}) {
+    for (const loop::Privilege& privilege : *privileges) {
+      if (privilege.granted) continue;
+      std::printf("%s\"%s\"", comma, privilege.what.c_str());
       comma = ",";
     }
   }
@@ -74,7 +74,7 @@ void measure(double rate_hz, double spin_us, double seconds, int cpu) {
   std::printf("{");
   print_buckets(loop.statistics().lateness);
   std::printf(",");
-  print_refused(process.grants(), loop.grants());
+  print_refused(process.privileges(), loop.privileges());
   std::printf("}\n");
 }
 

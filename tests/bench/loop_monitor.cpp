@@ -9,7 +9,7 @@ namespace tp100::sim {
 namespace {
 
 // The C callback carries no pointer to its owner.
-LoopMonitor* g_watch = nullptr;
+LoopMonitor* g_monitor = nullptr;
 
 }  // namespace
 
@@ -18,23 +18,23 @@ LoopMonitor::LoopMonitor(AvrCore& core) : core_(core) {
     if (std::strcmp(io->kind, "watchdog") == 0) watchdog_ = io;
   }
   if (watchdog_ == nullptr) return;
-  g_watch = this;
+  g_monitor = this;
   next_ = watchdog_->ioctl;
   watchdog_->ioctl = on_ioctl;
 }
 
 LoopMonitor::~LoopMonitor() {
   if (watchdog_ != nullptr) watchdog_->ioctl = next_;
-  g_watch = nullptr;
+  g_monitor = nullptr;
 }
 
 int LoopMonitor::on_ioctl(avr_io_t* io, std::uint32_t control, void* parameter) {
-  if (control == AVR_IOCTL_WATCHDOG_RESET) g_watch->cycle();
-  return g_watch->next_(io, control, parameter);
+  if (control == AVR_IOCTL_WATCHDOG_RESET) g_monitor->cycle();
+  return g_monitor->next_(io, control, parameter);
 }
 
 void LoopMonitor::cycle() {
-  const Cycle awake = core_.cycle() - core_.slept();
+  const CpuCycles awake = core_.cycle() - core_.slept();
   if (began_ != 0) longest_ = std::max(longest_, awake - began_);
   began_ = awake;
   ++cycles_;

@@ -19,7 +19,7 @@ class LoopMonitor {
   LoopMonitor& operator=(const LoopMonitor&) = delete;
 
   /// Processor cycles of the longest loop cycle, without sleep.
-  Cycle longest() const { return longest_; }
+  CpuCycles longest() const { return longest_; }
   std::uint64_t cycles() const { return cycles_; }
   void clear() { began_ = longest_ = cycles_ = 0; }
 
@@ -30,8 +30,8 @@ class LoopMonitor {
   AvrCore& core_;
   avr_io_t* watchdog_ = nullptr;
   int (*next_)(avr_io_t*, std::uint32_t, void*) = nullptr;
-  Cycle began_ = 0;
-  Cycle longest_ = 0;
+  CpuCycles began_ = 0;
+  CpuCycles longest_ = 0;
   std::uint64_t cycles_ = 0;
 };
 

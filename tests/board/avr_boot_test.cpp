@@ -20,7 +20,7 @@ TEST(AvrBoot, SaysHelloAsAMegaWithTheCauseOfTheReset) {
   for (const auto& [cause, reported] : causes) {
     ASSERT_TRUE(rig.boot(cause));
     const wire::Hello& hello = rig.hellos.back();
-    EXPECT_EQ(hello.board, static_cast<std::uint8_t>(wire::Board::kMega2560));
+    EXPECT_EQ(hello.board, static_cast<std::uint8_t>(wire::BoardType::kMega2560));
     EXPECT_EQ(hello.schema, wire::kSchemaHash);
     EXPECT_EQ(hello.reset_cause, static_cast<std::uint8_t>(reported));
   }

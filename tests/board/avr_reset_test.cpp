@@ -54,7 +54,7 @@ class Desk {
     return this->state() == state;
   }
   RunState state() const { return cycle_.outputs().snapshot.run_state; }
-  bool moves() const { return robot_.drive().left != 0.0 || robot_.drive().right != 0.0; }
+  bool moves() const { return robot_.motor_duty().left != 0.0 || robot_.motor_duty().right != 0.0; }
   void start() { cycle_.request(OperatorRequest::kStart); }
   void reset(PowerUp cause) { robot_.reset(cause); }
   std::uint64_t reboots() const { return cycle_.session().counters().reboots; }

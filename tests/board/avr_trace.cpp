@@ -40,7 +40,7 @@ constexpr std::array<Signal, 12> kSignals = {{{"encoder_left_a", 1, 'E', 4},
                                               {"wire_to_board", 8, 0, 0}}};
 constexpr std::uint8_t kPins = 10, kToHost = 10, kToBoard = 11;
 
-std::int64_t ns_of(Cycle cycle) { return static_cast<std::int64_t>(cycle) * 125 / 2; }
+std::int64_t ns_of(CpuCycles cycle) { return static_cast<std::int64_t>(cycle) * 125 / 2; }
 
 std::ofstream create(const std::string& path) {
   std::ofstream file(path);
@@ -122,11 +122,11 @@ void AvrTrace::write(const std::string& folder, const std::string& name) const {
     if (change.signal < kToHost) continue;
     const bool to_board = change.signal == kToBoard;
     wire::FrameDecoder& decoder = decoders[to_board];
-    const wire::Received received = decoder.push(change.value);
-    if (received == wire::Received::kNothing) continue;
+    const wire::DecodeResult received = decoder.push(change.value);
+    if (received == wire::DecodeResult::kNothing) continue;
     frames << std::dec << std::fixed << std::setprecision(3) << 1e-6 * double(change.at_ns)
            << " ms " << (to_board ? "to board" : "to host ");
-    if (received != wire::Received::kFrame) {
+    if (received != wire::DecodeResult::kFrame) {
       frames << " corrupted\n";
       continue;
     }

@@ -39,7 +39,7 @@ void BoardRig::run(int ms) {
 
 void BoardRig::step() {
   const std::int64_t until = now_ns + kStepNs;
-  const MotorDuty duty = hardware().drive();
+  const MotorDuty duty = hardware().motor_duty();
   const auto travel = [&](double share) {
     return (forced_mps != 0.0 ? forced_mps : share * kTopMps) * 1e-3;
   };
@@ -48,8 +48,8 @@ void BoardRig::step() {
   const auto middle = static_cast<std::ptrdiff_t>(edges_.size());
   right.move(travel(duty.right), now_ns, until, edges_);
   std::inplace_merge(edges_.begin(), edges_.begin() + middle, edges_.end(),
-                     [](const Edge& a, const Edge& b) { return a.at_ns < b.at_ns; });
-  for (const Edge& edge : edges_) levels_[edge.channel] = edge.level;
+                     [](const EncoderEdge& a, const EncoderEdge& b) { return a.at_ns < b.at_ns; });
+  for (const EncoderEdge& edge : edges_) levels_[edge.channel] = edge.level;
   for (const std::uint8_t a : std::exchange(glitches_, {})) {
     for (const std::uint8_t channel : {a, static_cast<std::uint8_t>(a + 1)}) {
       levels_[channel] = !levels_[channel];
@@ -82,9 +82,9 @@ void BoardRig::collect() {
   for (const TimedByte& byte : hardware().take_sent()) {
     bytes.push_back(byte);
     on_byte(false, byte);
-    const wire::Received received = decoder_.push(byte.value);
-    if (received == wire::Received::kNothing) continue;
-    if (received != wire::Received::kFrame) {
+    const wire::DecodeResult received = decoder_.push(byte.value);
+    if (received == wire::DecodeResult::kNothing) continue;
+    if (received != wire::DecodeResult::kFrame) {
       ++bad_frames;
       continue;
     }
@@ -113,7 +113,7 @@ void BoardRig::collect() {
 }
 
 bool BoardRig::moves() {
-  const MotorDuty duty = hardware().drive();
+  const MotorDuty duty = hardware().motor_duty();
   return duty.left != 0.0 || duty.right != 0.0;
 }
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "course/robot.h"
+#include "course/robot_file.h"
 #include "sim/board/board.h"
 #include "sim/sensors/mpu6050.h"
 #include "sim/sensors/quadrature_encoder.h"
@@ -101,7 +101,7 @@ class BoardRig {
 
   std::vector<TimedByte> to_board_;
   std::int64_t wire_free_ns_ = 0;
-  std::vector<Edge> edges_;
+  std::vector<EncoderEdge> edges_;
   std::array<bool, 4> levels_{};
   std::vector<std::uint8_t> glitches_;
   wire::FrameDecoder decoder_;

@@ -268,8 +268,8 @@ TEST_P(Conformance, SwappedTracksAreSwappedBeforeTheyAreInverted) {
   rig().run(60);
   ASSERT_GT(rig().last().right_duty, 0);
   // The motor of the right track is connected to the left channel.
-  EXPECT_LT(rig().hardware().drive().left, 0.0);
-  EXPECT_GT(rig().hardware().drive().right, 0.0);
+  EXPECT_LT(rig().hardware().motor_duty().left, 0.0);
+  EXPECT_GT(rig().hardware().motor_duty().right, 0.0);
 }
 
 TEST_P(Conformance, OnlyAHelloRequestAndParametersEndTheHellos) {

@@ -40,8 +40,8 @@ class BareMega {
     board_.advance(now_ns_, {}, due);
     for (const TimedByte& byte : board_.take_sent())
       cycle_.session().receive(std::span(&byte.value, 1), byte.at_ns);
-    EXPECT_EQ(board_.drive().left, 0.0) << "a motor's pin is driven";
-    EXPECT_EQ(board_.drive().right, 0.0) << "a motor's pin is driven";
+    EXPECT_EQ(board_.motor_duty().left, 0.0) << "a motor's pin is driven";
+    EXPECT_EQ(board_.motor_duty().right, 0.0) << "a motor's pin is driven";
     if (now_ns_ % kPeriodNs != 0) return;
     cycle_.step(now_ns_);
     std::int64_t free_ns = to_board_.empty() ? now_ns_ : to_board_.back().at_ns;

@@ -88,7 +88,7 @@ class Rig {
         arriving.push_back(host_out.front());
         host_out.erase(host_out.begin());
       }
-      std::vector<Edge> now_edges;
+      std::vector<EncoderEdge> now_edges;
       while (!edges.empty() && edges.front().at_ns <= until_ns) {
         now_edges.push_back(edges.front());
         edges.erase(edges.begin());
@@ -121,7 +121,7 @@ class Rig {
   std::int64_t now_ns = 0;
   std::int64_t line_free_ns = 0;
   std::vector<TimedByte> host_out;
-  std::vector<Edge> edges;
+  std::vector<EncoderEdge> edges;
   std::vector<TimedByte> sent;
   std::vector<wire::Hello> hellos;
   std::vector<std::int64_t> hello_at_ns;
@@ -139,9 +139,9 @@ class Rig {
   }
   void take(const TimedByte& byte) {
     sent.push_back(byte);
-    const wire::Received received = decoder_.push(byte.value);
-    if (received != wire::Received::kFrame) {
-      if (received != wire::Received::kNothing) ++bad_frames;
+    const wire::DecodeResult received = decoder_.push(byte.value);
+    if (received != wire::DecodeResult::kFrame) {
+      if (received != wire::DecodeResult::kNothing) ++bad_frames;
       return;
     }
     const wire::Type type{decoder_.type()};
@@ -173,7 +173,7 @@ TEST(NativeBoard, SaysHelloAfterItsBootDelay) {
   EXPECT_GT(rig.hello_at_ns[0], 840 * kMs);
   EXPECT_LT(rig.hello_at_ns[0], 845 * kMs);
   EXPECT_NEAR(static_cast<double>(rig.hello_at_ns[2] - rig.hello_at_ns[1]), 200.0 * kMs, 1.0 * kMs);
-  EXPECT_EQ(rig.hellos[0].board, static_cast<std::uint8_t>(wire::Board::kNative));
+  EXPECT_EQ(rig.hellos[0].board, static_cast<std::uint8_t>(wire::BoardType::kNative));
   EXPECT_EQ(rig.hellos[0].reset_cause, static_cast<std::uint8_t>(wire::ResetCause::kPowerOn));
   EXPECT_EQ(rig.bad_frames, 0);
 }
@@ -349,11 +349,11 @@ TEST(NativeBoard, DrivesAndStopsWhenItsHostFallsSilent) {
     if (i == 10) rig.send(wire::Arm{nonce, 5, rig.board.device_us() + 200'000});
     rig.run(5);
   }
-  EXPECT_GT(rig.board.drive().left, 0.2);
-  EXPECT_GT(rig.board.drive().right, 0.2);
+  EXPECT_GT(rig.board.motor_duty().left, 0.2);
+  EXPECT_GT(rig.board.motor_duty().right, 0.2);
   rig.run(200);
-  EXPECT_EQ(rig.board.drive().left, 0.0);
-  EXPECT_EQ(rig.board.drive().right, 0.0);
+  EXPECT_EQ(rig.board.motor_duty().left, 0.0);
+  EXPECT_EQ(rig.board.motor_duty().right, 0.0);
 }
 
 TEST(NativeBoard, TheBatteryIsReadInStepsOfTheConverter) {

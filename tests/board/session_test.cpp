@@ -123,11 +123,11 @@ TEST(SessionWithFirmware, ConnectsArmsDrivesAndStops) {
   pair.speed_mps = 0.1;
   pair.run(700);
   EXPECT_EQ(pair.last.state, RobotState::kRunning);
-  EXPECT_GT(pair.board.drive().left, 0.0);
+  EXPECT_GT(pair.board.motor_duty().left, 0.0);
 
   pair.session.request(RobotRequest::kStop, pair.now_ns);
   pair.run(5);
-  EXPECT_EQ(pair.board.drive().left, 0.0);
+  EXPECT_EQ(pair.board.motor_duty().left, 0.0);
   pair.run(50);
   EXPECT_EQ(pair.last.state, RobotState::kFaulted);
   EXPECT_FALSE(pair.session.request_pending());
@@ -140,12 +140,12 @@ TEST(SessionWithFirmware, ConnectsAgainAfterABrownOutAndStandsStill) {
   pair.session.request(RobotRequest::kArm, pair.now_ns);
   pair.speed_mps = 0.1;
   pair.run(300);
-  ASSERT_GT(pair.board.drive().left, 0.0);
+  ASSERT_GT(pair.board.motor_duty().left, 0.0);
   pair.board.reset(PowerUp::kBrownOut, pair.now_ns);
-  EXPECT_EQ(pair.board.drive().left, 0.0);
+  EXPECT_EQ(pair.board.motor_duty().left, 0.0);
   for (int i = 0; i < 1000; ++i) {
     pair.run(1);
-    ASSERT_EQ(pair.board.drive().left, 0.0);
+    ASSERT_EQ(pair.board.motor_duty().left, 0.0);
   }
   EXPECT_EQ(pair.session.state(), SessionState::kReady);
   EXPECT_EQ(pair.last.state, RobotState::kFaulted);

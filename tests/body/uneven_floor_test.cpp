@@ -119,7 +119,7 @@ TEST(UnevenFloor, ASeedDrawsTensionPayloadAndBattery) {
   std::vector<double> left, right, forward, battery;
   const course::Emulated values = uneven();
   for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
-    const course::Emulated robot = drawn(values, seed);
+    const course::Emulated robot = sampled(values, seed);
     left.push_back(robot.body.track_deficit_left);
     right.push_back(robot.body.track_deficit_right);
     forward.push_back(robot.body.com_forward_m);
@@ -136,7 +136,7 @@ TEST(UnevenFloor, ASeedDrawsTensionPayloadAndBattery) {
 TEST(UnevenFloor, ARobotOnAnEvenFloorIsThatOfItsFile) {
   course::Emulated values = uneven();
   values.floor = course::Floor::kEven;
-  const course::Emulated robot = drawn(values, 5);
+  const course::Emulated robot = sampled(values, 5);
   EXPECT_EQ(robot.body.track_deficit_left, values.body.track_deficit_left);
   EXPECT_EQ(robot.body.com_left_m, values.body.com_left_m);
   EXPECT_EQ(robot.battery.full_v, values.battery.full_v);

@@ -167,7 +167,7 @@ TEST(Cycle, TheRecordOfAStepHoldsItsInputsAndResults) {
   EXPECT_EQ(record->snapshot.sample.device_us, record->inputs.samples[0].device_us);
 }
 
-TEST(Cycle, AWholeTurnNeverTouchesTheHeap) {
+TEST(Cycle, NeverTouchesTheHeap) {
   HostNs now = kNsPerS;
   ScriptedRobot robot;
   Cycle cycle(session_settings({}), {}, nullptr);

@@ -123,14 +123,14 @@ TEST(ExternalWorld, SlopeStepAndSurfaceAreTheVirtualRobots) {
   WorldSample received = answer(kNsPerS, -0.4);
   received.slip_offset = 0.1;
   world.take(received);
-  EXPECT_EQ(world.ground()->obstacle, Obstacle::kRamp);
+  EXPECT_EQ(world.ground()->obstacle, ObstacleClass::kRamp);
   EXPECT_DOUBLE_EQ(world.ground()->incline.slope_rad, 0.4);
   EXPECT_DOUBLE_EQ(world.ground()->incline.horizontal_fraction, std::cos(0.4));
   EXPECT_DOUBLE_EQ(world.ground()->incline.slip_offset, 0.1);
   received.step_height_m = 0.037;
   received.blocked = true;
   world.take(received);
-  EXPECT_EQ(world.ground()->obstacle, Obstacle::kBlock);
+  EXPECT_EQ(world.ground()->obstacle, ObstacleClass::kBlock);
   EXPECT_EQ(world.ground()->incline.horizontal_fraction, 0.0);
   for (int i = 0; i < 99; ++i) world.wait(0.005);
   EXPECT_FALSE(world.blocked());

@@ -63,7 +63,7 @@ TEST(TerrainContacts, TheVirtualWorldGivesHeightAndPitchToEveryPose) {
     // The robot is at 0.32 m, half way up the ramp.
     const Pose real = drive(terrain_contacts, 3.7, {.pitch_rad = 0.3});
     PerSource<Estimate> estimates{{Estimate{real}, {real}, {real}}};
-    terrain_contacts.stand(estimates);
+    terrain_contacts.set_attitude(estimates);
     std::vector<Pose> poses = {terrain_contacts.world(real)};
     for (const Estimate& estimate : estimates.values) poses.push_back(estimate.pose);
     for (const Pose& pose : poses) {
@@ -71,7 +71,7 @@ TEST(TerrainContacts, TheVirtualWorldGivesHeightAndPitchToEveryPose) {
       EXPECT_GT(pose.z_m, 0.02);
     }
     EXPECT_EQ(terrain_contacts.terrain_contact().pitch_source, PitchSource::kVirtual);
-    EXPECT_EQ(terrain_contacts.terrain_contact().obstacle, Obstacle::kRamp);
+    EXPECT_EQ(terrain_contacts.terrain_contact().obstacle, ObstacleClass::kRamp);
     EXPECT_FALSE(terrain_contacts.mapped_pitch_rad());
   }
 }

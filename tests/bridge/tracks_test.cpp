@@ -14,42 +14,42 @@ Sample at(DeviceUs us, std::int64_t left, std::int64_t right) {
   return sample;
 }
 
-TEST(Tracks, TheFirstSampleIsNoInterval) {
-  Tracks tracks(10000.0, 1.0);
-  EXPECT_FALSE(tracks.update(at(0, 5, 5)).has_value());
+TEST(SampleIntervals, TheFirstSampleIsNoInterval) {
+  SampleIntervals intervals(10000.0, 1.0);
+  EXPECT_FALSE(intervals.update(at(0, 5, 5)).has_value());
 }
 
-TEST(Tracks, SpeedsAreCountsOverDeviceTimeAlsoAcrossLostSamples) {
-  Tracks tracks(10000.0, 1.0);
-  tracks.update(at(0, 0, 0));
-  const auto interval = tracks.update(at(20'000, 20, -10));
+TEST(SampleIntervals, SpeedsAreCountsOverDeviceTimeAlsoAcrossLostSamples) {
+  SampleIntervals intervals(10000.0, 1.0);
+  intervals.update(at(0, 0, 0));
+  const auto interval = intervals.update(at(20'000, 20, -10));
   ASSERT_TRUE(interval.has_value());
   EXPECT_DOUBLE_EQ(interval->dt_s, 0.02);
   EXPECT_DOUBLE_EQ(interval->tracks.left_mps, 0.1);
   EXPECT_DOUBLE_EQ(interval->tracks.right_mps, -0.05);
 }
 
-TEST(Tracks, ASampleThatIsNotNewerChangesNothing) {
-  Tracks tracks(10000.0, 1.0);
-  tracks.update(at(10'000, 0, 0));
-  EXPECT_FALSE(tracks.update(at(10'000, 50, 50)).has_value());
-  EXPECT_FALSE(tracks.update(at(5'000, 50, 50)).has_value());
-  EXPECT_DOUBLE_EQ(tracks.update(at(15'000, 5, 5))->tracks.left_mps, 0.1);
+TEST(SampleIntervals, ASampleThatIsNotNewerChangesNothing) {
+  SampleIntervals intervals(10000.0, 1.0);
+  intervals.update(at(10'000, 0, 0));
+  EXPECT_FALSE(intervals.update(at(10'000, 50, 50)).has_value());
+  EXPECT_FALSE(intervals.update(at(5'000, 50, 50)).has_value());
+  EXPECT_DOUBLE_EQ(intervals.update(at(15'000, 5, 5))->tracks.left_mps, 0.1);
 }
 
-TEST(Tracks, TheGyroIsTheScaledMeanAndFreshOnlyIfBothEndsAre) {
-  Tracks tracks(10000.0, 1.02);
+TEST(SampleIntervals, TheGyroIsTheScaledMeanAndFreshOnlyIfBothEndsAre) {
+  SampleIntervals intervals(10000.0, 1.02);
   Sample first = at(0, 0, 0);
   first.gyro_radps[2] = 0.1;
   Sample second = at(5'000, 0, 0);
   second.gyro_radps[2] = 0.3;
-  tracks.update(first);
-  const auto interval = tracks.update(second);
+  intervals.update(first);
+  const auto interval = intervals.update(second);
   EXPECT_NEAR(interval->gyro_z_radps, 0.2 * 1.02, 1e-12);
   EXPECT_TRUE(interval->gyro_fresh);
   Sample third = at(10'000, 0, 0);
   third.imu_age = 1;
-  EXPECT_FALSE(tracks.update(third)->gyro_fresh);
+  EXPECT_FALSE(intervals.update(third)->gyro_fresh);
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 #include <limits>
 #include <string>
 
-#include "control/lqr.h"
 #include "lagging_robot.h"
 
 namespace tp100::control {

@@ -8,27 +8,27 @@
 namespace tp100::control {
 namespace {
 
-TEST(Disturbance, ATurnThatTheTracksDoNotMakeIsNoticedWithinFourSteps) {
-  Disturbance disturbance{Parameters{}};
+TEST(DisturbanceDetector, ATurnThatTheTracksDoNotMakeIsNoticedWithinFourSteps) {
+  DisturbanceDetector disturbance{Parameters{}};
   disturbance.restart(0);
   int steps = 0;
   while (!disturbance.update({.gyro_radps = 0.9, .tracks_radps = 0.1}, kDt)) ASSERT_LT(++steps, 4);
 }
 
-TEST(Disturbance, WhatTheTracksMakeThemselvesIsNone) {
-  Disturbance disturbance{Parameters{}};
+TEST(DisturbanceDetector, WhatTheTracksMakeThemselvesIsNone) {
+  DisturbanceDetector disturbance{Parameters{}};
   for (int i = 0; i < 200; ++i)
     EXPECT_FALSE(disturbance.update({.gyro_radps = 1.2, .tracks_radps = 1.5}, kDt));
 }
 
-TEST(Disturbance, OneNoisySampleIsNone) {
-  Disturbance disturbance{Parameters{}};
+TEST(DisturbanceDetector, OneNoisySampleIsNone) {
+  DisturbanceDetector disturbance{Parameters{}};
   for (int i = 0; i < 200; ++i)
     EXPECT_FALSE(disturbance.update({.gyro_radps = i % 3 == 0 ? 2.0 : 0.0}, kDt));
 }
 
-TEST(Disturbance, TheCameraThatContradictsIsOneOnce) {
-  Disturbance disturbance{Parameters{}};
+TEST(DisturbanceDetector, TheCameraThatContradictsIsOneOnce) {
+  DisturbanceDetector disturbance{Parameters{}};
   disturbance.restart(3);
   EXPECT_FALSE(disturbance.update({.contradictions = 3}, kDt));
   EXPECT_TRUE(disturbance.update({.contradictions = 4}, kDt));
@@ -58,7 +58,7 @@ TEST(Recovery, LeavingTheBandStartsTheTimeAnew) {
   EXPECT_TRUE(recovery.active());
 }
 
-struct Disturbance {
+struct Displacement {
   double along_m = 0.0, left_m = 0.0, yaw_rad = 0.0;
 };
 
@@ -70,7 +70,7 @@ struct TurningCentre {
 
 /// Drives `course`; at 6 s the robot is displaced, and the tracker is notified. Returns the
 /// duration of the recovery, -1 if there is none.
-double recovered_after_s(const course::Course& course, const Disturbance& disturbance,
+double recovered_after_s(const course::Course& course, const Displacement& disturbance,
                          double speed_share, double* fastest_mps = nullptr,
                          double* furthest_jump_m = nullptr, const TurningCentre& centre = {}) {
   Parameters parameters;
@@ -120,7 +120,7 @@ TEST(RecoveryDrive, BringsTheRobotBackFromEitherSide) {
 // Turning back moves such a robot sideways, so the turning centre must be brought back.
 TEST(RecoveryDrive, BringsARobotBackSoonThatTurnsAboutAPointAheadOfIt) {
   const course::Course course = make_course({course::Line{1.8}});
-  const Disturbance disturbance{.left_m = 0.04, .yaw_rad = 15.0 * kRadPerDeg};
+  const Displacement disturbance{.left_m = 0.04, .yaw_rad = 15.0 * kRadPerDeg};
   const double told_s = recovered_after_s(course, disturbance, 0.5, nullptr, nullptr, {0.03, 0.03});
   const double untold_s =
       recovered_after_s(course, disturbance, 0.5, nullptr, nullptr, {0.03, 0.0});

@@ -39,7 +39,7 @@ TEST(TrackLimits, AreTheFirmwares) {
   for_many([&](double speed, double turn) {
     const firmware::TrackSpeeds theirs =
         firmware::track_speeds(static_cast<float>(speed), static_cast<float>(turn), sent);
-    const Tracks ours = tracks_for(speed, turn, kLimits);
+    const TrackSpeeds ours = tracks_for(speed, turn, kLimits);
     EXPECT_NEAR(ours.left_mps, static_cast<double>(theirs.left), 1e-6) << speed << ' ' << turn;
     EXPECT_NEAR(ours.right_mps, static_cast<double>(theirs.right), 1e-6) << speed << ' ' << turn;
     EXPECT_NEAR(turn_asked(turn / 3.0, speed, kLimits),
@@ -51,7 +51,7 @@ TEST(TrackLimits, AreTheFirmwares) {
 
 TEST(TrackLimits, TheTurnIsKeptAndTheSpeedGivesWay) {
   for_many([](double speed, double turn) {
-    const Tracks tracks = tracks_for(speed, turn, kLimits);
+    const TrackSpeeds tracks = tracks_for(speed, turn, kLimits);
     EXPECT_LE(std::abs(tracks.left_mps), kLimits.max_track_mps + 1e-12);
     EXPECT_LE(std::abs(tracks.right_mps), kLimits.max_track_mps + 1e-12);
     const double made = (tracks.right_mps * (1.0 - kLimits.slip_right) -
@@ -83,7 +83,7 @@ TEST(TrackLimits, ACommandWithinThemIsNotCutByTheFirmware) {
 TEST(TrackLimits, TheSpeedAlongACurveIsTheGreatestThatFits) {
   const double speed = speed_along(1.0, 0.0, 3.0, kLimits);
   const double turn = 3.0 * speed;
-  const Tracks tracks = tracks_for(speed, turn, kLimits);
+  const TrackSpeeds tracks = tracks_for(speed, turn, kLimits);
   EXPECT_NEAR(std::max(tracks.left_mps, tracks.right_mps), kLimits.max_track_mps, 1e-3);
 }
 

@@ -7,6 +7,8 @@
 #include <bit>
 #include <cstdint>
 
+#include "core/processor.h"
+
 namespace tp100 {
 namespace {
 

@@ -8,10 +8,10 @@
 namespace tp100 {
 namespace {
 
-constexpr auto kMega = static_cast<std::uint8_t>(wire::Board::kMega2560);
-constexpr auto kNative = static_cast<std::uint8_t>(wire::Board::kNative);
-constexpr auto kFake = static_cast<std::uint8_t>(wire::Board::kFakeRobot);
-constexpr auto kUnknown = static_cast<std::uint8_t>(wire::Board::kUnknown);
+constexpr auto kMega = static_cast<std::uint8_t>(wire::BoardType::kMega2560);
+constexpr auto kNative = static_cast<std::uint8_t>(wire::BoardType::kNative);
+constexpr auto kFake = static_cast<std::uint8_t>(wire::BoardType::kFakeRobot);
+constexpr auto kUnknown = static_cast<std::uint8_t>(wire::BoardType::kUnknown);
 
 TEST(Board, APortIsPhysicalUnlessPtyAndHelloProveAnEmulator) {
   EXPECT_TRUE(is_emulator(true, kNative));

@@ -8,7 +8,7 @@
 #include "core/arithmetic.h"
 #include "course/course.h"
 #include "course/path.h"
-#include "course/robot.h"
+#include "course/robot_file.h"
 #include "support/paths.h"
 
 namespace tp100::course {

@@ -1,9 +1,10 @@
+#include "course/robot_file.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/arithmetic.h"
 #include "core/error.h"
-#include "course/robot.h"
 
 namespace tp100::course {
 namespace {

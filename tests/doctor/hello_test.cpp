@@ -22,7 +22,7 @@ std::array<std::uint8_t, wire::Hello::kSize> payload(std::uint16_t protocol, std
   hello.firmware[1] = 20;
   hello.firmware[2] = 100;
   hello.schema = schema;
-  hello.board = static_cast<std::uint8_t>(wire::Board::kMega2560);
+  hello.board = static_cast<std::uint8_t>(wire::BoardType::kMega2560);
   hello.boot_nonce = 7;
   std::array<std::uint8_t, wire::Hello::kSize> bytes{};
   wire::Writer writer(bytes.data());
@@ -40,7 +40,7 @@ TEST(HelloReply, NamesBoardFirmwareAndProtocol) {
 
 TEST(HelloReply, SaysThatTheRobotIsSimulatedInsideTheBoard) {
   auto bytes = payload(wire::kProtocolVersion, wire::kSchemaHash);
-  bytes[9] = static_cast<std::uint8_t>(wire::Board::kFakeRobot);
+  bytes[9] = static_cast<std::uint8_t>(wire::BoardType::kFakeRobot);
   EXPECT_THAT(read_hello(bytes.data(), bytes.size()).text,
               HasSubstr("robot simulated inside the board"));
 }

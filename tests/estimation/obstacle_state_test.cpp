@@ -19,7 +19,7 @@ class TerrainFollower {
   void lean(double nose_up_rad) {
     const Slope slope = slope_.update(-nose_up_rad, kDt);
     obstacle_.update(-nose_up_rad, slope, kSpeedMps * kDt);
-    if (obstacle_.state() != Obstacle::kNone) seen = obstacle_.state();
+    if (obstacle_.state() != ObstacleClass::kNone) seen = obstacle_.state();
   }
   void level(double duration_s) {
     for (double t = 0.0; t < duration_s; t += kDt) lean(0.0);
@@ -32,10 +32,10 @@ class TerrainFollower {
     return std::min(slope_rad,
                     std::asin(std::min(1.0, distance_m * std::sin(slope_rad) / kSpacingM)));
   }
-  Obstacle state() const { return obstacle_.state(); }
+  ObstacleClass state() const { return obstacle_.state(); }
   Slope slope() const { return slope_.state(); }
 
-  Obstacle seen = Obstacle::kNone;
+  ObstacleClass seen = ObstacleClass::kNone;
 
  private:
   SlopeState slope_{AttitudeParameters{}};
@@ -47,7 +47,7 @@ TEST(ObstacleState, RampsOfEverySlopeAreRamps) {
     TerrainFollower terrain_follower;
     terrain_follower.level(0.5);
     terrain_follower.ramp(deg * kRadPerDeg, 0.4);
-    EXPECT_EQ(terrain_follower.state(), Obstacle::kRamp) << deg;
+    EXPECT_EQ(terrain_follower.state(), ObstacleClass::kRamp) << deg;
   }
 }
 
@@ -58,13 +58,14 @@ TEST(ObstacleState, StepsOfEveryHeightAreSteps) {
     TerrainFollower terrain_follower;
     for (int i = 0; i < 1600; ++i) {
       terrain_follower.lean(-climb.advance(kSpeedMps * kDt, kDt).pitch_rad);
-      if (terrain_follower.state() != Obstacle::kNone) {
-        ASSERT_EQ(terrain_follower.state(), Obstacle::kBlock)
+      if (terrain_follower.state() != ObstacleClass::kNone) {
+        ASSERT_EQ(terrain_follower.state(), ObstacleClass::kBlock)
             << height_m << " after " << i * kDt << " s";
       }
     }
-    EXPECT_EQ(terrain_follower.seen, Obstacle::kBlock) << height_m;
-    EXPECT_EQ(terrain_follower.state(), Obstacle::kNone) << "the floor behind the step is flat";
+    EXPECT_EQ(terrain_follower.seen, ObstacleClass::kBlock) << height_m;
+    EXPECT_EQ(terrain_follower.state(), ObstacleClass::kNone)
+        << "the floor behind the step is flat";
   }
 }
 
@@ -76,23 +77,23 @@ TEST(ObstacleState, AStepWhoseRiserMakesTracksSlipIsOneAfterAll) {
     sine += (s < 0.03 ? 0.42 : 0.75) * kSpeedMps * kDt / kSpacingM;
     terrain_follower.lean(std::asin(sine));
   }
-  EXPECT_EQ(terrain_follower.state(), Obstacle::kBlock);
+  EXPECT_EQ(terrain_follower.state(), ObstacleClass::kBlock);
 }
 
 TEST(ObstacleState, TheOtherSideBelongsToTheSameObstacle) {
   TerrainFollower terrain_follower;
   terrain_follower.ramp(20.0 * kRadPerDeg, 0.3);
   terrain_follower.level(2.0);
-  EXPECT_EQ(terrain_follower.state(), Obstacle::kNone);
+  EXPECT_EQ(terrain_follower.state(), ObstacleClass::kNone);
   for (int i = 0; i < 200; ++i) terrain_follower.lean(-20.0 * kRadPerDeg);
   EXPECT_EQ(terrain_follower.slope(), Slope::kDown);
-  EXPECT_EQ(terrain_follower.state(), Obstacle::kRamp);
+  EXPECT_EQ(terrain_follower.state(), ObstacleClass::kRamp);
 }
 
 TEST(ObstacleState, NoiseOfTheLevelIsNothing) {
   TerrainFollower terrain_follower;
   for (int i = 0; i < 4000; ++i) terrain_follower.lean(2.5 * kRadPerDeg * std::sin(i * 0.3));
-  EXPECT_EQ(terrain_follower.seen, Obstacle::kNone);
+  EXPECT_EQ(terrain_follower.seen, ObstacleClass::kNone);
 }
 
 }  // namespace

@@ -32,9 +32,9 @@ Heard received(const std::vector<TimedByte>& bytes) {
   Heard out;
   wire::FrameDecoder decoder;
   for (const TimedByte& byte : bytes) {
-    const wire::Received received = decoder.push(byte.value);
-    if (received == wire::Received::kNothing) continue;
-    if (received != wire::Received::kFrame) {
+    const wire::DecodeResult received = decoder.push(byte.value);
+    if (received == wire::DecodeResult::kNothing) continue;
+    if (received != wire::DecodeResult::kFrame) {
       ++out.corrupted;
       continue;
     }

@@ -14,8 +14,8 @@ namespace {
 // Counts edges as a board does: by the phases of one side.
 class Counter {
  public:
-  void take(const std::vector<Edge>& edges, std::uint8_t first_channel) {
-    for (const Edge& edge : edges) {
+  void take(const std::vector<EncoderEdge>& edges, std::uint8_t first_channel) {
+    for (const EncoderEdge& edge : edges) {
       if (edge.channel / 2 != first_channel / 2) continue;
       const unsigned before = place();
       level_[edge.channel % 2] = edge.level;
@@ -46,13 +46,13 @@ Counts counted(const std::string& fault) {
   Counter left_counter, right_counter;
   std::int64_t last_ns = 0;
   for (std::int64_t ms = 0; ms < 1000; ++ms) {
-    std::vector<Edge> edges;
+    std::vector<EncoderEdge> edges;
     left.move(1e-4, ms * kNsPerMs, (ms + 1) * kNsPerMs, edges);
     right.move(1e-4, ms * kNsPerMs, (ms + 1) * kNsPerMs, edges);
     std::stable_sort(edges.begin(), edges.end(),
-                     [](const Edge& a, const Edge& b) { return a.at_ns < b.at_ns; });
+                     [](const EncoderEdge& a, const EncoderEdge& b) { return a.at_ns < b.at_ns; });
     faults.pass(edges, ms * kNsPerMs, 0);
-    for (const Edge& edge : edges) {
+    for (const EncoderEdge& edge : edges) {
       EXPECT_GE(edge.at_ns, last_ns);
       last_ns = edge.at_ns;
     }

@@ -182,10 +182,10 @@ class Rig {
 
  private:
   void hear(std::uint8_t byte) {
-    const wire::Received received = decoder_.push(byte);
-    if (received == wire::Received::kFrame) {
+    const wire::DecodeResult received = decoder_.push(byte);
+    if (received == wire::DecodeResult::kFrame) {
       take();
-    } else if (received != wire::Received::kNothing) {
+    } else if (received != wire::DecodeResult::kNothing) {
       ++bad_frames;
     }
   }

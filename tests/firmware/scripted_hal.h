@@ -102,7 +102,7 @@ class ScriptedHal final : public Hal {
   }
   std::uint32_t boot_nonce() override { return nonce; }
   wire::ResetCause reset_cause() override { return cause; }
-  wire::Board board() override { return wire::Board::kNative; }
+  wire::BoardType board() override { return wire::BoardType::kNative; }
 
   std::uint8_t lock() override { return static_cast<std::uint8_t>(locks++); }
   void unlock(std::uint8_t saved) override { locks = saved; }

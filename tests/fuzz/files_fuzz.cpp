@@ -7,7 +7,7 @@
 #include "course/camera.h"
 #include "course/course.h"
 #include "course/path.h"
-#include "course/robot.h"
+#include "course/robot_file.h"
 
 namespace tp100 {
 namespace {

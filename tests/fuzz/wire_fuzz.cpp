@@ -56,9 +56,9 @@ void round_trip(std::uint8_t type, std::span<const std::uint8_t> rest) {
   require(std::find(frame, frame + length, wire::kDelimiter) == frame + length - 1,
           "only the end of a frame is zero");
   wire::FrameDecoder decoder;
-  wire::Received received = wire::Received::kNothing;
+  wire::DecodeResult received = wire::DecodeResult::kNothing;
   for (std::size_t i = 0; i < length; ++i) received = decoder.push(frame[i]);
-  require(received == wire::Received::kFrame && decoder.type() == type &&
+  require(received == wire::DecodeResult::kFrame && decoder.type() == type &&
               decoder.size() == payload.size() &&
               std::equal(payload.begin(), payload.end(), decoder.payload()),
           "a frame comes back as it was");

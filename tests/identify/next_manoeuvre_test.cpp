@@ -123,7 +123,7 @@ TEST(NextManoeuvre, StopsWhenAllIntervalsAreNarrowAndTheyHoldTheTruth) {
   int held = 0;
   for (std::size_t i = 0; i < model::kTrackParameters.size(); ++i) {
     SCOPED_TRACE(model::kTrackParameters[i].key);
-    const Estimate& estimate = found.extended.estimates[i];
+    const ParameterEstimate& estimate = found.extended.estimates[i];
     EXPECT_TRUE(estimate.found);
     EXPECT_LE(estimate.half_interval, 1.001 * goals[i]);
     const double truth = robot().*model::kTrackParameters[i].value;
@@ -222,7 +222,7 @@ TEST(NextManoeuvre, EndsWithoutAnAnswerThatTheFenceDoesNotAllow) {
 TEST(NextManoeuvre, WithoutACameraEachStartsAtTheMark) {
   AutoSettings by_hand;
   by_hand.camera = false;
-  by_hand.most_s = 60.0;
+  by_hand.max_s = 60.0;
   NextManoeuvre next(nothing_known(), area(1.0), by_hand);
   const double at_first = next.progress().half_interval / next.progress().goal;
   for (unsigned i = 0; i < 4; ++i) {

@@ -83,7 +83,7 @@ int main() {
   UCSR0B = _BV(TXEN0);
   FrameDecoder decoder;
   for (size_t i = 0; i < sizeof golden_frames; ++i) {
-    if (decoder.push(pgm_read_byte(&golden_frames[i])) == Received::kFrame) recode(decoder);
+    if (decoder.push(pgm_read_byte(&golden_frames[i])) == DecodeResult::kFrame) recode(decoder);
   }
   while ((UCSR0A & _BV(TXC0)) == 0) {
   }

@@ -65,7 +65,7 @@ TEST_F(OutputQueueTest, AFrameThatFillsTheQueueLeavesWhatIsBehindItAlone) {
     const std::vector<std::uint8_t> bytes(
         queue.bytes().begin(), queue.bytes().begin() + static_cast<std::ptrdiff_t>(taken));
     for (const std::uint8_t byte : bytes) {
-      if (decoder.push(byte) != wire::Received::kFrame) continue;
+      if (decoder.push(byte) != wire::DecodeResult::kFrame) continue;
       wire::SyncRequest request{};
       ASSERT_TRUE(wire::read_payload(decoder.payload(), decoder.size(), request));
       EXPECT_EQ(request.id, expected++);

@@ -41,7 +41,7 @@ class ScriptedRobot {
   // Settings of the robot's behaviour.
   std::uint16_t protocol = wire::kProtocolVersion;
   std::uint32_t schema = wire::kSchemaHash;
-  std::uint8_t board = static_cast<std::uint8_t>(wire::Board::kNative);
+  std::uint8_t board = static_cast<std::uint8_t>(wire::BoardType::kNative);
   std::uint32_t boot_nonce = 0xB007;
   bool answers_parameters = true;
   bool answers_requests = true;
@@ -132,10 +132,10 @@ class ScriptedRobot {
 
   void hear(std::span<const std::uint8_t> bytes, HostNs now) {
     for (const std::uint8_t byte : bytes) {
-      const wire::Received result = decoder_.push(byte);
-      if (result == wire::Received::kFrame) {
+      const wire::DecodeResult result = decoder_.push(byte);
+      if (result == wire::DecodeResult::kFrame) {
         on_frame(now);
-      } else if (result != wire::Received::kNothing) {
+      } else if (result != wire::DecodeResult::kNothing) {
         ++received.bad_frames;
       }
     }

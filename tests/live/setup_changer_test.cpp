@@ -56,7 +56,7 @@ class SetupChange : public ::testing::Test {
     options_.duration_s = 300.0;
     robot_->with([](ScriptedRobot& robot) {
       // Nothing starts by itself.
-      robot.board = static_cast<std::uint8_t>(wire::Board::kMega2560);
+      robot.board = static_cast<std::uint8_t>(wire::BoardType::kMega2560);
       robot.drives = true;
     });
     robot_->plug_in();

@@ -79,7 +79,7 @@ class Starts : public ::testing::Test {
     status_ = ended.status;
     log_ = ended.log;
   }
-  void with_board(wire::Board board) {
+  void with_board(wire::BoardType board) {
     robot_->with([&](ScriptedRobot& robot) { robot.board = static_cast<std::uint8_t>(board); });
     robot_->plug_in();
   }
@@ -140,7 +140,7 @@ class Starts : public ::testing::Test {
 };
 
 TEST_F(Starts, ASecondEnterStartsNothing) {
-  with_board(wire::Board::kNative);
+  with_board(wire::BoardType::kNative);
   run([&] {
     for (const auto apart : {50ms, 500ms, 5000ms}) {
       ASSERT_TRUE(apart == 50ms ? driving() : start_again());
@@ -164,7 +164,7 @@ TEST_F(Starts, AStopAfterACompletedRunLeavesItsResult) {
   options_.course = folder_.file("short.toml");
   options_.setup = "stand";
   robot_->with([](ScriptedRobot& robot) { robot.drives = true; });
-  with_board(wire::Board::kNative);
+  with_board(wire::BoardType::kNative);
   run([&] {
     const auto completed = [&] {
       return soon([&] { return stats().find("\"result\": \"completed\"") != std::string::npos; },
@@ -183,7 +183,7 @@ TEST_F(Starts, AStopAfterACompletedRunLeavesItsResult) {
 }
 
 TEST_F(Starts, AgainAndAgainTakeTheWord) {
-  with_board(wire::Board::kNative);
+  with_board(wire::BoardType::kNative);
   run([&] {
     ASSERT_TRUE(driving());
     for (int i = 0; i < kRepetitions; ++i) {
@@ -200,7 +200,7 @@ TEST_F(Starts, AgainAndAgainTakeTheWord) {
 
 // The robot ends the run; at that moment the operator presses Enter to stop it.
 TEST_F(Starts, EnterInTheCycleInWhichARunEndsStartsNothing) {
-  with_board(wire::Board::kNative);
+  with_board(wire::BoardType::kNative);
   run([&] {
     ASSERT_TRUE(driving());
     for (int i = 0; i < kRepetitions; ++i) {
@@ -221,7 +221,7 @@ TEST_F(Starts, EnterInTheCycleInWhichARunEndsStartsNothing) {
 }
 
 TEST_F(Starts, EnterAndTheStopOfThePageAtOnceStartNothing) {
-  with_board(wire::Board::kNative);
+  with_board(wire::BoardType::kNative);
   run([&] {
     ASSERT_TRUE(driving());
     server::WebClient viewer(page());
@@ -243,7 +243,7 @@ TEST_F(Starts, EnterAndTheStopOfThePageAtOnceStartNothing) {
 // The same as AFirstStart... of the live cycle, through the whole program: neither operator knows
 // of the other's request yet.
 TEST_F(Starts, TheFirstEnterAndTheStopOfThePageAtOnceLeaveNoRun) {
-  with_board(wire::Board::kMega2560);
+  with_board(wire::BoardType::kMega2560);
   run([&] {
     ASSERT_TRUE(ready());
     server::WebClient viewer(page());
@@ -260,7 +260,7 @@ TEST_F(Starts, TheFirstEnterAndTheStopOfThePageAtOnceLeaveNoRun) {
 }
 
 TEST_F(Starts, WhatIsTypedAheadStartsNothing) {
-  with_board(wire::Board::kMega2560);
+  with_board(wire::BoardType::kMega2560);
   run([&] {
     // This is typed before the prompt.
     keyboard_.type("\n\ngo\n\ngo");
@@ -281,7 +281,7 @@ TEST_F(Starts, WhatIsTypedAheadStartsNothing) {
 }
 
 TEST_F(Starts, AMegasHelloBehindAPtyWaitsForEnter) {
-  with_board(wire::Board::kMega2560);
+  with_board(wire::BoardType::kMega2560);
   run([&] {
     ASSERT_TRUE(ready());
     ASSERT_TRUE(after_commands(200));
@@ -293,7 +293,7 @@ TEST_F(Starts, AMegasHelloBehindAPtyWaitsForEnter) {
 }
 
 TEST_F(Starts, ABoardThatSimulatesItsRobotIsCalledSoAndWaitsForEnter) {
-  with_board(wire::Board::kFakeRobot);
+  with_board(wire::BoardType::kFakeRobot);
   run([&] {
     ASSERT_TRUE(ready());
     ASSERT_TRUE(after_commands(200));
@@ -305,7 +305,7 @@ TEST_F(Starts, ABoardThatSimulatesItsRobotIsCalledSoAndWaitsForEnter) {
 }
 
 TEST_F(Starts, ABoardThatNobodyKnowsWaitsForEnter) {
-  with_board(wire::Board::kUnknown);
+  with_board(wire::BoardType::kUnknown);
   run([&] {
     ASSERT_TRUE(ready());
     ASSERT_TRUE(after_commands(200));
@@ -315,13 +315,13 @@ TEST_F(Starts, ABoardThatNobodyKnowsWaitsForEnter) {
 
 TEST_F(Starts, AMegasHelloBehindAPtyStartsWithGo) {
   options_.go = true;
-  with_board(wire::Board::kMega2560);
+  with_board(wire::BoardType::kMega2560);
   run([&] { ASSERT_TRUE(soon([this] { return moves(); })); });
 }
 
 TEST_F(Starts, ALaterDriveOfTheSameProgramTakesTheWord) {
   options_.ran_before = true;
-  with_board(wire::Board::kMega2560);
+  with_board(wire::BoardType::kMega2560);
   run([&] {
     ASSERT_TRUE(ready());
     ASSERT_TRUE(after_commands());
@@ -337,7 +337,7 @@ TEST_F(Starts, AServiceNeverStartsByItself) {
   ::setenv("NOTIFY_SOCKET", folder_.file("notify").c_str(), 1);
   for (const bool go : {false, true}) {
     options_.go = go;
-    with_board(wire::Board::kNative);
+    with_board(wire::BoardType::kNative);
     run([&] {
       ASSERT_TRUE(ready());
       ASSERT_TRUE(after_commands(200));
@@ -356,7 +356,7 @@ TEST_F(Starts, AStopBeforeTheRobotIsThereIsNotUndoneByStartingByItself) {
     viewer.subscribe(messages::Channel::kState);
     viewer.call(3);
     viewer.read_until("\"latched\":true");
-    with_board(wire::Board::kNative);
+    with_board(wire::BoardType::kNative);
     ASSERT_TRUE(ready());
     ASSERT_TRUE(after_commands(200));
     EXPECT_EQ(arms(), 0u);
@@ -365,7 +365,7 @@ TEST_F(Starts, AStopBeforeTheRobotIsThereIsNotUndoneByStartingByItself) {
 }
 
 TEST_F(Starts, ThePageIsToldThatAStartIsToBeConfirmed) {
-  with_board(wire::Board::kNative);
+  with_board(wire::BoardType::kNative);
   run([&] {
     ASSERT_TRUE(driving());
     server::WebClient viewer(page());

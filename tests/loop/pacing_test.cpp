@@ -60,9 +60,9 @@ TEST(Waiting, NeverEndsBeforeTheDeadline) {
 }
 
 /// The fix that is suggested if `what` is refused.
-std::string fix(const std::vector<Grant>& grants, const std::string& what) {
-  for (const Grant& grant : grants) {
-    if (grant.what.rfind(what, 0) == 0) return grant.granted ? "granted" : grant.fix;
+std::string fix(const std::vector<Privilege>& privileges, const std::string& what) {
+  for (const Privilege& privilege : privileges) {
+    if (privilege.what.rfind(what, 0) == 0) return privilege.granted ? "granted" : privilege.fix;
   }
   return "not asked for";
 }
@@ -74,7 +74,7 @@ std::string fix(const std::vector<Grant>& grants, const std::string& what) {
   ::setrlimit(RLIMIT_MEMLOCK, &none);
   if (::geteuid() == 0 && ::setresuid(65534, 65534, 65534) != 0) std::_Exit(2);
   const RealTimeProcess process({.lock_memory = true, .hold_cpu_latency = true});
-  std::fprintf(stderr, "%s\n%s\n", fix(process.grants(), "memory").c_str(),
+  std::fprintf(stderr, "%s\n%s\n", fix(process.privileges(), "memory").c_str(),
                fix(apply_to_this_thread({.priority = 80}), "SCHED_FIFO").c_str());
   std::_Exit(0);
 }
@@ -88,10 +88,11 @@ echo ".USER - rtprio 90" . sudo tee -a /etc/security/limits.d/tp100.conf)");
 
 TEST(RealTime, EveryPrivilegeIsGrantedOrComesWithAFix) {
   const RealTimeProcess process({.lock_memory = false, .hold_cpu_latency = true});
-  for (const Grant& grant : process.grants()) EXPECT_NE(grant.granted, !grant.fix.empty());
-  for (const Grant& grant : apply_to_this_thread({.priority = 0, .cpu = 100'000})) {
-    EXPECT_FALSE(grant.granted);
-    EXPECT_FALSE(grant.fix.empty());
+  for (const Privilege& privilege : process.privileges())
+    EXPECT_NE(privilege.granted, !privilege.fix.empty());
+  for (const Privilege& privilege : apply_to_this_thread({.priority = 0, .cpu = 100'000})) {
+    EXPECT_FALSE(privilege.granted);
+    EXPECT_FALSE(privilege.fix.empty());
   }
 }
 
@@ -111,8 +112,8 @@ TEST(RealTime, TheKernelsUnboundWorkersComeBeforeOrdinaryPrograms) {
   const bool permitted = ::setpriority(PRIO_PROCESS, 0, -1) == 0;
   process.keep();
   const std::vector<int> now = nices();
-  EXPECT_EQ(process.grants().size(), permitted && !now.empty() ? 1u : 0u);
-  if (process.grants().empty()) return;
+  EXPECT_EQ(process.privileges().size(), permitted && !now.empty() ? 1u : 0u);
+  if (process.privileges().empty()) return;
   // The kernel may make another one at any time.
   EXPECT_GE(std::ranges::count(now, -20), static_cast<std::ptrdiff_t>(now.size()) - 1);
 }

@@ -1,10 +1,9 @@
-#include "model/slip_table.h"
-
 #include <gtest/gtest.h>
 
 #include <limits>
 
 #include "core/arithmetic.h"
+#include "model/track_model.h"
 
 namespace tp100::model {
 namespace {

@@ -52,7 +52,7 @@ TEST(Turn, OnlyTheRatioOfTheSpeedsCounts) {
 }
 
 TEST(Turn, FewEdgesPerIntervalDoNotLookLikeTurns) {
-  TurnMonitor watch;
+  TurnShapeFilter watch;
   double most = 0.0;
   for (int i = 0; i < 400; ++i) {
     // A speed of 1.5 edges per interval gives one and two edges in turn.

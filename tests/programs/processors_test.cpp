@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/arithmetic.h"
+#include "core/processor.h"
 #include "process.h"
 #include "support/paths.h"
 

@@ -36,7 +36,7 @@ std::vector<TrajectoryPoint> climb(double off_rad, double late_s) {
     point.imu_pitch_rad = point.truth.pitch_rad + off_rad;
     if (leans(point.t_s - late_s)) {
       point.slope = Slope::kUp;
-      point.obstacle_class = Obstacle::kRamp;
+      point.obstacle_class = ObstacleClass::kRamp;
     }
     points.push_back(point);
   }
@@ -77,7 +77,7 @@ TEST(SlopeFigures, AStateWithoutACauseIsFalse) {
 TEST(SlopeFigures, ARampTakenForAStepIsAMistake) {
   std::vector<TrajectoryPoint> points = climb(0.0, 0.1);
   for (TrajectoryPoint& point : points)
-    if (point.slope != Slope::kFlat) point.obstacle_class = Obstacle::kBlock;
+    if (point.slope != Slope::kFlat) point.obstacle_class = ObstacleClass::kBlock;
   EXPECT_EQ(slope_figures(points, one_ramp()).mistaken, 1);
 }
 

@@ -149,7 +149,7 @@ inline LossTimes lose_driver(Loss loss, int trials, std::uint64_t seed,
     double command_ms = -1.0, duty_ms = -1.0, standing_ms = -1.0;
     drive.after_physics = [&] {
       const double since_ms = to_s(drive.now() - last_input_ns) * 1e3;
-      const MotorDuty duty = drive.robot().drive();
+      const MotorDuty duty = drive.robot().motor_duty();
       const bool off = std::abs(duty.left) < 0.15 && std::abs(duty.right) < 0.15;
       if (!off) duty_ms = -1.0;
       if (off && duty_ms < 0.0) duty_ms = since_ms;

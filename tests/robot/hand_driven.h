@@ -116,7 +116,7 @@ class HandDriven {
                     now());
     nlohmann::json answer;
     while (!viewer->outbox().empty()) {
-      const server::Frame frame = viewer->outbox().pop();
+      const server::WebSocketFrame frame = viewer->outbox().pop();
       if (frame.binary && frame.head_size == 0)
         answer = nlohmann::json::parse(frame.body->substr(frame.body->find('{')));
       else if (!frame.binary)

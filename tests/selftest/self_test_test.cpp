@@ -22,7 +22,7 @@ wire::Hello hello() {
   wire::Hello out{};
   out.protocol = wire::kProtocolVersion;
   out.schema = wire::kSchemaHash;
-  out.board = static_cast<std::uint8_t>(wire::Board::kMega2560);
+  out.board = static_cast<std::uint8_t>(wire::BoardType::kMega2560);
   out.boot_nonce = 7;
   return out;
 }
@@ -167,7 +167,7 @@ TEST_F(SelfTestOfARobot, ExaminesOneAtATime) {
 }
 
 TEST_F(SelfTestOfARobot, ExaminesTheMachineWithThePrivilegesOfTheRun) {
-  test_.set_grants({{.what = "SCHED_FIFO 80", .granted = false, .fix = "not permitted"}});
+  test_.set_privileges({{.what = "SCHED_FIFO 80", .granted = false, .fix = "not permitted"}});
   std::promise<Json> promise;
   test_.examine(server::DoctorPart::kMachine, [&](const std::string&, const std::string& json) {
     promise.set_value(Json::parse(json));

@@ -10,7 +10,7 @@ namespace {
 /// Decodes edges from the levels alone, as a microcontroller does.
 class Decoder {
  public:
-  void feed(const Edge& edge) {
+  void feed(const EncoderEdge& edge) {
     const unsigned bit = edge.channel % 2 == 0 ? 0b10 : 0b01;
     const unsigned after = edge.level ? levels_ | bit : levels_ & ~bit;
     ASSERT_NE(after, levels_) << "an edge must change its level";
@@ -39,9 +39,9 @@ TEST(QuadratureEncoder, EdgesDecodeToTheTravelUnderAnySpeedProfile) {
     for (int ms = 0; ms < 3000; ++ms) {
       const double step_m = speed(random) * 1e-3;
       travel += step_m;
-      std::vector<Edge> edges;
+      std::vector<EncoderEdge> edges;
       encoder.move(step_m, ms * 1'000'000LL, (ms + 1) * 1'000'000LL, edges);
-      for (const Edge& edge : edges) {
+      for (const EncoderEdge& edge : edges) {
         ASSERT_GE(edge.at_ns, last_ns);
         ASSERT_LE(edge.at_ns, (ms + 1) * 1'000'000LL);
         ASSERT_GE(edge.channel, 2);
@@ -56,7 +56,7 @@ TEST(QuadratureEncoder, EdgesDecodeToTheTravelUnderAnySpeedProfile) {
 
 TEST(QuadratureEncoder, ForwardIsALeadingB) {
   QuadratureEncoder encoder({}, 0, 1);
-  std::vector<Edge> edges;
+  std::vector<EncoderEdge> edges;
   encoder.move(4.0 / 11140.0, 0, 1'000'000, edges);
   ASSERT_EQ(edges.size(), 4u);
   EXPECT_EQ(edges[0].channel, 0);

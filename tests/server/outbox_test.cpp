@@ -5,8 +5,8 @@
 namespace tp100::server {
 namespace {
 
-Frame frame(const std::string& body) {
-  Frame out;
+WebSocketFrame frame(const std::string& body) {
+  WebSocketFrame out;
   out.body = std::make_shared<const std::string>(body);
   return out;
 }

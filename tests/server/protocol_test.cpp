@@ -46,7 +46,7 @@ TEST(ParseText, TakesEveryMessageThatItServes) {
   EXPECT_EQ(set.parameters[2].value, messages::ParameterValue(std::string("d")));
   EXPECT_FALSE(set.parameters[3].value.has_value());
   EXPECT_FALSE(set.parameters[4].value.has_value());
-  EXPECT_TRUE(std::get<WatchParameters>(
+  EXPECT_TRUE(std::get<ParameterSubscription>(
                   parse_text(R"({"op":"subscribeParameterUpdates","parameterNames":[]})"))
                   .watch);
 }

@@ -26,7 +26,7 @@ class PublisherTest : public ::testing::Test {
   std::vector<Json> hear(messages::Channel wanted = messages::Channel::kClient) {
     std::vector<Json> out;
     while (!viewer_->outbox().empty()) {
-      const Frame frame = viewer_->outbox().pop();
+      const WebSocketFrame frame = viewer_->outbox().pop();
       if (frame.binary && frame.head[1] == static_cast<std::uint32_t>(wanted))
         out.push_back(Json::parse(*frame.body));
     }

@@ -68,7 +68,7 @@ class RequestHandlerTest : public ::testing::Test {
   static Heard hear(Viewer& viewer) {
     Heard received;
     while (!viewer.outbox().empty()) {
-      const Frame frame = viewer.outbox().pop();
+      const WebSocketFrame frame = viewer.outbox().pop();
       if (!frame.binary) {
         received.texts.push_back(Json::parse(*frame.body));
       } else if (frame.head_size == 0) {
@@ -308,7 +308,8 @@ TEST_F(RequestHandlerTest, AStartSaysWhereTheRobotStands) {
   StepRecord record = ready();
   record.snapshot.progress_m = 0.0;
   step(record);
-  EXPECT_THAT(message(R"({"from":"here"})"), HasSubstr("no run ended on its way"));
+  EXPECT_THAT(message(R"({"from":"here"})"),
+              HasSubstr("no run ended before the end of its course"));
   record.snapshot.run_state = RunState::kAborted;
   record.snapshot.progress_m = 0.1;
   step(record);

@@ -37,8 +37,8 @@ TEST(State, FindsEveryChangeOfTheCourseWithItsObstacles) {
   EXPECT_EQ(slope.mistaken, 0);
   bool step = false, ramp = false;
   for (const report::TrajectoryPoint& point : result.points) {
-    step = step || point.obstacle_class == Obstacle::kBlock;
-    ramp = ramp || point.obstacle_class == Obstacle::kRamp;
+    step = step || point.obstacle_class == ObstacleClass::kBlock;
+    ramp = ramp || point.obstacle_class == ObstacleClass::kRamp;
   }
   EXPECT_TRUE(step);
   EXPECT_TRUE(ramp);

@@ -45,7 +45,7 @@ TEST(TerrainFollower, OnAPlaneEveryMillimetreGoesAhead) {
   Pose pose{};
   EXPECT_FALSE(terrain_follower.state().climbing);
   EXPECT_NEAR(drive(terrain_follower, pose, 1.0, [](const ContactState&) {}), 1.0, 2 * kDistanceM);
-  EXPECT_EQ(terrain_follower.state().obstacle, Obstacle::kNone);
+  EXPECT_EQ(terrain_follower.state().obstacle, ObstacleClass::kNone);
 }
 
 TEST(TerrainFollower, OverARampTheWayIsThatOverItsSurface) {

@@ -49,7 +49,7 @@ TEST(World, IsLevelWhereNothingStands) {
   EXPECT_EQ(contact_pose.height_m, 0.0);
   EXPECT_EQ(contact_pose.pitch_rad, 0.0);
   EXPECT_EQ(contact_pose.roll_rad, 0.0);
-  EXPECT_EQ(contact_pose.obstacle, Obstacle::kNone);
+  EXPECT_EQ(contact_pose.obstacle, ObstacleClass::kNone);
   EXPECT_EQ(contact_pose.surface, nullptr);
 }
 
@@ -62,7 +62,7 @@ TEST(World, OnARampTheRobotLiesOnItsSlope) {
   EXPECT_NEAR(up.pitch_rad, -kUpRad, 1e-3) << "nose-up is negative pitch";
   EXPECT_NEAR(up.height_m, 0.2 * std::tan(kUpRad), 5e-4);
   EXPECT_NEAR(up.roll_rad, 0.0, 1e-9);
-  EXPECT_EQ(up.obstacle, Obstacle::kRamp);
+  EXPECT_EQ(up.obstacle, ObstacleClass::kRamp);
   const ContactPose top = world.at(heading_back(0.7));
   EXPECT_NEAR(top.slope_rad, 0.0, 1e-6);
   EXPECT_NEAR(top.height_m, 0.20, 1e-6);
@@ -115,20 +115,20 @@ TEST(World, OnABlockTheRobotStandsLevelAtItsHeight) {
   const ContactPose contact_pose = world.at(heading_back(1.2));
   EXPECT_NEAR(contact_pose.height_m, 0.037, 1e-6);
   EXPECT_NEAR(contact_pose.slope_rad, 0.0, 1e-6);
-  EXPECT_EQ(contact_pose.obstacle, Obstacle::kBlock);
+  EXPECT_EQ(contact_pose.obstacle, ObstacleClass::kBlock);
   const ContactPose climbing = world.at(heading_back(1.2 + 0.15 + 0.03));
   EXPECT_GT(climbing.slope_rad, 15 * kRadPerDeg);
-  EXPECT_EQ(climbing.obstacle, Obstacle::kBlock);
+  EXPECT_EQ(climbing.obstacle, ObstacleClass::kBlock);
 }
 
 TEST(World, ABlockUnderEitherTrackIsTheObstacle) {
   const World world(one_block(), {});
   const ContactPose left = world.at(heading_back(1.2, -0.6));
   EXPECT_GT(left.roll_rad, 0.0);
-  EXPECT_EQ(left.obstacle, Obstacle::kBlock);
+  EXPECT_EQ(left.obstacle, ObstacleClass::kBlock);
   const ContactPose right = world.at(heading_back(1.2, -1.0));
   EXPECT_LT(right.roll_rad, 0.0);
-  EXPECT_EQ(right.obstacle, Obstacle::kBlock);
+  EXPECT_EQ(right.obstacle, ObstacleClass::kBlock);
 }
 
 TEST(World, HeightIsThatOfThePieceUnderThePoint) {

@@ -22,7 +22,7 @@ struct Frame {
 
 struct Outcome {
   std::vector<Frame> frames;
-  std::map<Received, int> losses;
+  std::map<DecodeResult, int> losses;
   int lost() const {
     int sum = 0;
     for (const auto& [cause, count] : losses) sum += count;
@@ -39,11 +39,11 @@ struct Guarded {
 };
 
 void feed(FrameDecoder& decoder, std::uint8_t byte, Outcome& outcome) {
-  const Received received = decoder.push(byte);
-  if (received == Received::kFrame) {
+  const DecodeResult received = decoder.push(byte);
+  if (received == DecodeResult::kFrame) {
     outcome.frames.push_back(
         {decoder.type(), Bytes(decoder.payload(), decoder.payload() + decoder.size())});
-  } else if (received != Received::kNothing) {
+  } else if (received != DecodeResult::kNothing) {
     ++outcome.losses[received];
   }
 }
@@ -121,8 +121,8 @@ TEST_P(DecoderProperty, RandomSmallCodesNeverOverflow) {
   Bytes stream(100000);
   for (std::uint8_t& byte : stream) byte = static_cast<std::uint8_t>(random_() % 24);
   const Outcome outcome = decode(stream);
-  EXPECT_GT(outcome.losses.at(Received::kCobs), 100);
-  EXPECT_GT(outcome.losses.at(Received::kCrc) + outcome.losses.at(Received::kShort), 100);
+  EXPECT_GT(outcome.losses.at(DecodeResult::kCobs), 100);
+  EXPECT_GT(outcome.losses.at(DecodeResult::kCrc) + outcome.losses.at(DecodeResult::kShort), 100);
 }
 
 TEST_P(DecoderProperty, AStreamMayBeJoinedAnywhere) {
@@ -210,7 +210,7 @@ TEST_P(DecoderProperty, OversizeIsCountedOnceAndSkippedToTheNextDelimiter) {
     stream.insert(stream.end(), second.begin(), second.end());
     const Outcome outcome = decode(stream);
     EXPECT_EQ(outcome.frames, frames);
-    EXPECT_EQ(outcome.losses, (std::map<Received, int>{{Received::kOversize, 1}}));
+    EXPECT_EQ(outcome.losses, (std::map<DecodeResult, int>{{DecodeResult::kOversize, 1}}));
   }
 }
 
@@ -231,13 +231,15 @@ INSTANTIATE_TEST_SUITE_P(Seeds, DecoderProperty, testing::Range(1U, 9U),
                          testing::PrintToStringParamName());
 
 TEST(Decoder, NamesTheCauseOfEveryLoss) {
-  EXPECT_EQ(decode({0x05, 0x01, 0x00}).losses, (std::map<Received, int>{{Received::kCobs, 1}}));
-  EXPECT_EQ(decode({0xFF, 0x01, 0x00}).losses, (std::map<Received, int>{{Received::kCobs, 1}}));
+  EXPECT_EQ(decode({0x05, 0x01, 0x00}).losses,
+            (std::map<DecodeResult, int>{{DecodeResult::kCobs, 1}}));
+  EXPECT_EQ(decode({0xFF, 0x01, 0x00}).losses,
+            (std::map<DecodeResult, int>{{DecodeResult::kCobs, 1}}));
   EXPECT_EQ(decode({0x03, 0x01, 0x02, 0x00}).losses,
-            (std::map<Received, int>{{Received::kShort, 1}}));
-  EXPECT_EQ(decode({0x01, 0x00}).losses, (std::map<Received, int>{{Received::kShort, 1}}));
+            (std::map<DecodeResult, int>{{DecodeResult::kShort, 1}}));
+  EXPECT_EQ(decode({0x01, 0x00}).losses, (std::map<DecodeResult, int>{{DecodeResult::kShort, 1}}));
   EXPECT_EQ(decode({0x04, 0x01, 0x02, 0x03, 0x00}).losses,
-            (std::map<Received, int>{{Received::kCrc, 1}}));
+            (std::map<DecodeResult, int>{{DecodeResult::kCrc, 1}}));
 }
 
 // A code that points beyond the end of its frame must be refused: the byte there belongs to another
@@ -249,9 +251,9 @@ TEST(Decoder, ACodeMayPointToTheEndOfItsFrameAndNoFurther) {
       // The stream holds the block that the code begins, followed by empty blocks.
       while (stream.size() < coded) stream.push_back(stream.size() < code ? 0x11 : 0x01);
       stream.push_back(kDelimiter);
-      const std::map<Received, int> losses = decode(stream).losses;
+      const std::map<DecodeResult, int> losses = decode(stream).losses;
       ASSERT_EQ(losses.size(), 1U) << coded << " " << code;
-      EXPECT_EQ(losses.begin()->first == Received::kCobs, code > coded) << coded << " " << code;
+      EXPECT_EQ(losses.begin()->first == DecodeResult::kCobs, code > coded) << coded << " " << code;
     }
   }
 }

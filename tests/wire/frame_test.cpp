@@ -25,9 +25,9 @@ TEST(Frame, RoundTripsEverySizeWithAndWithoutZeros) {
       FrameDecoder decoder;
       for (size_t i = 0; i + 1 < length; ++i) {
         ASSERT_NE(frame[i], kDelimiter);
-        ASSERT_EQ(decoder.push(frame[i]), Received::kNothing);
+        ASSERT_EQ(decoder.push(frame[i]), DecodeResult::kNothing);
       }
-      ASSERT_EQ(decoder.push(frame[length - 1]), Received::kFrame);
+      ASSERT_EQ(decoder.push(frame[length - 1]), DecodeResult::kFrame);
       ASSERT_EQ(decoder.type(), 0x42);
       ASSERT_EQ(decoder.size(), size);
       ASSERT_EQ(memcmp(decoder.payload(), payload, size), 0);

@@ -163,9 +163,9 @@ std::string check(const Line& line) {
 
   wire::FrameDecoder decoder;
   const std::vector<uint8_t> bytes = from_hex(line.hex);
-  wire::Received last = wire::Received::kNothing;
+  wire::DecodeResult last = wire::DecodeResult::kNothing;
   for (size_t i = 0; i < bytes.size(); ++i) last = decoder.push(bytes[i]);
-  if (last != wire::Received::kFrame) return line.name + ": the hex is no good frame";
+  if (last != wire::DecodeResult::kFrame) return line.name + ": the hex is no good frame";
   if (decoder.type() != static_cast<uint8_t>(Message::kType)) return line.name + ": wrong type";
   Message decoded;
   if (!wire::read_payload(decoder.payload(), decoder.size(), decoded)) {

@@ -33,7 +33,7 @@ class FakeMegaHal final : public MegaHal {
     right_duty_ = right;
   }
   uint16_t battery_mv() override { return robot_.battery_mv(); }
-  wire::Board board() override { return wire::Board::kFakeRobot; }
+  wire::BoardType board() override { return wire::BoardType::kFakeRobot; }
 
   /// Sleeps as a Mega's does, then lets the robot catch up with the clock.
   void idle() override {

@@ -329,9 +329,9 @@ void Firmware::latch(const Tracks::Verdicts& found, uint32_t at_us) {
 
 TrackSpeeds Firmware::wanted(uint32_t now_us) {
   const wire::Command& command = gate_.current();
-  const bool stand = command.speed_mps == 0.0f && command.yaw_rate_radps == 0.0f &&
-                     command.desired_yaw_rad == command.yaw_rad;
-  if (stand || !gate_.fresh(now_us)) return TrackSpeeds();
+  const bool standstill = command.speed_mps == 0.0f && command.yaw_rate_radps == 0.0f &&
+                          command.desired_yaw_rad == command.yaw_rad;
+  if (standstill || !gate_.fresh(now_us)) return TrackSpeeds();
   state_ = State::kRunning;
   const bool use_gyro = uses_gyro(parameters_) && imu_.fresh();
   const float turned_rad =

@@ -45,7 +45,7 @@ class Hal {
   /// Differs at every boot; the firmware replaces 0.
   virtual uint32_t boot_nonce() = 0;
   virtual wire::ResetCause reset_cause() = 0;
-  virtual wire::Board board() = 0;
+  virtual wire::BoardType board() = 0;
 
   /// Disables interrupts until the matching unlock(). Nests.
   virtual uint8_t lock() = 0;

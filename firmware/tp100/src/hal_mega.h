@@ -48,7 +48,7 @@ class MegaHal : public Hal {
   void kick_watchdog() override;
   uint32_t boot_nonce() override { return nonce_; }
   wire::ResetCause reset_cause() override;
-  wire::Board board() override { return wire::Board::kMega2560; }
+  wire::BoardType board() override { return wire::BoardType::kMega2560; }
 
   uint8_t lock() override;
   void unlock(uint8_t saved) override;

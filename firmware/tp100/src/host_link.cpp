@@ -30,22 +30,22 @@ bool HostLink::receive(uint8_t& budget) {
     --budget;
     const uint32_t now_us = byte == wire::kDelimiter ? hal_.micros() : 0;
     switch (decoder_.push(byte)) {
-      case wire::Received::kNothing:
+      case wire::DecodeResult::kNothing:
         break;
-      case wire::Received::kFrame:
+      case wire::DecodeResult::kFrame:
         received_us_ = now_us;
         ++counts_.good;
         return true;
-      case wire::Received::kOversize:
+      case wire::DecodeResult::kOversize:
         ++counts_.oversize;
         break;
-      case wire::Received::kCobs:
+      case wire::DecodeResult::kCobs:
         ++counts_.cobs;
         break;
-      case wire::Received::kShort:
+      case wire::DecodeResult::kShort:
         ++counts_.undersize;
         break;
-      case wire::Received::kCrc:
+      case wire::DecodeResult::kCrc:
         ++counts_.crc;
         break;
     }

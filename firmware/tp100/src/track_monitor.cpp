@@ -27,9 +27,9 @@ const uint16_t kStepMs = 80;
 const float kMarginDuty = 0.02f;
 const float kMarginShare = 0.1f;
 
-// The gain (duty that a track takes) is learnt while the track runs freely, evenly and not too
+// The gain (duty that a track takes) is learned while the track runs freely, evenly and not too
 // slowly: quickly downwards, but upwards only as fast as a battery sags, or a fault would be
-// learnt. Values above the maximum are not learnt; a run begins with the maximum.
+// learned. Values above the maximum are not learned; a run begins with the maximum.
 const float kMinGain = 0.7f;
 const float kMaxGain = 1.4f;
 const float kGainDownPerS = 3.0f;
@@ -110,7 +110,7 @@ TrackMonitor::TrackMonitor()
       step_ms_(0),
       missing_m_(0.0f),
       gain_(kMaxGain),
-      learnt_duty_(0.0f),
+      learned_duty_(0.0f),
       slow_duty_(0.0f) {}
 
 void TrackMonitor::reset() { *this = TrackMonitor(); }
@@ -199,7 +199,7 @@ bool TrackMonitor::missing(uint16_t size, int8_t sign, int32_t counts, uint16_t 
   step_counts_ = counts;
   step_duty_ms_ = 0;
   step_ms_ = 0;
-  const float beyond = larger(0.0f, speed_duty - kBeyond * learnt_duty_);
+  const float beyond = larger(0.0f, speed_duty - kBeyond * learned_duty_);
   const float usual = gain_ * (speed_duty - beyond) + kMaxGain * beyond;
   const float unexplained = above - (1.0f + kMarginShare) * usual - kMarginDuty - load_duty;
   const float most_mps = kMissingM * 1e3f / (kSoonestShare * static_cast<float>(p.stall_ms));
@@ -214,18 +214,18 @@ void TrackMonitor::learn(float above, float speed_duty, float load_duty, float s
   const bool even = speed_duty > kMinMps * p.feed_forward && speed_duty > kSlowest * slow_duty_ &&
                     speed_duty < kFastest * slow_duty_;
   if (!even) return;
-  // A small load may be on this track or on the other: what it explains teaches nothing.
+  // A small load may be on this track or on the other: such samples do not update the gain.
   const float least = smaller(kMaxGain, larger(kMinGain, (above - load_duty) / speed_duty));
   const float most = smaller(kMaxGain, larger(kMinGain, (above + load_duty) / speed_duty));
   const float gain = most < gain_ ? most : larger(least, gain_);
   const float towards = smaller(1.0f, kGainDownPerS * step_s);
   if (gain < gain_) {
     gain_ += (gain - gain_) * towards;
-    learnt_duty_ += (speed_duty - learnt_duty_) * towards;
-  } else if (speed_duty > kBeyond * learnt_duty_) {
-    const float before = learnt_duty_;
-    learnt_duty_ += (speed_duty - learnt_duty_) * towards;
-    gain_ = gain + (gain_ - gain) * before / learnt_duty_;
+    learned_duty_ += (speed_duty - learned_duty_) * towards;
+  } else if (speed_duty > kBeyond * learned_duty_) {
+    const float before = learned_duty_;
+    learned_duty_ += (speed_duty - learned_duty_) * towards;
+    gain_ = gain + (gain_ - gain) * before / learned_duty_;
   } else {
     gain_ += smaller(gain - gain_, kGainUpPerS * step_s);
   }

@@ -18,10 +18,10 @@ class TrackMonitor {
   TrackMonitor();
   /// Call once per sample, with the duty applied since the last one [thousandths, counts, ms].
   /// `load_duty`: duty that the floor may take now, beyond straight level driving. [0..1]
-  /// `free`: the robot drives straight on level ground, so that the duty of a speed can be learnt.
+  /// `free`: the robot drives straight on level ground, so that the duty of a speed can be learned.
   Verdict update(int16_t duty, int32_t counts, uint16_t dt_ms, float load_duty, bool free,
                  const wire::Parameters& parameters);
-  /// A run begins: forgets what was learnt about the track.
+  /// A run begins: forgets what was learned about the track.
   void reset();
   /// Distance that the duty implies beyond what was counted and what the load explains. [m]
   float missing_m() const { return missing_m_; }
@@ -48,9 +48,9 @@ class TrackMonitor {
   uint32_t step_duty_ms_;
   uint16_t step_ms_;
   float missing_m_;
-  float gain_;         // duty that the track takes, relative to the parameters
-  float learnt_duty_;  // duty by the parameters for the speed at which gain_ was learnt
-  float slow_duty_;    // duty by the parameters for its speed, over some steps
+  float gain_;          // duty that the track takes, relative to the parameters
+  float learned_duty_;  // duty by the parameters for the speed at which gain_ was learned
+  float slow_duty_;     // duty by the parameters for its speed, over some steps
 };
 
 /// Compares the rotation by the gyro with the rotation by the tracks. It finds an encoder that

@@ -34,7 +34,7 @@ class Tracks {
 
   /// New parameters: forgets where the tracks were.
   void restart();
-  /// A run begins: as stop(), and forgets the targets and what the monitors learnt.
+  /// A run begins: as stop(), and forgets the targets and what the monitors learned.
   void begin();
   /// Motors off at once, integrators cleared.
   void stop();

@@ -78,7 +78,7 @@ inline size_t encode_frame(uint8_t type, const uint8_t* payload, size_t size, ui
 }
 
 /// Result of one received byte.
-enum class Received : uint8_t {
+enum class DecodeResult : uint8_t {
   kNothing,   ///< in the middle of a frame, or a spare delimiter
   kFrame,     ///< a good frame is in type(), payload(), size() until the next push
   kOversize,  ///< more bytes than any frame has; counted once, skipped to the next delimiter
@@ -93,21 +93,21 @@ class FrameDecoder {
  public:
   FrameDecoder() : buffer_(), used_(0), skipping_(false), type_(0), size_(0) {}
 
-  Received push(uint8_t byte) {
+  DecodeResult push(uint8_t byte) {
     if (byte != kDelimiter) {
-      if (skipping_) return Received::kNothing;
+      if (skipping_) return DecodeResult::kNothing;
       if (used_ == kMaxFrame - 1) {
         skipping_ = true;
-        return Received::kOversize;
+        return DecodeResult::kOversize;
       }
       buffer_[used_++] = byte;
-      return Received::kNothing;
+      return DecodeResult::kNothing;
     }
     const size_t coded = used_;
     const bool skipped = skipping_;
     used_ = 0;
     skipping_ = false;
-    if (skipped || coded == 0) return Received::kNothing;
+    if (skipped || coded == 0) return DecodeResult::kNothing;
     return finish(coded);
   }
 
@@ -123,22 +123,22 @@ class FrameDecoder {
 
  private:
   // Decodes in place: the write index never passes the read index.
-  Received finish(size_t coded) {
+  DecodeResult finish(size_t coded) {
     size_t read = 0;
     size_t write = 0;
     while (read < coded) {
       const uint8_t code = buffer_[read++];
-      if (static_cast<size_t>(code - 1) > coded - read) return Received::kCobs;
+      if (static_cast<size_t>(code - 1) > coded - read) return DecodeResult::kCobs;
       for (uint8_t i = 1; i < code; ++i) buffer_[write++] = buffer_[read++];
       if (code != 0xFF && read < coded) buffer_[write++] = 0;
     }
-    if (write < 3) return Received::kShort;
+    if (write < 3) return DecodeResult::kShort;
     const uint16_t sent = static_cast<uint16_t>(buffer_[write - 2] |
                                                 (static_cast<uint16_t>(buffer_[write - 1]) << 8));
-    if (crc16(buffer_, write - 2) != sent) return Received::kCrc;
+    if (crc16(buffer_, write - 2) != sent) return DecodeResult::kCrc;
     type_ = buffer_[0];
     size_ = write - 3;
-    return Received::kFrame;
+    return DecodeResult::kFrame;
   }
 
   uint8_t buffer_[kMaxFrame];

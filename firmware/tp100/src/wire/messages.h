@@ -54,7 +54,7 @@ enum class Type : uint8_t {
   kSyncRequest = 0x47,
 };
 
-enum class Board : uint8_t {
+enum class BoardType : uint8_t {
   kUnknown = 0,
   kMega2560 = 1,
   kNative = 2,     ///< the firmware in a program of the host
@@ -97,7 +97,7 @@ struct Hello {
   uint16_t protocol;    ///< kProtocolVersion of the firmware
   uint8_t firmware[3];  ///< major, minor, patch
   uint32_t schema;      ///< kSchemaHash of the firmware
-  uint8_t board;        ///< Board
+  uint8_t board;        ///< BoardType
   uint32_t boot_nonce;  ///< differs at every boot; never 0
   uint8_t reset_cause;  ///< ResetCause
   uint8_t state;        ///< State

@@ -1,4 +1,4 @@
-#include "core/arithmetic.h"
+#include "core/processor.h"
 
 #include <gnu/libc-version.h>
 #ifdef __x86_64__
