@@ -145,7 +145,7 @@ TEST_P(Conformance, CorruptedCountsWhatTheFramingDropsAndNothingElse) {
   rig().send_bytes(frame(static_cast<std::uint8_t>(Type::kStop), {1, 2, 3}));
   rig().run(10);
   EXPECT_EQ(corrupted(), before) << "an unknown type or a wrong size was counted";
-  std::vector<std::uint8_t> flipped = BoardRig::frame_of(wire::Disarm{1});
+  std::vector<std::uint8_t> flipped = test::frame_of(wire::Disarm{1});
   flipped[2] ^= 0x40U;
   rig().send_bytes(flipped);
   rig().send_bytes({9, 1, 1, 0});                       // COBS
@@ -227,7 +227,7 @@ TEST_P(Conformance, AnExpiredCommandSwitchesOffInTheTickBeforeItsExpiry) {
   for (std::size_t spare = 0; spare < 40; ++spare) {
     rig().sync_replies.clear();
     rig().send_bytes(std::vector<std::uint8_t>(spare, wire::kDelimiter));
-    const std::vector<std::uint8_t> request = BoardRig::frame_of(wire::SyncRequest{9});
+    const std::vector<std::uint8_t> request = test::frame_of(wire::SyncRequest{9});
     const std::int64_t arrival_ns =
         rig().now_ns + static_cast<std::int64_t>(spare + request.size()) * kSpareNs;
     rig().send_bytes(request);

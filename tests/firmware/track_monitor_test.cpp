@@ -10,7 +10,7 @@ namespace {
 using wire::Fault;
 
 TEST(TrackMonitorAlone, ATrackThatStandsAtItsStallDutyIsStalledAndBelowItNot) {
-  wire::Parameters p = Rig::good_parameters();
+  wire::Parameters p = test::good_parameters();
   p.feed_forward = 0.0f;  // the duty gives no estimate of the speed
   p.dead_band = 0.0f;
   for (const std::int16_t stall_duty : {std::int16_t{1}, std::int16_t{600}}) {
@@ -33,7 +33,7 @@ TEST(TrackMonitorAlone, ATrackThatStandsAtItsStallDutyIsStalledAndBelowItNot) {
 
 // In a tight arc the outer track drags the inner one along, which brakes all the time.
 TEST(TrackMonitorAlone, ATrackThatBrakesAgainstTheFloorInATurnIsNotReversed) {
-  const wire::Parameters p = Rig::good_parameters();
+  const wire::Parameters p = test::good_parameters();
   const auto duty = static_cast<std::int16_t>(-(p.dead_band + 0.1f) * wire::kFullDuty);
   const auto reversed_after_s = [&](float load_duty) {
     TrackMonitor monitor;
@@ -51,7 +51,7 @@ TEST(TrackMonitorAlone, ATrackThatBrakesAgainstTheFloorInATurnIsNotReversed) {
 // Stiction: at a low speed the duty is below that of the robot's file, at a higher speed it is
 // equal.
 TEST(TrackMonitorAlone, AGainLearntAtALowSpeedIsNotThatOfAHigherOne) {
-  const wire::Parameters p = Rig::good_parameters();
+  const wire::Parameters p = test::good_parameters();
   for (const double slow_mps : {0.03, 0.036, 0.05}) {
     for (const double fast_mps : {0.06, 0.1, 0.2}) {
       TrackMonitor monitor;
@@ -74,7 +74,7 @@ TEST(TrackMonitorAlone, AGainLearntAtALowSpeedIsNotThatOfAHigherOne) {
 // Steering loads a track and relieves it, in turn: its gain is that between both, with which the
 // load of an arc, somewhat larger than the gyro says, is no stall.
 TEST(TrackMonitorAlone, SmallTurnsOnAStraightTeachNoLowerGain) {
-  const wire::Parameters p = Rig::good_parameters();
+  const wire::Parameters p = test::good_parameters();
   for (const double mps : {0.06, 0.1, 0.16}) {
     TrackMonitor monitor;
     double counts = 0.0;

@@ -7,21 +7,12 @@
 #include <span>
 #include <vector>
 
+#include "../support/wire_host.h"
 #include "core/time.h"
-#include "wire/frame.h"
-#include "wire/messages.h"
 
 namespace tp100 {
 
-template <class Message>
-std::vector<std::uint8_t> frame_of(const Message& message) {
-  std::uint8_t payload[Message::kSize];
-  wire::write_payload(message, payload);
-  std::vector<std::uint8_t> frame(wire::kMaxFrame);
-  frame.resize(wire::encode_frame(static_cast<std::uint8_t>(Message::kType), payload,
-                                  Message::kSize, frame.data()));
-  return frame;
-}
+using test::frame_of;
 
 class ScriptedRobot {
  public:
