@@ -171,7 +171,7 @@ TEST_P(Conformance, ATrackThatRunsAgainstItsDutyIsReversedAfterTheDistanceOfTheD
   EXPECT_NEAR((from - rig().last().left_counts) / 11140.0, most_m, 0.012);
 }
 
-TEST_P(Conformance, BatteryBelowTheCutOffAreFoundAtALowUsbVoltage) {
+TEST_P(Conformance, ABatteryBelowTheCutOffIsFoundAtALowUsbVoltage) {
   rig().hardware().set_supply(4.5);
   rig().battery_v = 5.5;  // it would read 6.1 V, above the cut-off, at a supply of 5 V
   ASSERT_TRUE(rig().boot());
@@ -184,7 +184,7 @@ TEST_P(Conformance, BatteryBelowTheCutOffAreFoundAtALowUsbVoltage) {
   EXPECT_EQ(rig().last().faults, wire::fault_bit(Fault::battery_low));
 }
 
-TEST_P(Conformance, AUsbVoltageThatFallsWhileDrivingDoesNotHideEmptyCells) {
+TEST_P(Conformance, AUsbVoltageThatFallsWhileDrivingDoesNotHideAnEmptyBattery) {
   rig().battery_v = 6.3;
   be_ready();
   rig().drive();

@@ -78,7 +78,7 @@ TEST_F(CameraStepTest, WhoIsMovedIsFoundByTheCameraAndByNobodyElse) {
   EXPECT_EQ(snapshot().filter.recoveries, 1u);
 }
 
-TEST_F(CameraStepTest, OnABenchTheCameraIsNotLookedAt) {
+TEST_F(CameraStepTest, OnAStandTheCameraIsNotLookedAt) {
   parameters_.setup = Setup::kStand;
   Step step(parameters_, course_);
   KinematicRobot robot(parameters_);

@@ -122,7 +122,7 @@ TEST_F(StepTest, WaitsForTheGyroBiasBeforeItArms) {
   EXPECT_EQ(run(step, robot, 1.0), RunState::kRunning);
 }
 
-TEST_F(StepTest, OnABenchTheGyroNeitherSteersNorHoldsUpTheStart) {
+TEST_F(StepTest, OnAStandTheGyroNeitherSteersNorHoldsUpTheStart) {
   parameters_.setup = Setup::kStand;
   Step step(parameters_, course_);
   KinematicRobot robot(parameters_);

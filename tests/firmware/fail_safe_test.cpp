@@ -185,7 +185,7 @@ TEST(FailSafe, AFaultIsReportedOncePerLatch) {
   EXPECT_EQ(rig.reports.size(), 2U);
 }
 
-TEST(FailSafe, LowBatterySwitchOffAfterASecond) {
+TEST(FailSafe, ALowBatterySwitchesOffAfterASecond) {
   Rig rig;
   rig.tracks_follow = true;
   rig.drive();
@@ -199,7 +199,7 @@ TEST(FailSafe, LowBatterySwitchOffAfterASecond) {
   EXPECT_FALSE(rig.motors_on());
 }
 
-TEST(FailSafe, AShortDipOfTheCellsIsNoFault) {
+TEST(FailSafe, AShortDipOfTheBatteryIsNoFault) {
   Rig rig;
   rig.tracks_follow = true;
   rig.drive();

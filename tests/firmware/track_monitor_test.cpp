@@ -185,7 +185,7 @@ TEST(FailSafe, ALoadThatTheAccelerometerExplainsIsNoFaultOfAnEncoder) {
   }
 }
 
-TEST(FailSafe, BatteryThatSagAreNoFaultOfAnEncoder) {
+TEST(FailSafe, ABatteryThatSagsIsNoFaultOfAnEncoder) {
   Rig rig;
   rig.tracks_follow = true;
   rig.drive(0.1f);

@@ -60,9 +60,9 @@ TEST(Session, ADisarmThatIsRefusedIsNotConfirmed) {
   rig.robot.answers_requests = false;
   rig.session.request(RobotRequest::kDisarm, rig.now);
   rig.run(20);
-  rig.robot.say(wire::Acknowledge{static_cast<std::uint8_t>(wire::Type::kDisarm),
-                                  rig.robot.received.disarms.back().token,
-                                  static_cast<std::uint8_t>(wire::Result::kWrongState), 0});
+  rig.robot.send(wire::Acknowledge{static_cast<std::uint8_t>(wire::Type::kDisarm),
+                                   rig.robot.received.disarms.back().token,
+                                   static_cast<std::uint8_t>(wire::Result::kWrongState), 0});
   rig.run(5);
   EXPECT_EQ(rig.session.take_answer(), RequestAnswer::kFailed);
 }
@@ -129,7 +129,7 @@ TEST(Session, AnUnacknowledgedArmIsRefusedAfter200MsAndALateAnswerDisarms) {
 
   rig.robot.answers_requests = true;
   for (int again = 0; again < 2; ++again) {
-    rig.robot.say(
+    rig.robot.send(
         wire::Acknowledge{static_cast<std::uint8_t>(wire::Type::kArm), arms.back().token, 0, 0});
     rig.run(20);
     EXPECT_EQ(rig.robot.received.disarms.size(), 1u);

@@ -17,10 +17,10 @@ TEST(Session, ABoardThatIsNotKnownIsCountedAndToldAndMayDrive) {
   EXPECT_EQ(rig.session.state(), SessionState::kReady);
   EXPECT_GE(rig.session.counters().unknown_board, 1u);
   ASSERT_GE(rig.count<UnknownBoard>(), 1);
-  const auto told = std::find_if(rig.events.begin(), rig.events.end(), [](const auto& event) {
+  const auto reported = std::find_if(rig.events.begin(), rig.events.end(), [](const auto& event) {
     return as<UnknownBoard>(event) != nullptr;
   });
-  EXPECT_EQ(std::get<UnknownBoard>(told->what).board, 77);
+  EXPECT_EQ(std::get<UnknownBoard>(reported->what).board, 77);
   SessionRig known;
   known.connect();
   EXPECT_EQ(known.session.counters().unknown_board, 0u);
@@ -78,15 +78,15 @@ TEST(Session, PassesRobotFaultsAndCleansItsTexts) {
   log.text[0] = 'h';
   log.text[1] = 0x1B;
   log.text[2] = 'i';
-  rig.robot.say(log);
-  rig.robot.say(wire::FaultReport{1, static_cast<std::uint8_t>(Fault::battery_low), 0, 5900});
+  rig.robot.send(log);
+  rig.robot.send(wire::FaultReport{1, static_cast<std::uint8_t>(Fault::battery_low), 0, 5900});
   rig.run(2);
   ASSERT_EQ(rig.count<RobotLog>(), 1);
   ASSERT_EQ(rig.count<RobotFault>(), 1);
   for (const SessionEvent& event : rig.events) {
-    if (const RobotLog* said = as<RobotLog>(event)) {
-      EXPECT_STREQ(said->text.data(), "h?i");
-      EXPECT_EQ(said->device_us, 4711);
+    if (const RobotLog* robot_log = as<RobotLog>(event)) {
+      EXPECT_STREQ(robot_log->text.data(), "h?i");
+      EXPECT_EQ(robot_log->device_us, 4711);
     }
     if (const RobotFault* fault = as<RobotFault>(event)) {
       EXPECT_EQ(fault->value, 5900);
@@ -97,9 +97,9 @@ TEST(Session, PassesRobotFaultsAndCleansItsTexts) {
 TEST(Session, AFloodOfLogsDisplacesNoStateChange) {
   SessionRig rig;
   rig.connect();
-  for (int i = 0; i < 200; ++i) rig.robot.say(wire::Log{});
+  for (int i = 0; i < 200; ++i) rig.robot.send(wire::Log{});
   rig.robot.reboot(rig.now);
-  rig.robot.say(wire::Log{});
+  rig.robot.send(wire::Log{});
   rig.events.clear();
   rig.run(300);
   EXPECT_EQ(rig.count<Rebooted>(), 1);

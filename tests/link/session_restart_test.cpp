@@ -94,7 +94,7 @@ TEST(Session, OnlySamplesKeepASessionAlive) {
   chatter.connect();
   chatter.robot.samples = false;
   for (int i = 0; i < 510; ++i) {
-    chatter.robot.say(wire::Log{});
+    chatter.robot.send(wire::Log{});
     chatter.step();
   }
   EXPECT_EQ(chatter.count<Silence>(), 1);

@@ -117,7 +117,7 @@ TEST(Session, ClockRequestsAreSpreadOverAMillisecondOfTheWire) {
     spare.insert(static_cast<std::size_t>(
         std::find_if(out.begin(), out.end(), [](std::uint8_t byte) { return byte != 0; }) -
         out.begin()));
-    rig.robot.hear(out, rig.now);
+    rig.robot.receive(out, rig.now);
     rig.session.written(out.size());
   }
   EXPECT_GT(spare.size(), 20u);

@@ -11,6 +11,7 @@
 #include "../server/web_client.h"
 #include "../support/weight.h"
 #include "run_rig.h"
+#include "server/services.h"
 
 namespace tp100::live {
 namespace {
@@ -145,7 +146,7 @@ class Unplugging : public Run {
       return robot.state == wire::State::kDisarmed || robot.state == wire::State::kFaulted;
     };
     for (int i = 0; i < 400; ++i) {
-      if (i % 20 == 0 && robot_->with(off)) viewer.call(1);
+      if (i % 20 == 0 && robot_->with(off)) viewer.call(server::Service::kStart);
       if (armed() && robot_->with(under_way)) return true;
       std::this_thread::sleep_for(25ms);
       viewer.drain();

@@ -43,7 +43,7 @@ TEST_F(Run, FramesWithoutAHelloAreAnErrorUnlessAskedToWait) {
   std::atomic<bool> over{false};
   std::thread chatter([&] {
     while (!over) {
-      robot_->with([](ScriptedRobot& robot) { robot.say(wire::Log{}); });
+      robot_->with([](ScriptedRobot& robot) { robot.send(wire::Log{}); });
       std::this_thread::sleep_for(10ms);
     }
   });

@@ -16,6 +16,7 @@
 #include "../support/frozen_disk.h"
 #include "../support/notify_socket.h"
 #include "run_rig.h"
+#include "server/services.h"
 
 namespace tp100::live {
 namespace {
@@ -32,11 +33,11 @@ TEST_F(Run, AViewerEndsARecordingAndBeginsAnother) {
               eventually(commanded);
               const std::string port = page();
               server::WebClient viewer(port);
-              viewer.call(4);
+              viewer.call(server::Service::kRecordStart);
               refused = viewer.read_until("serviceCallFailure");
-              viewer.call(5);
+              viewer.call(server::Service::kRecordStop);
               ended = viewer.read_until("\"bytes\"");
-              viewer.call(4);
+              viewer.call(server::Service::kRecordStart);
               began = viewer.read_until("\"run\"");
               runs = server::http_get(port, "GET /api/runs HTTP/1.0\r\nHost: localhost\r\n\r\n");
             }),
@@ -60,11 +61,11 @@ TEST_F(Run, WhoStaysRecordsRunByRun) {
                 eventually(driven);
                 server::WebClient viewer(page());
                 says_of_itself("\"active\": true");
-                viewer.call(3);
+                viewer.call(server::Service::kStop);
                 says_of_itself("\"active\": false");
                 robot_->with([](ScriptedRobot& robot) { robot.received = {}; });
                 EXPECT_TRUE(soon([&] {
-                  viewer.call(1);
+                  viewer.call(server::Service::kStart);
                   std::this_thread::sleep_for(100ms);
                   viewer.drain();
                   return robot_->with(driven);
@@ -90,7 +91,7 @@ class RunBesideADisk : public Run {
   // On a busy machine the link may be lost before a run has begun; then the start is repeated.
   void drives(server::WebClient& viewer) {
     EXPECT_TRUE(soon([&] {
-      viewer.call(1);
+      viewer.call(server::Service::kStart);
       std::this_thread::sleep_for(100ms);
       viewer.drain();
       return robot_->with(driven);
@@ -115,15 +116,15 @@ TEST_F(RunBesideADisk, StopAndWatchdogDoNotWaitForADiskThatStandsStill) {
         drives_and_records(viewer);
         robot_->with([](ScriptedRobot& robot) { robot.received = {}; });
         ASSERT_TRUE(disk_.freeze());
-        viewer.call(5);
-        viewer.call(3);
+        viewer.call(server::Service::kRecordStop);
+        viewer.call(server::Service::kStop);
         eventually([](const ScriptedRobot& robot) { return !robot.received.stops.empty(); });
         manager.received();
         EXPECT_TRUE(manager.hears("WATCHDOG=1", 60s));
         // The same must hold during another run, whose recording also waits for the disk.
         robot_->with([](ScriptedRobot& robot) { robot.received = {}; });
         drives(viewer);
-        viewer.call(3);
+        viewer.call(server::Service::kStop);
         eventually([](const ScriptedRobot& robot) { return !robot.received.stops.empty(); });
         manager.received();
         EXPECT_TRUE(manager.hears("WATCHDOG=1", 60s));

@@ -12,6 +12,7 @@
 #include "../server/web_client.h"
 #include "link/transport.h"
 #include "run_rig.h"
+#include "server/services.h"
 
 namespace tp100::live {
 namespace {
@@ -237,15 +238,16 @@ TEST_F(Run, ACourseIsCompletedOnceTheRobotHasConfirmedItsEnd) {
 
 TEST_F(Run, AFaultReportBeyondTheRobotsBitsIsNotTheDaemons) {
   robot_->plug_in();
-  EXPECT_EQ(run([&] {
-              eventually(commanded);
-              robot_->with([](ScriptedRobot& robot) {
-                robot.received = {};
-                robot.say(wire::FaultReport{.device_us = 0, .fault = 29, .faults = 0, .detail = 0});
-              });
-              eventually(commanded);
-            }),
-            1);
+  EXPECT_EQ(
+      run([&] {
+        eventually(commanded);
+        robot_->with([](ScriptedRobot& robot) {
+          robot.received = {};
+          robot.send(wire::FaultReport{.device_us = 0, .fault = 29, .faults = 0, .detail = 0});
+        });
+        eventually(commanded);
+      }),
+      1);
   EXPECT_THAT(log_, HasSubstr("robot fault unknown (29)"));
   EXPECT_EQ(log_.find("immobilised"), std::string::npos);
 }
@@ -261,7 +263,7 @@ TEST_F(Run, AViewerWatchesStopsAndStartsAgain) {
               viewer.subscribe(messages::pose_channel(PoseSource::kOdometry));
               pose = viewer.read_until("\"frame_id\"");
               robot_->with([](ScriptedRobot& robot) { robot.received = {}; });
-              viewer.call(3);
+              viewer.call(server::Service::kStop);
               stopped = viewer.read_until("\"acknowledged\"");
               viewer.subscribe(messages::Channel::kState);
               viewer.read_until("\"can\":{\"start\":true");
@@ -270,7 +272,7 @@ TEST_F(Run, AViewerWatchesStopsAndStartsAgain) {
               EXPECT_TRUE(robot_->with([](ScriptedRobot& robot) {
                 return !robot.received.stops.empty() && robot.received.arms.empty();
               }));
-              viewer.call(1);
+              viewer.call(server::Service::kStart);
               started = viewer.read_until("\"accepted\"");
               eventually([](const ScriptedRobot& robot) { return !robot.received.arms.empty(); });
             }),

@@ -256,14 +256,14 @@ def swap_motors(robot):
     robot.control = lambda now: control(now)[::-1]
 odd("motors swapped in a spin", START, swap_motors, IN_BOUNDS, DUTY + "|gyro|heading", course="spin")
 
-# -- 7. Cells, attitude, faults and other fields of a sample
-odd("cells at 5.4 V, which the board reports", DRIVE, put(battery_mv=5400), stop(1500, m=None, deg=None),
+# -- 7. Battery, attitude, faults and other fields of a sample
+odd("battery at 5.4 V, which the board reports", DRIVE, put(battery_mv=5400), stop(1500, m=None, deg=None),
     "battery_low|low_battery")
-odd("cells at 5.4 V, which the board does not report", DRIVE, both(reports(battery_mv=5400)),
+odd("battery at 5.4 V, which the board does not report", DRIVE, both(reports(battery_mv=5400)),
     stop(2500, m=None, deg=None), "battery_below_minimum")
-odd("cells at 0 V in one sample", DRIVE, once(battery_mv=0), COMPLETE)
-odd("cells at 5.4 V from the start", START, put(battery_mv=5400), NEVER_ARMED._replace(arms=1), "battery|cell")
-odd("cells at 65 V", START, put(battery_mv=65535), COMPLETE)
+odd("battery at 0 V in one sample", DRIVE, once(battery_mv=0), COMPLETE)
+odd("battery at 5.4 V from the start", START, put(battery_mv=5400), NEVER_ARMED._replace(arms=1), "battery|cell")
+odd("battery at 65 V", START, put(battery_mv=65535), COMPLETE)
 odd("upside down from the start", START, put(accel=(0, 0, -8192)), stop(m=None, deg=None, arms=0),
     "tilt|upright|upside")
 odd("on its side from the start", START, put(accel=(0, 8192, 0)), stop(m=None, deg=None, arms=0), "tilt|upright|side")

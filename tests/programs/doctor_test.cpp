@@ -88,7 +88,7 @@ TEST_F(Doctor, CountsRestartsOfABoard) {
   EXPECT_THAT(examined.line("reboots"), HasSubstr("error reboots: the board restarted"));
 }
 
-TEST_F(Doctor, FindsEmptyCells) {
+TEST_F(Doctor, FindsAnEmptyBattery) {
   start_robot({"--fault", "battery:5.5"});
   EXPECT_THAT(examine().line("battery"),
               AllOf(HasSubstr("error battery: 5.5 V"), HasSubstr("charge the battery")));

@@ -116,9 +116,9 @@ TEST_F(RecorderTest, WhereTheFileMayNotGrowAnyMoreItEndsWholeAndSaysSo) {
     feed(recorder, 1, 4000);
     recorder.end();
     const RecordingStatus status = recorder.status();
-    const bool said =
+    const bool warned =
         status.warning.find("the disk is full; the file is whole") != std::string::npos;
-    std::_Exit(said && !status.active && Recording(settings().path).whole() ? 0 : 1);
+    std::_Exit(warned && !status.active && Recording(settings().path).whole() ? 0 : 1);
   };
   EXPECT_EXIT(record_beyond_a_limit(), testing::ExitedWithCode(0), "");
 }
@@ -126,7 +126,7 @@ TEST_F(RecorderTest, WhereTheFileMayNotGrowAnyMoreItEndsWholeAndSaysSo) {
 TEST_F(RecorderTest, AFileThatCannotBeWrittenIsAnErrorOfOneLine) {
   RecordingSettings bad = settings();
   bad.path = "/dev/full";
-  const auto told = [](const RecordingSettings& s) -> std::string {
+  const auto error_of = [](const RecordingSettings& s) -> std::string {
     try {
       Recorder recorder;
       recorder.begin(s, facts());
@@ -135,9 +135,9 @@ TEST_F(RecorderTest, AFileThatCannotBeWrittenIsAnErrorOfOneLine) {
     }
     return {};
   };
-  EXPECT_THAT(told(bad), HasSubstr("No space left on device"));
+  EXPECT_THAT(error_of(bad), HasSubstr("No space left on device"));
   bad.path = "/proc/none/run.mcap";
-  EXPECT_THAT(told(bad), HasSubstr("cannot create the folder"));
+  EXPECT_THAT(error_of(bad), HasSubstr("cannot create the folder"));
 }
 
 TEST_F(RecorderTest, WhoCannotWaitIsToldWhatWasDropped) {

@@ -161,7 +161,7 @@ TEST_F(HandDriveTest, VelocitiesOfRos2NeverArm) {
   drive.before_step = [&](HostNs) { drive.receive_velocity(0.1, 0.2); };
   drive.step_for(1.0);
   EXPECT_EQ(drive.state(), RunState::kIdle);
-  EXPECT_THAT(drive.said(), HasSubstr("send true on /tp100/drive"));
+  EXPECT_THAT(drive.take_messages(), HasSubstr("send true on /tp100/drive"));
   EXPECT_THAT(drive.take_by_ros2(), HasSubstr("takes the wheel"));
   drive.step_for(0.5);
   EXPECT_EQ(drive.state(), RunState::kDriving);
@@ -177,7 +177,7 @@ TEST_F(HandDriveTest, VelocitiesOfRos2NeverArm) {
   };
   drive.step_for(1.0);
   EXPECT_EQ(drive.state(), RunState::kAborted);
-  EXPECT_THAT(drive.said(), HasSubstr("send false, then true"));
+  EXPECT_THAT(drive.take_messages(), HasSubstr("send false, then true"));
   drive.before_step = {};
   EXPECT_THAT(drive.take_by_ros2(), HasSubstr("takes the wheel"));
   EXPECT_EQ(drive.state(), RunState::kDriving);
@@ -219,7 +219,7 @@ TEST_F(HandDriveTest, ASecondWriterOfVelocitiesIsIgnored) {
   };
   drive.step_for(0.5);
   EXPECT_GT(drive.record().snapshot.command.speed_mps, 0.0);
-  EXPECT_THAT(drive.said(), HasSubstr("second writer"));
+  EXPECT_THAT(drive.take_messages(), HasSubstr("second writer"));
   // Nor does it drive on for the first one, which is lost.
   drive.before_step = [&](HostNs) { drive.receive_velocity(0.1, 0.0, 0.0, 2); };
   drive.step_for(0.3);
@@ -237,7 +237,7 @@ TEST_F(HandDriveTest, AVelocityThatIsNoNumberCountsAsNone) {
   };
   drive.step_for(0.3);
   EXPECT_TRUE(asks_for_standstill(drive.record()));
-  EXPECT_THAT(drive.said(), HasSubstr("/cmd_vel refused: a velocity is not finite"));
+  EXPECT_THAT(drive.take_messages(), HasSubstr("/cmd_vel refused: a velocity is not finite"));
 }
 
 TEST_F(HandDriveTest, NoSequenceOfCommandsTakesTheCentreOutOfTheFence) {

@@ -28,11 +28,11 @@ TEST_F(RequestHandlerTest, TracksRunOnlyWhenTheyAreFreeAndNothingElseIsUnderWay)
   EXPECT_NE(refused(R"({"tracks":"free"})"), "");
   EXPECT_TRUE(controls_.checkers.empty());
   step(ready());
-  const Heard begun = call(Service::kWheelsUpBegin, R"({"tracks":"free"})");
+  const Received begun = call(Service::kWheelsUpBegin, R"({"tracks":"free"})");
   EXPECT_EQ(answer_of(begun.binaries.at(0))["token"], "free");
   EXPECT_EQ(controls_.checkers.size(), 1U);
 
-  const Heard seen =
+  const Received seen =
       call(Service::kWheelsUpWatch, R"({"token":"t","input_ms":5,"question":2,"answer":"b"})");
   EXPECT_EQ(answer_of(seen.binaries.at(0))["step"], "the left track runs");
   ASSERT_EQ(controls_.watched.size(), 1U);
@@ -48,7 +48,7 @@ TEST_F(RequestHandlerTest, TracksRunOnlyWhenTheyAreFreeAndNothingElseIsUnderWay)
 TEST_F(RequestHandlerTest, TheDoctorExaminesOnePartAtATimeAndNothingDuringARun) {
   step(ready());
   for (const char* part : {"port", "robot", "machine"}) {
-    const Heard found = call(Service::kDoctor, std::string(R"({"part":")") + part + R"("})");
+    const Received found = call(Service::kDoctor, std::string(R"({"part":")") + part + R"("})");
     EXPECT_EQ(answer_of(found.binaries.at(0))["port"], "/dev/ttyACM0");
   }
   EXPECT_THAT(controls_.examined,
@@ -65,23 +65,23 @@ TEST_F(RequestHandlerTest, TheDoctorExaminesOnePartAtATimeAndNothingDuringARun) 
 }
 
 TEST_F(RequestHandlerTest, StopIsAnsweredWhenTheRobotHasAnswered) {
-  EXPECT_TRUE(call(3).binaries.empty());
+  EXPECT_TRUE(call(Service::kStop).binaries.empty());
   EXPECT_EQ(controls_.stops, 1);
   publisher_.stop_answered(kNow + 14 * kNsPerMs, kNow + 15 * kNsPerMs);
   handler_.tick(kNow + 15 * kNsPerMs);
-  const Json answer = answer_of(hear().binaries.at(0));
+  const Json answer = answer_of(take().binaries.at(0));
   EXPECT_EQ(answer["acknowledged"], true);
   EXPECT_EQ(answer["acknowledged_ms"], 14.0);
 }
 
 TEST_F(RequestHandlerTest, StopIsAnsweredAfter200MsWithoutTheRobot) {
-  call(3);
+  call(Service::kStop);
   publisher_.tick(kNow + 199 * kNsPerMs);
   handler_.tick(kNow + 199 * kNsPerMs);
-  EXPECT_TRUE(hear().binaries.empty());
+  EXPECT_TRUE(take().binaries.empty());
   publisher_.tick(kNow + 201 * kNsPerMs);
   handler_.tick(kNow + 201 * kNsPerMs);
-  EXPECT_EQ(answer_of(hear().binaries.at(0))["acknowledged"], false);
+  EXPECT_EQ(answer_of(take().binaries.at(0))["acknowledged"], false);
 }
 
 TEST_F(RequestHandlerTest, StopIsStopWhateverElseIsWrongWithTheCall) {
@@ -90,10 +90,10 @@ TEST_F(RequestHandlerTest, StopIsStopWhateverElseIsWrongWithTheCall) {
 }
 
 TEST_F(RequestHandlerTest, StateTellsOfTheStop) {
-  say(R"({"op":"subscribe","subscriptions":[{"id":1,"channelId":16}]})");
-  call(3);
+  send(R"({"op":"subscribe","subscriptions":[{"id":1,"channelId":16}]})");
+  call(Service::kStop);
   publisher_.stop_answered(kNow + 14 * kNsPerMs, kNow + 15 * kNsPerMs);
-  const Heard received = hear();
+  const Received received = take();
   ASSERT_FALSE(received.data.empty());
   const Json stop = received.data.back().second["stop"];
   EXPECT_EQ(stop["status"], "acknowledged");
@@ -104,13 +104,13 @@ TEST_F(RequestHandlerTest, StateTellsOfTheStop) {
   arming.now_ns += kNsPerS;
   arming.snapshot.run_state = RunState::kArming;
   step(arming);
-  EXPECT_EQ(hear().data.back().second["stop"]["latched"], false);
+  EXPECT_EQ(take().data.back().second["stop"]["latched"], false);
 }
 
 TEST_F(RequestHandlerTest, TheWheelIsTakenDrivenAndReleased) {
   step(ready());
-  hear();
-  const Json taken = answer_of(call(6).binaries.at(0));
+  take();
+  const Json taken = answer_of(call(Service::kDriveTake).binaries.at(0));
   const std::string token = taken.at("token");
   const auto drive = [&](const std::string& text) {
     return call(
@@ -122,14 +122,14 @@ TEST_F(RequestHandlerTest, TheWheelIsTakenDrivenAndReleased) {
   EXPECT_EQ(controls_.inputs[0].yaw_rate_radps, -0.2);
   EXPECT_EQ(drive("other").texts.at(0)["op"], "serviceCallFailure");
   EXPECT_EQ(controls_.inputs.size(), 1U);
-  EXPECT_EQ(call(8, R"({"token":"other"})").texts.size(), 1U);
-  EXPECT_EQ(call(8, R"({"token":")" + token + R"("})").binaries.size(), 1U);
+  EXPECT_EQ(call(Service::kDriveRelease, R"({"token":"other"})").texts.size(), 1U);
+  EXPECT_EQ(call(Service::kDriveRelease, R"({"token":")" + token + R"("})").binaries.size(), 1U);
   EXPECT_EQ(drive(token).texts.size(), 1U);
 }
 
 TEST_F(RequestHandlerTest, TheWheelIsNotForViewersWithoutRights) {
   step(ready());
-  hear();
+  take();
   for (std::uint32_t service = 6; service <= 8; ++service)
     EXPECT_EQ(call(service, "{}", Permission::kStopOnly).texts.size(), 1U) << service;
   EXPECT_EQ(controls_.wheel.figures(kNow).by, "");
@@ -139,22 +139,25 @@ TEST_F(RequestHandlerTest, TheWheelIsRefusedWithTheReasonOfTheStep) {
   StepRecord record = ready();
   record.snapshot.drive_refusal = StartRefusal::kNotStill;
   step(record);
-  hear();
-  EXPECT_EQ(call(6).texts.at(0)["message"], std::string(to_string(StartRefusal::kNotStill)));
-  EXPECT_EQ(call(6, R"({"x":1})").texts.at(0)["message"], "there is no argument 'x'");
+  take();
+  EXPECT_EQ(call(Service::kDriveTake).texts.at(0)["message"],
+            std::string(to_string(StartRefusal::kNotStill)));
+  EXPECT_EQ(call(Service::kDriveTake, R"({"x":1})").texts.at(0)["message"],
+            "there is no argument 'x'");
 }
 
 TEST_F(RequestHandlerTest, AViewerThatLeavesNoLongerDrives) {
   step(ready());
-  hear();
-  const std::string token = answer_of(call(6).binaries.at(0)).at("token");
+  take();
+  const std::string token = answer_of(call(Service::kDriveTake).binaries.at(0)).at("token");
   handler_.leave(Viewer(
                      77, [] {}, [] {}),
                  kNow);
   EXPECT_EQ(controls_.drivers_lost, 0);
   handler_.leave(*viewer_, kNow);
   EXPECT_EQ(controls_.drivers_lost, 1);
-  EXPECT_EQ(call(7, R"({"token":")" + token + R"(","speed_mps":0,"yaw_rate_radps":0,"input_ms":0})")
+  EXPECT_EQ(call(Service::kDrive,
+                 R"({"token":")" + token + R"(","speed_mps":0,"yaw_rate_radps":0,"input_ms":0})")
                 .texts.size(),
             1U);
 }

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "server/connection.h"
+#include "server/services.h"
 #include "server_rig.h"
 
 namespace tp100::server {
@@ -70,9 +71,9 @@ TEST_F(ServerTest, PagesOfOtherDaemonsOfTheMachineWatchAndStopAndDoNothingElse) 
   EXPECT_THAT(client.read_until("\"serverInfo\""), HasSubstr("\"commands\":\"stop\""));
   client.subscribe(messages::Channel::kState);
   client.read_until("\"run\"");
-  client.call(2);
+  client.call(Service::kHold);
   EXPECT_THAT(client.read_until("serviceCallFailure"), HasSubstr("only stop"));
-  client.call(3);
+  client.call(Service::kStop);
   EXPECT_TRUE(eventually([&] { return controls_.stops == 1; }));
   EXPECT_EQ(controls_.holds, 0);
   // Such a page has no reason to ask for anything else.
@@ -89,9 +90,9 @@ TEST_F(ServerTest, CommandsComeOnlyFromWhereTheyMay) {
   settings_.commands = config::CommandsFrom::kNone;
   start();
   WebClient client = connect();
-  client.call(2);
+  client.call(Service::kHold);
   EXPECT_THAT(client.read_until("serviceCallFailure"), HasSubstr("only stop"));
-  client.call(3);
+  client.call(Service::kStop);
   EXPECT_TRUE(eventually([&] { return controls_.stops == 1; }));
   EXPECT_EQ(controls_.holds, 0);
 }
@@ -143,7 +144,7 @@ TEST_F(ServerTest, StrangersCannotTakeThePlacesOfThisMachine) {
   std::vector<int> idle;
   for (std::size_t i = 0; i < 2 * kMaxConnections; ++i) idle.push_back(dial(port_, address));
   WebClient local = connect();
-  local.call(3);
+  local.call(Service::kStop);
   EXPECT_TRUE(eventually([&] { return controls_.stops == 1; }));
   for (const int fd : idle) ::close(fd);
 }

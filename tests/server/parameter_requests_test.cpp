@@ -15,17 +15,17 @@ namespace {
 using ::testing::HasSubstr;
 
 TEST_F(RequestHandlerTest, ParametersAreListed) {
-  const Heard all = say(R"({"op":"getParameters","parameterNames":[],"id":"q"})");
+  const Received all = send(R"({"op":"getParameters","parameterNames":[],"id":"q"})");
   EXPECT_EQ(all.texts[0]["parameters"].size(), 6U);
   EXPECT_EQ(all.texts[0]["id"], "q");
-  const Heard one = say(R"({"op":"getParameters","parameterNames":["loop.rate_hz","none"]})");
+  const Received one = send(R"({"op":"getParameters","parameterNames":["loop.rate_hz","none"]})");
   EXPECT_EQ(one.texts[0]["parameters"].size(), 1U);
 }
 
 TEST_F(RequestHandlerTest, AGoodValueIsPassedOnAndTold) {
-  say(R"({"op":"subscribeParameterUpdates","parameterNames":["control.gain"]})");
-  const Heard received =
-      say(R"({"op":"setParameters","parameters":[{"name":"control.gain","value":20}],"id":"s"})");
+  send(R"({"op":"subscribeParameterUpdates","parameterNames":["control.gain"]})");
+  const Received received =
+      send(R"({"op":"setParameters","parameters":[{"name":"control.gain","value":20}],"id":"s"})");
   ASSERT_EQ(controls_.sets.size(), 1U);
   EXPECT_EQ(controls_.sets[0].second, messages::ParameterValue(20.0));
   ASSERT_EQ(received.texts.size(), 2U);  // one for the subscription, then the answer to the request
@@ -34,21 +34,21 @@ TEST_F(RequestHandlerTest, AGoodValueIsPassedOnAndTold) {
 }
 
 TEST_F(RequestHandlerTest, WatchedParametersAddUpUntilTheyAreTakenBack) {
-  const auto told = [&] {
-    const Heard received =
-        say(R"({"op":"setParameters","parameters":[{"name":"control.gain","value":20}]})");
+  const auto updates = [&] {
+    const Received received =
+        send(R"({"op":"setParameters","parameters":[{"name":"control.gain","value":20}]})");
     return received.texts.size() - 1;
   };
-  EXPECT_EQ(told(), 0U);
-  say(R"({"op":"subscribeParameterUpdates","parameterNames":["control.gain"]})");
-  say(R"({"op":"subscribeParameterUpdates","parameterNames":["loop.rate_hz","none"]})");
-  EXPECT_EQ(told(), 1U);
-  say(R"({"op":"unsubscribeParameterUpdates","parameterNames":["control.gain"]})");
-  EXPECT_EQ(told(), 0U);
-  say(R"({"op":"subscribeParameterUpdates","parameterNames":[]})");
-  EXPECT_EQ(told(), 1U);
-  say(R"({"op":"unsubscribeParameterUpdates","parameterNames":[]})");
-  EXPECT_EQ(told(), 0U);
+  EXPECT_EQ(updates(), 0U);
+  send(R"({"op":"subscribeParameterUpdates","parameterNames":["control.gain"]})");
+  send(R"({"op":"subscribeParameterUpdates","parameterNames":["loop.rate_hz","none"]})");
+  EXPECT_EQ(updates(), 1U);
+  send(R"({"op":"unsubscribeParameterUpdates","parameterNames":["control.gain"]})");
+  EXPECT_EQ(updates(), 0U);
+  send(R"({"op":"subscribeParameterUpdates","parameterNames":[]})");
+  EXPECT_EQ(updates(), 1U);
+  send(R"({"op":"unsubscribeParameterUpdates","parameterNames":[]})");
+  EXPECT_EQ(updates(), 0U);
 }
 
 TEST_F(RequestHandlerTest, NothingUncheckedIsPassedOn) {
@@ -57,8 +57,8 @@ TEST_F(RequestHandlerTest, NothingUncheckedIsPassedOn) {
         R"({"name":"control.gain","value":"20"})", R"({"name":"control.gain","value":null})",
         R"({"name":"control.gain"})", R"({"name":"loop.rate_hz","value":100})",
         R"({"name":"none","value":1})", R"({"name":"estimation.steering","value":"truth"})"}) {
-    const Heard received =
-        say(std::string(R"({"op":"setParameters","parameters":[)") + parameter + "]}");
+    const Received received =
+        send(std::string(R"({"op":"setParameters","parameters":[)") + parameter + "]}");
     ASSERT_EQ(received.texts.size(), 2U) << parameter;
     EXPECT_EQ(received.texts[0]["op"], "status");
     EXPECT_EQ(received.texts[0]["level"], 2);
@@ -77,18 +77,18 @@ TEST_F(RequestHandlerTest, SomeParametersWaitForTheEndOfARun) {
   StepRecord record = ready();
   record.snapshot.run_state = RunState::kRunning;
   step(record);
-  EXPECT_THAT(say(set).texts[0]["message"], HasSubstr("during a run"));
+  EXPECT_THAT(send(set).texts[0]["message"], HasSubstr("during a run"));
   EXPECT_TRUE(controls_.sets.empty());
   step(ready());
-  say(set);
+  send(set);
   EXPECT_EQ(controls_.sets.size(), 1U);
 }
 
 TEST_F(RequestHandlerTest, TheStepHasTheLastWord) {
   step(ready());
-  say(R"({"op":"setParameters","parameters":[{"name":"estimation.steering","value":"model"}]})");
+  send(R"({"op":"setParameters","parameters":[{"name":"estimation.steering","value":"model"}]})");
   const auto value = [&] {
-    return say(R"({"op":"getParameters","parameterNames":["estimation.steering"]})")
+    return send(R"({"op":"getParameters","parameterNames":["estimation.steering"]})")
         .texts.back()["parameters"][0]["value"];
   };
   EXPECT_EQ(value(), "model");
@@ -103,17 +103,17 @@ TEST_F(RequestHandlerTest, TheStepHasTheLastWord) {
 }
 
 TEST_F(RequestHandlerTest, OtherParametersKeepWhatViewersHaveSet) {
-  say(R"({"op":"setParameters","parameters":[{"name":"control.gain","value":20}]})");
+  send(R"({"op":"setParameters","parameters":[{"name":"control.gain","value":20}]})");
   std::vector<messages::ParameterText> next = parameters();
   next[1].value = 400.0;
   handler_.change_setup(next, kNow);
-  const Json values = say(R"({"op":"getParameters","parameterNames":[]})").texts.at(0);
+  const Json values = send(R"({"op":"getParameters","parameterNames":[]})").texts.at(0);
   EXPECT_EQ(values["parameters"][0]["value"], 20.0);
   EXPECT_EQ(values["parameters"][1]["value"], 400.0);
 }
 
 TEST_F(RequestHandlerTest, ParametersAreSavedIfTheyMayBeAndTakeTheValue) {
-  const Heard saved = call(Service::kParametersSave, R"({"control.gain":12.5,"course":"3"})");
+  const Received saved = call(Service::kParametersSave, R"({"control.gain":12.5,"course":"3"})");
   ASSERT_EQ(saved.binaries.size(), 1U);
   EXPECT_EQ(answer_of(saved.binaries[0])["file"], "tp100.toml");
   ASSERT_EQ(controls_.parameters_saved.size(), 1U);
@@ -130,7 +130,7 @@ TEST_F(RequestHandlerTest, ParametersAreSavedIfTheyMayBeAndTakeTheValue) {
 
 TEST_F(RequestHandlerTest, HostileParametersToSaveAreRefusedByName) {
   const auto refused = [&](const char* request) {
-    const Heard received = call(Service::kParametersSave, request);
+    const Received received = call(Service::kParametersSave, request);
     return received.texts.empty() ? std::string()
                                   : received.texts[0].value("message", std::string());
   };
@@ -156,7 +156,7 @@ TEST_F(RequestHandlerTest, HostileParametersToSaveAreRefusedByName) {
   EXPECT_NE(call(Service::kParametersRestore, R"({"file":"x"})").texts.size(), 0U);
   EXPECT_TRUE(controls_.parameters_saved.empty());
   EXPECT_TRUE(controls_.restored.empty());
-  const Heard viewer =
+  const Received viewer =
       call(Service::kParametersSave, R"({"control.gain":1})", Permission::kStopOnly);
   EXPECT_THAT(viewer.texts.at(0)["message"], HasSubstr("server.commands"));
   EXPECT_TRUE(controls_.parameters_saved.empty());
@@ -169,7 +169,8 @@ TEST_F(RequestHandlerTest, DuringARunOnlyWhatIsInForceAtOnceIsSaved) {
   EXPECT_EQ(call(Service::kParametersSave, R"({"control.gain":1})").binaries.size(), 1U);
   EXPECT_EQ(call(Service::kParametersSave, R"({"check":true,"loop.rate_hz":100})").binaries.size(),
             1U);
-  const Heard refused = call(Service::kParametersSave, R"({"control.gain":1,"loop.rate_hz":100})");
+  const Received refused =
+      call(Service::kParametersSave, R"({"control.gain":1,"loop.rate_hz":100})");
   EXPECT_THAT(refused.texts.at(0)["message"], HasSubstr("loop.rate_hz takes effect when"));
   EXPECT_THAT(call(Service::kParametersRestore, "{}").texts.at(0)["message"],
               HasSubstr("not during a run"));

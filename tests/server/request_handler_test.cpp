@@ -14,7 +14,7 @@ namespace {
 
 TEST_F(RequestHandlerTest, GreetsWithInfoChannelsAndServices) {
   handler_.send_server_info(*viewer_, Permission::kStopOnly);
-  const Heard received = hear();
+  const Received received = take();
   ASSERT_EQ(received.texts.size(), 3U);
   EXPECT_EQ(received.texts[0]["op"], "serverInfo");
   EXPECT_EQ(received.texts[0]["metadata"]["commands"], "stop");
@@ -31,33 +31,33 @@ TEST_F(RequestHandlerTest, GreetsWithInfoChannelsAndServices) {
 }
 
 TEST_F(RequestHandlerTest, ASubscriberGetsWhatIsKeptAtOnceAndThenWhatIsNew) {
-  const Heard course = say(R"({"op":"subscribe","subscriptions":[{"id":1,"channelId":17}]})");
+  const Received course = send(R"({"op":"subscribe","subscriptions":[{"id":1,"channelId":17}]})");
   ASSERT_EQ(course.data.size(), 1U);
   EXPECT_EQ(course.data[0].second["name"], "example");
-  EXPECT_TRUE(say(R"({"op":"subscribe","subscriptions":[{"id":2,"channelId":10}]})").data.empty());
+  EXPECT_TRUE(send(R"({"op":"subscribe","subscriptions":[{"id":2,"channelId":10}]})").data.empty());
   step(ready());
-  const Heard estimate = hear();
+  const Received estimate = take();
   ASSERT_EQ(estimate.data.size(), 1U);
   EXPECT_EQ(estimate.data[0].first, 2U);
-  say(R"({"op":"unsubscribe","subscriptionIds":[2]})");
+  send(R"({"op":"unsubscribe","subscriptionIds":[2]})");
   step(ready());
-  EXPECT_TRUE(hear().data.empty());
+  EXPECT_TRUE(take().data.empty());
 }
 
 TEST_F(RequestHandlerTest, SubscriptionsAreChecked) {
   const auto refused = [&](const char* list) {
-    return say(std::string(R"({"op":"subscribe","subscriptions":)") + list + "}").texts.size();
+    return send(std::string(R"({"op":"subscribe","subscriptions":)") + list + "}").texts.size();
   };
   EXPECT_EQ(refused(R"([{"id":1,"channelId":0}])"), 1U);
   EXPECT_EQ(refused(R"([{"id":1,"channelId":999}])"), 1U);
   EXPECT_EQ(refused(R"([{"id":1,"channelId":1},{"id":1,"channelId":2}])"), 1U);
   EXPECT_EQ(refused(R"([{"id":5,"channelId":1}])"), 1U);  // the channel is already subscribed
-  EXPECT_EQ(say(R"({"op":"unsubscribe","subscriptionIds":[77]})").texts.size(), 1U);
+  EXPECT_EQ(send(R"({"op":"unsubscribe","subscriptionIds":[77]})").texts.size(), 1U);
   EXPECT_EQ(viewer_->subscriptions().size(), 1U);
 }
 
 TEST_F(RequestHandlerTest, AViewerThatLeftGetsNothingMore) {
-  say(R"({"op":"subscribe","subscriptions":[{"id":2,"channelId":10}]})");
+  send(R"({"op":"subscribe","subscriptions":[{"id":2,"channelId":10}]})");
   broker_.remove(viewer_);
   step(ready());
   EXPECT_TRUE(viewer_->outbox().empty());
@@ -69,7 +69,7 @@ TEST_F(RequestHandlerTest, WhoMayNotCommandMayOnlyStop) {
   for (const std::uint32_t service :
        {1U, 2U, 4U, 5U, 6U, 7U, 8U, 9U, 10U, 11U, 12U, 16U, 17U, 18U, 19U})
     EXPECT_EQ(call(service, "{}", only).texts[0]["op"], "serviceCallFailure");
-  say(R"({"op":"setParameters","parameters":[{"name":"control.gain","value":20}]})", only);
+  send(R"({"op":"setParameters","parameters":[{"name":"control.gain","value":20}]})", only);
   EXPECT_EQ(controls_.starts, 0);
   EXPECT_EQ(controls_.holds, 0);
   EXPECT_TRUE(controls_.sets.empty());
@@ -87,16 +87,16 @@ TEST_F(RequestHandlerTest, WhoMayNotCommandMayOnlyStop) {
   EXPECT_TRUE(controls_.checkers.empty());
   EXPECT_TRUE(controls_.examined.empty());
   EXPECT_TRUE(controls_.saved.empty() && controls_.deleted.empty() && controls_.managed.empty());
-  call(3, "{}", only);
+  call(Service::kStop, "{}", only);
   EXPECT_EQ(controls_.stops, 1);
 }
 
 TEST_F(RequestHandlerTest, ACallOfNothingFails) {
   for (const std::uint32_t service : {0U, 13U, 4294967295U})
     EXPECT_EQ(call(service).texts[0]["op"], "serviceCallFailure");
-  EXPECT_EQ(call(2, "[]").texts[0]["op"], "serviceCallFailure");
+  EXPECT_EQ(call(Service::kHold, "[]").texts[0]["op"], "serviceCallFailure");
   handler_.handle(viewer_, ServiceCall{2, 1, "cbor", "{}"}, Permission::kCommand, kNow);
-  EXPECT_EQ(hear().texts[0]["op"], "serviceCallFailure");
+  EXPECT_EQ(take().texts[0]["op"], "serviceCallFailure");
   EXPECT_EQ(controls_.holds, 0);
 }
 
@@ -109,7 +109,7 @@ TEST_F(RequestHandlerTest, WhoAsksAndNeverReadsIsFailed) {
 
 TEST_F(RequestHandlerTest, WhatIsNoMessageIsTold) {
   EXPECT_FALSE(handler_.handle(viewer_, Malformed{"why"}, Permission::kCommand, kNow));
-  EXPECT_EQ(hear().texts[0]["message"], "why");
+  EXPECT_EQ(take().texts[0]["message"], "why");
   EXPECT_TRUE(handler_.handle(viewer_, Unserved{"fetchAsset"}, Permission::kCommand, kNow));
 }
 

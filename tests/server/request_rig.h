@@ -59,13 +59,13 @@ class RequestHandlerTest : public ::testing::Test {
   RequestHandlerTest() { broker_.add(viewer_); }
 
   // Everything in the viewer's outbox; data messages are separate from answers.
-  struct Heard {
+  struct Received {
     std::vector<Json> texts;
     std::vector<std::string> binaries;
     std::vector<std::pair<std::uint32_t, Json>> data;  // subscription, message
   };
-  static Heard hear(Viewer& viewer) {
-    Heard received;
+  static Received take(Viewer& viewer) {
+    Received received;
     while (!viewer.outbox().empty()) {
       const Frame frame = viewer.outbox().pop();
       if (!frame.binary) {
@@ -78,19 +78,19 @@ class RequestHandlerTest : public ::testing::Test {
     }
     return received;
   }
-  Heard hear() { return hear(*viewer_); }
+  Received take() { return take(*viewer_); }
 
-  Heard say(const std::string& text, Permission permission = Permission::kCommand) {
+  Received send(const std::string& text, Permission permission = Permission::kCommand) {
     handler_.handle(viewer_, parse_text(text), permission, kNow);
-    return hear();
+    return take();
   }
-  Heard call(std::uint32_t service, const std::string& payload = "{}",
-             Permission permission = Permission::kCommand, HostNs now = kNow) {
+  Received call(std::uint32_t service, const std::string& payload = "{}",
+                Permission permission = Permission::kCommand, HostNs now = kNow) {
     handler_.handle(viewer_, ServiceCall{service, 9, "json", payload}, permission, now);
-    return hear();
+    return take();
   }
-  Heard call(Service service, const std::string& payload = "{}",
-             Permission permission = Permission::kCommand) {
+  Received call(Service service, const std::string& payload = "{}",
+                Permission permission = Permission::kCommand) {
     return call(static_cast<std::uint32_t>(service), payload, permission);
   }
   void step(const StepRecord& record) {

@@ -14,7 +14,8 @@ namespace {
 using ::testing::HasSubstr;
 
 TEST_F(RequestHandlerTest, ARunIsNamedReportedComparedAndDeleted) {
-  const Heard named = call(Service::kRunNote, R"({"run":"a","name":"","tags":"wet","keep":false})");
+  const Received named =
+      call(Service::kRunNote, R"({"run":"a","name":"","tags":"wet","keep":false})");
   EXPECT_EQ(answer_of(named.binaries.at(0))["run"], "a");
   call(Service::kRunReport, R"({"run":"a"})");
   call(Service::kRunCompare, R"({"run":"a","with":"b"})");
@@ -82,32 +83,35 @@ TEST_F(RequestHandlerTest, ArgumentsOfTheServicesOfRunsAreChecked) {
 TEST_F(RequestHandlerTest, RecordingsHaveHarmlessNames) {
   controls_.can_record = true;
   for (const char* name : {"../x", "/x", ".x", "a b", "a/b", "\\u0000", "ü"})
-    EXPECT_EQ(call(4, std::string(R"({"name":")") + name + "\"}").texts.size(), 1U) << name;
-  EXPECT_EQ(call(4, R"({"name":1})").texts.size(), 1U);
-  EXPECT_EQ(answer_of(call(4, R"({"name":"run-1_a.b"})").binaries.at(0))["run"], "run-1_a.b");
-  EXPECT_EQ(answer_of(call(5).binaries.at(0))["run"], "run-1_a.b");
+    EXPECT_EQ(call(Service::kRecordStart, std::string(R"({"name":")") + name + "\"}").texts.size(),
+              1U)
+        << name;
+  EXPECT_EQ(call(Service::kRecordStart, R"({"name":1})").texts.size(), 1U);
+  EXPECT_EQ(answer_of(call(Service::kRecordStart, R"({"name":"run-1_a.b"})").binaries.at(0))["run"],
+            "run-1_a.b");
+  EXPECT_EQ(answer_of(call(Service::kRecordStop).binaries.at(0))["run"], "run-1_a.b");
 }
 
 TEST_F(RequestHandlerTest, AnAnswerOfASlowDiskComesLaterAndStopBeforeIt) {
   controls_.slow_disk = true;
-  const Heard nothing = call(5);
+  const Received nothing = call(Service::kRecordStop);
   EXPECT_TRUE(nothing.texts.empty() && nothing.binaries.empty());
-  call(3);
+  call(Service::kStop);
   EXPECT_EQ(controls_.stops, 1);
   messages::RecordingFigures late;
   late.run = "late";
   late.bytes = 7;
   controls_.unanswered("", late);
   handler_.tick(kNow);
-  const Json answer = answer_of(hear().binaries.at(0));
+  const Json answer = answer_of(take().binaries.at(0));
   EXPECT_EQ(answer["run"], "late");
   EXPECT_EQ(answer["bytes"], 7);
-  call(5);
+  call(Service::kRecordStop);
   controls_.unanswered("no disk", {});
   handler_.tick(kNow);
-  EXPECT_EQ(hear().texts.at(0)["op"], "serviceCallFailure");
+  EXPECT_EQ(take().texts.at(0)["op"], "serviceCallFailure");
   // A viewer that has left must not get an answer.
-  call(5);
+  call(Service::kRecordStop);
   viewer_.reset();
   controls_.unanswered("", {});
   handler_.tick(kNow);

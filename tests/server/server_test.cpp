@@ -15,6 +15,7 @@
 
 #include "core/error.h"
 #include "runs/run_folder.h"
+#include "server/services.h"
 #include "server_rig.h"
 #include "support/temporary_folder.h"
 
@@ -154,7 +155,7 @@ TEST_F(ServerTest, AViewerSeesStepsAndStops) {
     return client.has_data();
   }));
   EXPECT_THAT(client.read_until("\"odometry\""), HasSubstr("\"x_m\":0.22"));
-  client.call(3);
+  client.call(Service::kStop);
   EXPECT_TRUE(eventually([&] { return controls_.stops == 1; }));
   server_->stop_answered(monotonic_now());
   EXPECT_THAT(client.read_until("\"acknowledged\""), HasSubstr("true"));
@@ -164,14 +165,14 @@ TEST_F(ServerTest, StopDoesNotWaitForADiskThatEndsARecording) {
   controls_.slow_disk = true;
   start();
   WebClient recorder = connect(), watcher = connect();
-  recorder.call(5);
+  recorder.call(Service::kRecordStop);
   ASSERT_TRUE(eventually([&] {
     const std::lock_guard lock(controls_.mutex);
     return controls_.unanswered != nullptr;
   }));
-  watcher.call(3);
+  watcher.call(Service::kStop);
   EXPECT_TRUE(eventually([&] { return controls_.stops == 1; }));
-  recorder.call(3);
+  recorder.call(Service::kStop);
   EXPECT_TRUE(eventually([&] { return controls_.stops == 2; }));
   messages::RecordingFigures late;
   late.run = "late";
@@ -205,7 +206,7 @@ TEST_F(ServerTest, StopComesThroughBesideManyWhoReadRuns) {
     });
   WebClient viewer = connect();
   for (int i = 1; i <= 10; ++i) {
-    viewer.call(3);
+    viewer.call(Service::kStop);
     EXPECT_TRUE(eventually([&] { return controls_.stops == i; }));
   }
   EXPECT_TRUE(eventually([&] { return lists > 10 && files > 10; }));
@@ -239,7 +240,7 @@ TEST_F(ServerTest, ADriverWhoseProcessIsKilledIsLostAtOnce) {
   WebClient other = connect();
   {
     WebClient driver = connect();
-    driver.call(6);
+    driver.call(Service::kDriveTake);
     driver.read_until("token");
     EXPECT_EQ(controls_.drivers_lost, 0);
   }

@@ -13,22 +13,22 @@ namespace {
 using ::testing::HasSubstr;
 
 TEST_F(RequestHandlerTest, StartNeedsARobotThatIsReadyAndIdle) {
-  EXPECT_THAT(std::string(call(1).texts[0]["message"]), HasSubstr("no robot yet"));
+  EXPECT_THAT(std::string(call(Service::kStart).texts[0]["message"]), HasSubstr("no robot yet"));
   StepRecord running = ready();
   running.snapshot.run_state = RunState::kRunning;
   running.snapshot.start_refusal = StartRefusal::kUnderWay;
   step(running);
-  EXPECT_THAT(std::string(call(1).texts[0]["message"]), HasSubstr("under way"));
+  EXPECT_THAT(std::string(call(Service::kStart).texts[0]["message"]), HasSubstr("under way"));
   step(ready());
-  EXPECT_EQ(answer_of(call(1).binaries.at(0)), Json::parse(R"({"accepted":true})"));
+  EXPECT_EQ(answer_of(call(Service::kStart).binaries.at(0)), Json::parse(R"({"accepted":true})"));
   EXPECT_EQ(controls_.starts, 1);
   EXPECT_EQ(controls_.go_ons, 0);
 }
 
 TEST_F(RequestHandlerTest, AStartSaysWhereTheRobotStands) {
   const auto message = [&](const char* request) -> std::string {
-    const Heard heard = call(1, request);
-    return heard.texts.empty() ? "" : std::string(heard.texts[0]["message"]);
+    const Received received = call(Service::kStart, request);
+    return received.texts.empty() ? "" : std::string(received.texts[0]["message"]);
   };
   StepRecord record = ready();
   record.snapshot.progress_m = 0.0;
