@@ -72,7 +72,7 @@ TEST(Check, ACampaignIsSentToTheProgramThatReadsIt) {
 TEST(Check, AConfigurationMustNameARobotAndACourseThatExist) {
   const test::TemporaryFolder folder;
   const std::string path = folder.file("c.toml");
-  const auto told = [&](const std::string& text) -> std::string {
+  const auto error_of = [&](const std::string& text) -> std::string {
     std::ofstream(path) << text;
     try {
       return check_file(path);
@@ -80,10 +80,10 @@ TEST(Check, AConfigurationMustNameARobotAndACourseThatExist) {
       return error.what();
     }
   };
-  EXPECT_THAT(told("robot = 'nobody'\n"), HasSubstr("nobody: no such robot"));
-  EXPECT_THAT(told("course = 'nowhere'\n"), HasSubstr("nowhere: no such course"));
-  EXPECT_THAT(told("course = '2'\n"), HasSubstr("robot end-loaded"));
-  EXPECT_THAT(told("speed_mps = 3.5\n"), HasSubstr("c.toml:1:13: 'speed_mps' is 3.5, allowed"));
+  EXPECT_THAT(error_of("robot = 'nobody'\n"), HasSubstr("nobody: no such robot"));
+  EXPECT_THAT(error_of("course = 'nowhere'\n"), HasSubstr("nowhere: no such course"));
+  EXPECT_THAT(error_of("course = '2'\n"), HasSubstr("robot end-loaded"));
+  EXPECT_THAT(error_of("speed_mps = 3.5\n"), HasSubstr("c.toml:1:13: 'speed_mps' is 3.5, allowed"));
 }
 
 TEST(Check, TheExitStatusIs2IfAnyFileIsWrong) {

@@ -52,7 +52,7 @@ inline void record_run(
     cycle.record(*record);
     if (edit(*record)) recorder.take(*record);
     cycle.session().take_events();
-    robot.hear(cycle.session().output(), now);
+    robot.receive(cycle.session().output(), now);
     cycle.session().written(cycle.session().output().size());
   }
   if (at_end) at_end(recorder, now);

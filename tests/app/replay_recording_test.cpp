@@ -117,8 +117,8 @@ class ReplayElsewhere : public ReplayRecording {
     testing::internal::CaptureStdout();
     testing::internal::CaptureStderr();
     EXPECT_EQ(run_replay(options()), status);
-    const std::string said = testing::internal::GetCapturedStdout();
-    return said + testing::internal::GetCapturedStderr();
+    const std::string output = testing::internal::GetCapturedStdout();
+    return output + testing::internal::GetCapturedStderr();
   }
   const std::string processors_ =
       "recorded on pdp11, glibc 2.36 without FMA, replayed on " + arithmetic();
@@ -142,11 +142,11 @@ TEST_F(ReplayElsewhere, SaysSoIfEveryBitIsTheSame) {
 
 TEST_F(ReplayElsewhere, MoreThanRoundingIsADifference) {
   record([](Snapshot& snapshot) { snapshot.estimates[PoseSource::kOdometry].pose.y_m += 1e-8; });
-  const std::string said = replay(1);
-  EXPECT_THAT(said,
+  const std::string output = replay(1);
+  EXPECT_THAT(output,
               HasSubstr("step 250 after 1.250 s: snapshot.odometry.y_m is 0, recorded 1e-08"));
-  EXPECT_THAT(said, HasSubstr("more than rounding: the largest difference is 1e-08 m, 0 rad"));
-  EXPECT_THAT(said, HasSubstr(processors_));
+  EXPECT_THAT(output, HasSubstr("more than rounding: the largest difference is 1e-08 m, 0 rad"));
+  EXPECT_THAT(output, HasSubstr(processors_));
   EXPECT_FALSE(std::filesystem::exists(poses()));
 }
 

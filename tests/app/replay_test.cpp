@@ -30,7 +30,7 @@ text::CsvTable replayed(const std::string& csv, ReplayModel model,
                           {}});
 }
 
-std::string told(const std::string& csv, ReplayModel model = kPaperModel) {
+std::string error_of(const std::string& csv, ReplayModel model = kPaperModel) {
   try {
     replay_csv(csv, "in.csv", model, {});
   } catch (const SetupError& error) {
@@ -191,20 +191,20 @@ TEST(Replay, OdometryTakesTheGyrosBiasWhileStandingStill) {
 }
 
 TEST(Replay, RefusesBadInputAtItsLine) {
-  EXPECT_EQ(told("t_s,left_mps,right_mps\n0,0.1,0.1\n0.1,0.1,x\n"),
+  EXPECT_EQ(error_of("t_s,left_mps,right_mps\n0,0.1,0.1\n0.1,0.1,x\n"),
             "in.csv:3: right_mps is 'x', expected a number");
-  EXPECT_EQ(told("t_s,left_mps,right_mps\n0,1e300,0.1\n"),
+  EXPECT_EQ(error_of("t_s,left_mps,right_mps\n0,1e300,0.1\n"),
             "in.csv:2: left_mps is 1e+300, allowed -100 to 100");
-  EXPECT_THAT(told("t_s,left_mps,right_mps\n0,0.1,0.1\n", ReplayModel{PoseSource::kOdometry}),
+  EXPECT_THAT(error_of("t_s,left_mps,right_mps\n0,0.1,0.1\n", ReplayModel{PoseSource::kOdometry}),
               HasSubstr("in.csv:1: column 'gyro_z_radps' is missing"));
-  EXPECT_THAT(told(""), StartsWith("in.csv:1: "));
+  EXPECT_THAT(error_of(""), StartsWith("in.csv:1: "));
 }
 
 TEST(Replay, KnowsItsModelsByName) {
   EXPECT_EQ(replay_model("paper"), kPaperModel);
   EXPECT_EQ(replay_model("odometry"), ReplayModel{PoseSource::kOdometry});
   EXPECT_EQ(replay_model("fused"), ReplayModel{PoseSource::kFused});
-  EXPECT_THAT(told("t_s,left_mps,right_mps\n0,0,0\n", ReplayModel{PoseSource::kFused}),
+  EXPECT_THAT(error_of("t_s,left_mps,right_mps\n0,0,0\n", ReplayModel{PoseSource::kFused}),
               HasSubstr("needs a recording"));
   try {
     replay_model("papre");

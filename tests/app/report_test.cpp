@@ -31,15 +31,15 @@ class Report : public testing::Test {
   std::string report() const {
     testing::internal::CaptureStdout();
     testing::internal::CaptureStderr();
-    std::string told;
+    std::string message;
     try {
       EXPECT_EQ(run_report({.runs = {file()}, .out = {}}), 0);
     } catch (const SetupError& error) {
-      told = error.what();
+      message = error.what();
     }
     testing::internal::GetCapturedStdout();
     testing::internal::GetCapturedStderr();
-    return told;
+    return message;
   }
   test::TemporaryFolder folder_;
 };

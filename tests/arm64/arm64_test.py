@@ -96,13 +96,13 @@ def replay(build):
         for name, recorder, player in (("theirs", theirs, ours), ("ours", ours, theirs), ("own", theirs, theirs)):
             run(recorder + "tp100-sim", "course", "3", "--camera", "--setup", "terrain", "--record", f"{folder}/{name}")
             recording = glob.glob(f"{folder}/{name}/*/run.mcap")[0]
-            said = run(player + "tp100d", "replay", recording, "--out", folder + "/poses.csv")
-            print(said)
-            elsewhere = "recorded on " in said and ", replayed on " in said
-            check(elsewhere == (name != "own"), f"{name}: another kind of processor is not named: {said}")
+            output = run(player + "tp100d", "replay", recording, "--out", folder + "/poses.csv")
+            print(output)
+            elsewhere = "recorded on " in output and ", replayed on " in output
+            check(elsewhere == (name != "own"), f"{name}: another kind of processor is not named: {output}")
             # Without FMA the last bits are others, and replay says by how much.
             verdict = "bit for bit" if fma or name == "own" else "the largest difference is "
-            check(verdict in said, f"{name}: not {verdict}: {said}")
+            check(verdict in output, f"{name}: not {verdict}: {output}")
 
 
 class Emulation:
@@ -149,15 +149,15 @@ def install(_build):
         apt = "apt-get -qq -y -o Dpkg::Use-Pty=0 -o Dpkg::Options::=--force-confdef -o Dpkg::Options::=--force-confold "
         machine.shell(f"apt-get -qq update; {apt} install --no-install-recommends /srv/tp100.deb udev")
         machine.shell("dpkg --verify tp100; systemd-analyze verify --man=no tp100d@tp100.service")
-        said = machine.shell("""
+        output = machine.shell("""
           test "$(id -nG tp100)" = "tp100 dialout"
           ! udevadm test /sys/class/mem/null 2>&1 | grep tp100.rules:
           tp100d --version; tp100d check /etc/tp100/tp100.toml
           as='setpriv --reuid=tp100 --regid=tp100 --init-groups env XDG_STATE_HOME=/tmp'
           $as tp100-sim course 1-curve --board avr --record /tmp/runs
           $as tp100d replay /tmp/runs/* --out /tmp/poses.csv""")
-        print(said)
-        check("completed" in said and "bit for bit" in said, f"the course as tp100: {said}")
+        print(output)
+        check("completed" in output and "bit for bit" in output, f"the course as tp100: {output}")
         machine.write(CONFIG, "# of its user\n")
         machine.shell(f"{apt} install --no-install-recommends /srv/newer.deb")
         check(machine.read(CONFIG) == "# of its user\n", f"the upgrade changed {CONFIG}")

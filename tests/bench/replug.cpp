@@ -190,9 +190,9 @@ class Replug {
     const std::string before = "http://127.0.0.1:";
     if (!linked_ || !daemon_.wait_for(before)) throw std::runtime_error("no page is served");
     daemon_.wait_for("/");
-    const std::string& said = daemon_.output();
-    const std::size_t at = said.find(before) + before.size();
-    return said.substr(at, said.find('/', at) - at);
+    const std::string& output = daemon_.output();
+    const std::size_t at = output.find(before) + before.size();
+    return output.substr(at, output.find('/', at) - at);
   }
 
   /// The next event that contains `text`.

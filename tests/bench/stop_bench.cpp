@@ -105,9 +105,9 @@ class Drive {
     const std::string before = "http://127.0.0.1:";
     if (!daemon_->wait_for(before)) throw std::runtime_error("no page: " + last_line());
     daemon_->wait_for("/");
-    const std::string& said = daemon_->output();
-    const std::size_t at = said.find(before) + before.size();
-    port_ = said.substr(at, said.find('/', at) - at);
+    const std::string& output = daemon_->output();
+    const std::size_t at = output.find(before) + before.size();
+    port_ = output.substr(at, output.find('/', at) - at);
     viewer_ = std::make_unique<server::WebClient>(port_);
   }
 
@@ -143,9 +143,9 @@ class Drive {
 
  private:
   std::string last_line() {
-    const std::string& said = daemon_->output();
-    const std::size_t end = said.find_last_not_of('\n');
-    return said.substr(said.rfind('\n', end) + 1);
+    const std::string& output = daemon_->output();
+    const std::size_t end = output.find_last_not_of('\n');
+    return output.substr(output.rfind('\n', end) + 1);
   }
   bool drives() {
     return robot_.with([](ScriptedRobot& robot) {

@@ -79,7 +79,7 @@ class Robot {
     return robot_.state >= wire::State::kDisarmed && robot_.received.sync_requests > 4;
   }
   void hear(const std::vector<std::uint8_t>& bytes, HostNs now) {
-    robot_.hear(bytes, now);
+    robot_.receive(bytes, now);
     pty_.write(robot_.take());
   }
   bool answered() const {

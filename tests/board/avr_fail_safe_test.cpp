@@ -74,7 +74,7 @@ TEST_P(AvrFailSafe, MotorsAreOffInTimeAndStayOffUntilAFreshArm) {
   last.expiry_us = rig.device_us() + 195'000;
   for (int ms = 0; ms < 600; ++ms) {
     last.expiry_us = rig.device_us() + 195'000;
-    fail(rig, failure, AvrRig::frame_of(last), ms);
+    fail(rig, failure, test::frame_of(last), ms);
     if (ms >= kLimitMs) {
       ASSERT_FALSE(rig.moves()) << ms << " ms after the host failed";
     }

@@ -23,9 +23,9 @@ Options avr_options() {
 }
 
 /// The daemon and the emulated robot, connected in virtual time.
-class Desk {
+class RobotAndDaemon {
  public:
-  explicit Desk(bool bootloader)
+  explicit RobotAndDaemon(bool bootloader)
       : loaded_(load(avr_options())),
         parameters_(config::bridge_parameters(loaded_.configuration, loaded_.robot)),
         cycle_(bridge::session_settings(parameters_), parameters_,
@@ -70,7 +70,7 @@ class AvrReset : public ::testing::TestWithParam<std::tuple<PowerUp, bool>> {};
 
 TEST_P(AvrReset, EndsTheRunAndANewOneCanBegin) {
   const auto [cause, bootloader] = GetParam();
-  Desk desk(bootloader);
+  RobotAndDaemon desk(bootloader);
   desk.start();
   ASSERT_TRUE(desk.run_until(RunState::kRunning, 5000));
   desk.run(500);

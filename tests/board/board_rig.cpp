@@ -1,6 +1,7 @@
 #include "board_rig.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace tp100::sim {
@@ -68,47 +69,13 @@ void BoardRig::step() {
   collect();
 }
 
-template <class Message>
-void BoardRig::keep(std::vector<Message>& messages) {
-  Message message{};
-  if (wire::read_payload(decoder_.payload(), decoder_.size(), message)) {
-    messages.push_back(message);
-  } else {
-    ++bad_frames;
-  }
-}
-
 void BoardRig::collect() {
   for (const TimedByte& byte : hardware().take_sent()) {
     bytes.push_back(byte);
     on_byte(false, byte);
-    const wire::DecodeResult received = decoder_.push(byte.value);
-    if (received == wire::DecodeResult::kNothing) continue;
-    if (received != wire::DecodeResult::kFrame) {
-      ++bad_frames;
-      continue;
-    }
-    switch (static_cast<wire::Type>(decoder_.type())) {
-      case wire::Type::kHello:
-        keep(hellos);
-        nonce = hellos.back().boot_nonce;
-        break;
-      case wire::Type::kSample:
-        keep(samples);
-        sample_ns.push_back(byte.at_ns);
-        break;
-      case wire::Type::kAcknowledge:
-        keep(acknowledges);
-        break;
-      case wire::Type::kSyncReply:
-        keep(sync_replies);
-        break;
-      case wire::Type::kFaultReport:
-        keep(reports);
-        break;
-      default:
-        break;
-    }
+    const std::optional<wire::Type> type = receive(byte.value);
+    if (type == wire::Type::kHello) nonce = hellos.back().boot_nonce;
+    if (type == wire::Type::kSample) sample_ns.push_back(byte.at_ns);
   }
 }
 
@@ -121,7 +88,7 @@ bool BoardRig::boot(PowerUp cause) {
   const std::size_t before = hellos.size();
   if (cause == PowerUp::kPowerOn) imu.power_on();
   hardware().reset(cause, now_ns);
-  decoder_.reset();
+  restart();
   for (int ms = 0; ms < 1500; ++ms) {
     run(1);
     if (hellos.size() > before) return true;
@@ -130,29 +97,10 @@ bool BoardRig::boot(PowerUp cause) {
 }
 
 wire::Parameters BoardRig::parameters() const {
-  wire::Parameters p{};
+  wire::Parameters p = test::good_parameters();
   p.boot_nonce = nonce;
   p.token = token;
-  p.counts_per_metre = 11140.0f;
-  p.wheelbase_m = p.wheelbase_tight_m = p.wheelbase_spin_m = 0.274f;
-  p.turn_slip_share = 1.0f;
-  p.slip_left = 0.16f;
-  p.slip_right = 0.10f;
-  p.max_track_mps = 0.2f;
-  p.max_track_mps2 = 0.6f;
-  p.feed_forward = 4.0f;
   p.dead_band = 0.05f;
-  p.speed_kp = 4.0f;
-  p.speed_ki = 30.0f;
-  p.yaw_kp = 4.0f;
-  p.max_yaw_radps = 1.2f;
-  p.gyro_z_radps_per_lsb = 0.0174532925f / wire::kGyroLsbPerDegps;
-  p.battery_cutoff_mv = 6000;
-  p.stall_duty = 600;
-  p.stall_ms = 1000;
-  p.command_life_ms = 200;
-  p.yaw_window_ms = 200;
-  p.flags = wire::kUseGyro;
   return p;
 }
 

@@ -7,16 +7,15 @@
 #include <string>
 #include <vector>
 
+#include "../support/wire_host.h"
 #include "course/robot_file.h"
 #include "sim/board/board.h"
 #include "sim/sensors/mpu6050.h"
 #include "sim/sensors/quadrature_encoder.h"
-#include "wire/frame.h"
-#include "wire/messages.h"
 
 namespace tp100::sim {
 
-class BoardRig {
+class BoardRig : public test::ReceivedFrames {
  public:
   static constexpr std::int64_t kStepNs = 1'000'000;
 
@@ -28,20 +27,11 @@ class BoardRig {
   /// Called for each byte that the board sends or receives.
   virtual void on_byte(bool /*to_board*/, const TimedByte&) {}
 
-  template <class Message>
-  static std::vector<std::uint8_t> frame_of(const Message& message) {
-    std::uint8_t payload[Message::kSize];
-    wire::write_payload(message, payload);
-    std::vector<std::uint8_t> frame(wire::kMaxFrame);
-    frame.resize(wire::encode_frame(static_cast<std::uint8_t>(Message::kType), payload,
-                                    Message::kSize, frame.data()));
-    return frame;
-  }
   /// Puts the bytes on the wire from now on, one every 20 us.
   void send_bytes(const std::vector<std::uint8_t>& bytes);
   template <class Message>
   void send(const Message& message) {
-    send_bytes(frame_of(message));
+    send_bytes(test::frame_of(message));
   }
   /// Advances time; a command is sent every 10 ms if `streams`.
   void run(int ms);
@@ -85,26 +75,17 @@ class BoardRig {
 
   // Data received from the board.
   std::vector<TimedByte> bytes;
-  std::vector<wire::Hello> hellos;
-  std::vector<wire::Sample> samples;
   std::vector<std::int64_t> sample_ns;
-  std::vector<wire::Acknowledge> acknowledges;
-  std::vector<wire::FaultReport> reports;
-  std::vector<wire::SyncReply> sync_replies;
-  int bad_frames = 0;
 
  private:
   void step();
   void collect();
-  template <class Message>
-  void keep(std::vector<Message>& messages);
 
   std::vector<TimedByte> to_board_;
   std::int64_t wire_free_ns_ = 0;
   std::vector<EncoderEdge> edges_;
   std::array<bool, 4> levels_{};
   std::vector<std::uint8_t> glitches_;
-  wire::FrameDecoder decoder_;
   int since_command_ = 0;
 };
 

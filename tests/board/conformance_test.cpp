@@ -5,11 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <string>
+#include <vector>
 
-#include "avr_rig.h"
-#include "sim/board/native_board.h"
+#include "conformance_rig.h"
 #include "wire/faults.h"
 
 namespace tp100::sim {
@@ -19,190 +18,6 @@ using wire::Fault;
 using wire::Result;
 using wire::State;
 using wire::Type;
-
-class NativeRig final : public BoardRig {
- public:
-  NativeRig() : BoardRig(1), board({}, &imu) {}
-  Board& hardware() override { return board; }
-
-  NativeBoard board;
-};
-
-class Conformance : public ::testing::TestWithParam<const char*> {
- protected:
-  Conformance() {
-    if (GetParam() == std::string("Native")) {
-      rig_ = std::make_unique<NativeRig>();
-    } else {
-      rig_ = std::make_unique<AvrRig>();
-    }
-    EXPECT_TRUE(rig().boot());
-  }
-  BoardRig& rig() { return *rig_; }
-  /// Brings the robot to the disarmed state with a fresh command.
-  void be_ready() {
-    rig().connect();
-    rig().streams = true;
-    rig().run(50);
-    ASSERT_EQ(rig().state(), State::kDisarmed);
-  }
-  /// Sends a message and returns its acknowledgement.
-  template <class Message>
-  wire::Acknowledge ask(const Message& message) {
-    rig().acknowledges.clear();
-    rig().send(message);
-    rig().run(10);
-    EXPECT_EQ(rig().acknowledges.size(), 1U);
-    return rig().acknowledges.empty() ? wire::Acknowledge{} : rig().acknowledges.back();
-  }
-  Result arm(const wire::Arm& message) { return static_cast<Result>(ask(message).result); }
-  /// An arm message for a board that has just booted and sends no samples yet.
-  wire::Arm fresh_arm(std::uint32_t token) {
-    rig().sync_replies.clear();
-    rig().send(wire::SyncRequest{9});
-    rig().run(5);
-    return {rig().nonce, token, rig().sync_replies.back().sent_us + 200'000};
-  }
-  static std::vector<std::uint8_t> frame(std::uint8_t type,
-                                         const std::vector<std::uint8_t>& payload) {
-    std::vector<std::uint8_t> bytes(wire::kMaxFrame);
-    bytes.resize(wire::encode_frame(type, payload.data(), payload.size(), bytes.data()));
-    return bytes;
-  }
-  /// Begins a new session with the flags of the test.
-  void connect_with_flags() {
-    wire::Parameters parameters = rig().parameters();
-    parameters.token = ++rig().token;
-    parameters.flags = static_cast<std::uint8_t>(flags_);
-    rig().send(parameters);
-    rig().run(30);
-  }
-  wire::Arm arm_with(std::uint32_t token, int ahead_ms = 200) {
-    const auto ahead_us = static_cast<std::uint32_t>(ahead_ms * 1000);
-    return {rig().nonce, token, rig().device_us() + ahead_us};
-  }
-
-  unsigned flags_ = wire::kUseGyro;
-
- private:
-  std::unique_ptr<BoardRig> rig_;
-};
-
-TEST_P(Conformance, AnArmRefusedForItsExpiryHasUsedItsToken) {
-  be_ready();
-  for (const auto& [token, ahead_ms] : {std::pair{50U, 600}, std::pair{60U, -20}}) {
-    const wire::Acknowledge refused = ask(arm_with(token, ahead_ms));
-    EXPECT_EQ(static_cast<Result>(refused.result), Result::kOutOfRange);
-    EXPECT_EQ(refused.detail, 2);
-    const wire::Acknowledge again = ask(arm_with(token));
-    EXPECT_EQ(static_cast<Result>(again.result), Result::kOutOfRange);
-    EXPECT_EQ(again.detail, 2);
-    EXPECT_EQ(arm(arm_with(token - 1)), Result::kStaleToken);
-    EXPECT_EQ(rig().state(), State::kDisarmed);
-  }
-  EXPECT_EQ(arm(arm_with(61)), Result::kAccepted);
-  rig().run(10);
-  EXPECT_EQ(rig().state(), State::kArmed);
-}
-
-TEST_P(Conformance, AnArmRefusedForAFaultHasUsedItsToken) {
-  rig().connect();
-  const wire::Acknowledge refused = ask(arm_with(50));
-  EXPECT_EQ(static_cast<Result>(refused.result), Result::kFaultPersists);
-  EXPECT_EQ(refused.detail, wire::fault_bit(Fault::command_timeout));
-  rig().streams = true;
-  rig().run(50);
-  EXPECT_EQ(arm(arm_with(50)), Result::kFaultPersists);
-  EXPECT_EQ(arm(arm_with(49)), Result::kStaleToken);
-  EXPECT_EQ(rig().state(), State::kDisarmed);
-  EXPECT_EQ(arm(arm_with(51)), Result::kAccepted);
-}
-
-TEST_P(Conformance, AnArmOfAnotherBootOrWithAStaleTokenUsesNone) {
-  be_ready();
-  wire::Arm other = arm_with(1000);
-  other.boot_nonce ^= 1U;
-  EXPECT_EQ(arm(other), Result::kWrongBoot);
-  EXPECT_EQ(arm(arm_with(50, 600)), Result::kOutOfRange);
-  EXPECT_EQ(arm(arm_with(40)), Result::kStaleToken);
-  EXPECT_EQ(arm(arm_with(50)), Result::kOutOfRange) << "the stale token replaced the last one";
-  EXPECT_EQ(arm(arm_with(51)), Result::kAccepted);
-}
-
-TEST_P(Conformance, AnArmIsJudgedInTheOrderOfTheDocument) {
-  rig().send(wire::HelloRequest{wire::kProtocolVersion, wire::kSchemaHash});
-  rig().run(5);
-  // The message is wrong in every respect; its errors are corrected one after the other.
-  wire::Arm message{rig().nonce ^ 1U, 40, 0};
-  EXPECT_EQ(arm(message), Result::kWrongBoot);
-  message.boot_nonce = rig().nonce;
-  const wire::Acknowledge expired = ask(message);
-  EXPECT_EQ(static_cast<Result>(expired.result), Result::kOutOfRange);
-  message.token = 39;
-  EXPECT_EQ(arm(message), Result::kStaleToken);
-  const wire::Acknowledge without_session = ask(fresh_arm(41));
-  EXPECT_EQ(static_cast<Result>(without_session.result), Result::kFaultPersists);
-  EXPECT_EQ(without_session.detail, wire::fault_bit(Fault::parameters_missing));
-  rig().connect();
-  const wire::Acknowledge without_command = ask(arm_with(42));
-  EXPECT_EQ(static_cast<Result>(without_command.result), Result::kFaultPersists);
-  EXPECT_EQ(without_command.detail, wire::fault_bit(Fault::command_timeout));
-}
-
-TEST_P(Conformance, AfterTheHighestTokenABootArmsNoMore) {
-  be_ready();
-  EXPECT_EQ(arm(arm_with(0xFFFFFFFFU, 600)), Result::kOutOfRange);
-  EXPECT_EQ(arm(arm_with(0)), Result::kStaleToken);
-  rig().connect();
-  EXPECT_EQ(arm(arm_with(1000)), Result::kStaleToken) << "the last token must outlive a session";
-  EXPECT_EQ(arm(arm_with(0xFFFFFFFFU)), Result::kOutOfRange);
-}
-
-TEST_P(Conformance, AnArmWhileRunningChangesNothing) {
-  be_ready();
-  rig().drive();
-  ASSERT_EQ(rig().state(), State::kRunning);
-  rig().run(500);
-  const std::int16_t duty = rig().last().left_duty;
-  EXPECT_EQ(static_cast<Result>(rig().arm().result), Result::kAccepted);
-  rig().run(10);
-  EXPECT_EQ(rig().state(), State::kRunning);
-  EXPECT_NEAR(rig().last().left_duty, duty, 30) << "the control loops were reset";
-  EXPECT_EQ(arm(arm_with(rig().token + 1, 600)), Result::kOutOfRange);
-  EXPECT_EQ(rig().state(), State::kRunning);
-  EXPECT_TRUE(rig().moves());
-}
-
-TEST_P(Conformance, AStandstillAskedForWhileRunningStaysRunning) {
-  be_ready();
-  rig().drive();
-  rig().speed_mps = 0.0f;
-  rig().run(1000);
-  EXPECT_FALSE(rig().moves());
-  EXPECT_EQ(rig().state(), State::kRunning);
-}
-
-TEST_P(Conformance, AnArmedRobotOfAYoungSessionStopsAfter200MsWithoutCommands) {
-  rig().connect();
-  rig().streams = true;
-  rig().run(30);
-  ASSERT_EQ(static_cast<Result>(rig().arm().result), Result::kAccepted);
-  rig().speed_mps = 0.15f;
-  rig().run(60);
-  ASSERT_TRUE(rig().moves());
-  rig().streams = false;
-  EXPECT_GE(rig().ms_until_off(201), 0);
-  rig().run(20);
-  EXPECT_NE(rig().last().faults & wire::fault_bit(Fault::command_timeout), 0U);
-}
-
-TEST_P(Conformance, ADisarmedRobotWaits700MsForTheFirstCommand) {
-  rig().connect();
-  const std::int64_t begin_ns = rig().sample_ns.front();
-  while (rig().last().faults == 0) rig().run(1);
-  EXPECT_NEAR(static_cast<double>(rig().now_ns - begin_ns) * 1e-6, 700.0, 15.0);
-  EXPECT_EQ(rig().last().faults, wire::fault_bit(Fault::command_timeout));
-}
 
 TEST_P(Conformance, ParametersAreJudgedInTheOrderOfTheDocument) {
   be_ready();
@@ -330,7 +145,7 @@ TEST_P(Conformance, CorruptedCountsWhatTheFramingDropsAndNothingElse) {
   rig().send_bytes(frame(static_cast<std::uint8_t>(Type::kStop), {1, 2, 3}));
   rig().run(10);
   EXPECT_EQ(corrupted(), before) << "an unknown type or a wrong size was counted";
-  std::vector<std::uint8_t> flipped = BoardRig::frame_of(wire::Disarm{1});
+  std::vector<std::uint8_t> flipped = test::frame_of(wire::Disarm{1});
   flipped[2] ^= 0x40U;
   rig().send_bytes(flipped);
   rig().send_bytes({9, 1, 1, 0});                       // COBS
@@ -356,7 +171,7 @@ TEST_P(Conformance, ATrackThatRunsAgainstItsDutyIsReversedAfterTheDistanceOfTheD
   EXPECT_NEAR((from - rig().last().left_counts) / 11140.0, most_m, 0.012);
 }
 
-TEST_P(Conformance, BatteryBelowTheCutOffAreFoundAtALowUsbVoltage) {
+TEST_P(Conformance, ABatteryBelowTheCutOffIsFoundAtALowUsbVoltage) {
   rig().hardware().set_supply(4.5);
   rig().battery_v = 5.5;  // it would read 6.1 V, above the cut-off, at a supply of 5 V
   ASSERT_TRUE(rig().boot());
@@ -369,7 +184,7 @@ TEST_P(Conformance, BatteryBelowTheCutOffAreFoundAtALowUsbVoltage) {
   EXPECT_EQ(rig().last().faults, wire::fault_bit(Fault::battery_low));
 }
 
-TEST_P(Conformance, AUsbVoltageThatFallsWhileDrivingDoesNotHideEmptyCells) {
+TEST_P(Conformance, AUsbVoltageThatFallsWhileDrivingDoesNotHideAnEmptyBattery) {
   rig().battery_v = 6.3;
   be_ready();
   rig().drive();
@@ -412,7 +227,7 @@ TEST_P(Conformance, AnExpiredCommandSwitchesOffInTheTickBeforeItsExpiry) {
   for (std::size_t spare = 0; spare < 40; ++spare) {
     rig().sync_replies.clear();
     rig().send_bytes(std::vector<std::uint8_t>(spare, wire::kDelimiter));
-    const std::vector<std::uint8_t> request = BoardRig::frame_of(wire::SyncRequest{9});
+    const std::vector<std::uint8_t> request = test::frame_of(wire::SyncRequest{9});
     const std::int64_t arrival_ns =
         rig().now_ns + static_cast<std::int64_t>(spare + request.size()) * kSpareNs;
     rig().send_bytes(request);

@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <random>
 
-#include "wire/frame.h"
-#include "wire/messages.h"
+#include "../support/wire_host.h"
+#include "still_imu.h"
 
 namespace tp100::sim {
 namespace {
@@ -15,65 +16,8 @@ namespace {
 constexpr std::int64_t kMs = 1'000'000;
 constexpr std::int64_t kByteNs = 20'000;
 
-// An MPU6050 at standstill, with a little noise.
-class StillImu final : public I2cSlave {
- public:
-  bool write(std::span<const std::uint8_t> bytes) override {
-    if (!answers) return false;
-    pointer_ = bytes[0];
-    return true;
-  }
-  bool read(std::span<std::uint8_t> bytes) override {
-    if (!answers) return false;
-    ++reads_;
-    for (std::size_t i = 0; i < bytes.size(); ++i) {
-      const std::size_t reg = pointer_ + i;
-      bytes[i] = reg == 0x75 ? 0x68 : reg == 0x3C ? static_cast<std::uint8_t>(reads_ % 5) : 0;
-    }
-    return true;
-  }
-  bool answers = true;
-
- private:
-  std::size_t pointer_ = 0;
-  unsigned reads_ = 0;
-};
-
-template <class Message>
-std::vector<std::uint8_t> frame_of(const Message& message) {
-  std::uint8_t payload[Message::kSize];
-  wire::write_payload(message, payload);
-  std::vector<std::uint8_t> frame(wire::kMaxFrame);
-  frame.resize(wire::encode_frame(static_cast<std::uint8_t>(Message::kType), payload,
-                                  Message::kSize, frame.data()));
-  return frame;
-}
-
-wire::Parameters parameters(std::uint32_t nonce) {
-  wire::Parameters p{};
-  p.boot_nonce = nonce;
-  p.token = 1;
-  p.counts_per_metre = 11140.0f;
-  p.wheelbase_m = p.wheelbase_tight_m = p.wheelbase_spin_m = 0.274f;
-  p.turn_slip_share = 1.0f;
-  p.max_track_mps = 0.2f;
-  p.max_track_mps2 = 0.6f;
-  p.feed_forward = 4.0f;
-  p.dead_band = 0.15f;
-  p.speed_kp = 4.0f;
-  p.speed_ki = 30.0f;
-  p.yaw_kp = 4.0f;
-  p.max_yaw_radps = 1.2f;
-  p.gyro_z_radps_per_lsb = 5.3e-4f;
-  p.stall_ms = 1000;
-  p.command_life_ms = 200;
-  p.yaw_window_ms = 200;
-  p.flags = wire::kUseGyro;
-  return p;
-}
-
 // A board, a host that collects frames, and the wires between them.
-class Rig {
+class Rig : public test::ReceivedFrames {
  public:
   explicit Rig(NativeBoardSettings settings = {}) : board(settings, &imu) {
     board.set_battery(7.9);
@@ -100,7 +44,7 @@ class Rig {
   }
   template <class Message>
   void send(const Message& message) {
-    send_bytes(frame_of(message));
+    send_bytes(test::frame_of(message));
   }
   void send_bytes(const std::vector<std::uint8_t>& bytes) {
     for (const std::uint8_t value : bytes) {
@@ -111,7 +55,9 @@ class Rig {
   void connect() {
     run(20);
     ASSERT_FALSE(hellos.empty());
-    send(parameters(hellos.back().boot_nonce));
+    wire::Parameters parameters = test::good_parameters();
+    parameters.boot_nonce = hellos.back().boot_nonce;
+    send(parameters);
     run(20);
     ASSERT_FALSE(samples.empty());
   }
@@ -123,39 +69,16 @@ class Rig {
   std::vector<TimedByte> host_out;
   std::vector<EncoderEdge> edges;
   std::vector<TimedByte> sent;
-  std::vector<wire::Hello> hellos;
   std::vector<std::int64_t> hello_at_ns;
-  std::vector<wire::Sample> samples;
   std::vector<std::int64_t> sample_at_ns;
-  std::vector<wire::SyncReply> sync_replies;
-  int bad_frames = 0;
 
  private:
-  template <class Message>
-  void keep(std::vector<Message>& list) {
-    Message message{};
-    if (!wire::read_payload(decoder_.payload(), decoder_.size(), message)) ++bad_frames;
-    list.push_back(message);
-  }
   void take(const TimedByte& byte) {
     sent.push_back(byte);
-    const wire::DecodeResult received = decoder_.push(byte.value);
-    if (received != wire::DecodeResult::kFrame) {
-      if (received != wire::DecodeResult::kNothing) ++bad_frames;
-      return;
-    }
-    const wire::Type type{decoder_.type()};
-    if (type == wire::Type::kHello) {
-      keep(hellos);
-      hello_at_ns.push_back(byte.at_ns);
-    } else if (type == wire::Type::kSample) {
-      keep(samples);
-      sample_at_ns.push_back(byte.at_ns);
-    } else if (type == wire::Type::kSyncReply) {
-      keep(sync_replies);
-    }
+    const std::optional<wire::Type> type = receive(byte.value);
+    if (type == wire::Type::kHello) hello_at_ns.push_back(byte.at_ns);
+    if (type == wire::Type::kSample) sample_at_ns.push_back(byte.at_ns);
   }
-  wire::FrameDecoder decoder_;
 };
 
 TEST(NativeBoard, IsSilentWithoutPower) {

@@ -6,52 +6,18 @@
 
 #include <deque>
 
+#include "../support/wire_host.h"
 #include "sim/board/native_board.h"
+#include "still_imu.h"
 
 namespace tp100::sim {
 namespace {
 
 constexpr std::int64_t kByteNs = 20'000;
 
-class StillImu final : public I2cSlave {
- public:
-  bool write(std::span<const std::uint8_t> bytes) override {
-    pointer_ = bytes[0];
-    return true;
-  }
-  bool read(std::span<std::uint8_t> bytes) override {
-    ++reads_;
-    for (std::size_t i = 0; i < bytes.size(); ++i) {
-      const std::size_t reg = pointer_ + i;
-      bytes[i] = reg == 0x75 ? 0x68 : reg == 0x3C ? static_cast<std::uint8_t>(reads_ % 5) : 0;
-    }
-    return true;
-  }
-
- private:
-  std::size_t pointer_ = 0;
-  unsigned reads_ = 0;
-};
-
 link::SessionSettings settings() {
   link::SessionSettings result;
-  wire::Parameters& p = result.parameters;
-  p.counts_per_metre = 11140.0f;
-  p.wheelbase_m = p.wheelbase_tight_m = p.wheelbase_spin_m = 0.274f;
-  p.turn_slip_share = 1.0f;
-  p.max_track_mps = 0.2f;
-  p.max_track_mps2 = 0.6f;
-  p.feed_forward = 4.0f;
-  p.dead_band = 0.15f;
-  p.speed_kp = 4.0f;
-  p.speed_ki = 30.0f;
-  p.yaw_kp = 4.0f;
-  p.max_yaw_radps = 1.2f;
-  p.gyro_z_radps_per_lsb = 5.3e-4f;
-  p.stall_ms = 1000;
-  p.command_life_ms = 200;
-  p.yaw_window_ms = 200;
-  p.flags = wire::kUseGyro;
+  result.parameters = test::good_parameters();
   return result;
 }
 

@@ -40,8 +40,8 @@ double wheelbase_in_a_spin(const course::EmulatedBody& values) {
 TEST(OdeBody, SlipsOnTheFlatAsMuchAsTheRampBoardOfThePaper) {
   OdeBody body(end_loaded(), {}, false);
   const double begin = drive(body, 0.1, 0.1, 0.5).pose.x_m;
-  const double way = drive(body, 0.1, 0.1, 2.0).pose.x_m - begin;
-  EXPECT_NEAR(1.0 - way / 0.2, 0.160, 0.005);
+  const double distance_m = drive(body, 0.1, 0.1, 2.0).pose.x_m - begin;
+  EXPECT_NEAR(1.0 - distance_m / 0.2, 0.160, 0.005);
 }
 
 TEST(OdeBody, AnEndLoadedRobotTurnsWithTheWheelbaseOfEquationSeven) {

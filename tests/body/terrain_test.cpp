@@ -69,13 +69,13 @@ Drive over(const course::Terrain& terrain, const course::EmulatedBody& values, d
   return drive(body, duration_s);
 }
 
-TEST(BodyOnARamp, ClimbsTheSteepestOfThePaperWithEnoughGrip) {
+TEST(BodyOnARamp, ClimbsTheSteepestOfThePaperWithEnoughFriction) {
   const Drive climb = over(ramp(28 * kRadPerDeg, 0.15), robot(0.022, 0.55), 9.0);
   EXPECT_GT(climb.height_m, 0.149);
   EXPECT_NEAR(climb.nose_up_rad, 28 * kRadPerDeg, 0.5 * kRadPerDeg);
 }
 
-TEST(BodyOnARamp, SlidesWithTooLittleGrip) {
+TEST(BodyOnARamp, SlidesWithTooLittleFriction) {
   // The friction of 0.50 is below tan 28 deg = 0.532.
   EXPECT_LT(over(ramp(28 * kRadPerDeg, 0.15), robot(0.022, 0.50), 8.0).height_m, 0.08);
 }
@@ -108,10 +108,10 @@ TEST_P(BodyOnASlope, SlipsAsInThePapersTable) {
   const Pose from = body.state().pose;
   const double duration_s = 1.0;
   const Pose to = drive(body, duration_s).end.pose;
-  const double way = std::hypot(to.x_m - from.x_m, to.y_m - from.y_m, to.z_m - from.z_m);
+  const double distance_m = std::hypot(to.x_m - from.x_m, to.y_m - from.y_m, to.z_m - from.z_m);
   const double half_turn = (to.yaw_rad - from.yaw_rad) * values.gauge_m / 2.0;
-  EXPECT_NEAR(1.0 - (way - half_turn) / (kTrackMps * duration_s), expected.left, 0.02);
-  EXPECT_NEAR(1.0 - (way + half_turn) / (kTrackMps * duration_s), expected.right, 0.02);
+  EXPECT_NEAR(1.0 - (distance_m - half_turn) / (kTrackMps * duration_s), expected.left, 0.02);
+  EXPECT_NEAR(1.0 - (distance_m + half_turn) / (kTrackMps * duration_s), expected.right, 0.02);
 }
 
 INSTANTIATE_TEST_SUITE_P(PaperTable, BodyOnASlope,
@@ -140,7 +140,7 @@ TEST(BodyOnAStep, CrossesThePapersBlockWithAPeakPitchOf42Deg) {
   EXPECT_NEAR(crossing.end.pose.yaw_rad, 0.0, 1e-3);
 }
 
-TEST(BodyOnAStep, NeedsGripToLiftItsFrontAndMoreToTip) {
+TEST(BodyOnAStep, NeedsFrictionToLiftItsFrontAndMoreToTip) {
   EXPECT_LT(over(block(0.037), robot(0.022, 0.70), 4.0).nose_up_rad, 3 * kRadPerDeg);
   const Drive lifted = over(block(0.037), robot(0.022, 0.75), 8.0);
   EXPECT_GT(lifted.nose_up_rad, 35 * kRadPerDeg);
@@ -224,7 +224,7 @@ TEST(BodyOnTerrain, AnEvenlyLoadedRobotDrivesBesideAnObstacleAsItDoesAlone) {
   }
 }
 
-TEST(BodyOnASurface, SlipsByItsOffsetAndLosesItsGripThere) {
+TEST(BodyOnASurface, SlipsByItsOffsetAndLosesItsTractionThere) {
   course::Terrain terrain;
   terrain.surfaces.push_back({.name = "wet",
                               .place = {0.5, 0.0, 0.0},

@@ -27,7 +27,7 @@ class CycleRig {
       robot.tick(now);
       cycle.session().receive(robot.take(), now);
       if (i % 5 == 0) cycle.step(now);
-      robot.hear(cycle.session().output(), now);
+      robot.receive(cycle.session().output(), now);
       cycle.session().written(cycle.session().output().size());
       cycle.session().take_events();
     }
@@ -186,7 +186,7 @@ TEST(Cycle, NeverTouchesTheHeap) {
       cycle.session().take_events();
       calls += heap.calls();
     }
-    robot.hear(cycle.session().output(), now);
+    robot.receive(cycle.session().output(), now);
     cycle.session().written(cycle.session().output().size());
   }
   EXPECT_EQ(calls, 0u);

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <functional>
@@ -11,130 +10,11 @@
 #include <vector>
 
 #include "core/arithmetic.h"
-#include "core/error.h"
+#include "step_rig.h"
 #include "support/alloc_count.h"
 
 namespace tp100::bridge {
 namespace {
-
-constexpr HostNs kStepPeriod = 5 * kNsPerMs;
-
-/// A robot that obeys commands at once and slips exactly as the parameters say.
-class KinematicRobot {
- public:
-  explicit KinematicRobot(const Parameters& parameters) : parameters_(parameters) {}
-
-  Sample sample(HostNs now) {
-    Sample sample;
-    sample.sequence = static_cast<std::uint16_t>(now / kStepPeriod);
-    sample.last_command = sample.sequence;
-    sample.device_us = now / kNsPerUs;
-    sample.measured_ns = now;
-    sample.left_counts = std::llround(left_m_ * parameters_.drive.counts_per_metre);
-    sample.right_counts = std::llround(right_m_ * parameters_.drive.counts_per_metre);
-    sample.gyro_radps[2] = rate_radps_ + 0.01;
-    sample.accel_mps2[2] = upside_down ? -9.81 : 9.81;
-    sample.battery_v = 7.6;
-    sample.state = armed ? RobotState::kRunning : RobotState::kDisarmed;
-    sample.faults = faults;
-    sample.imu_age = imu_age;
-    return sample;
-  }
-
-  double rate_radps() const { return rate_radps_; }
-  void obey(const Outputs& out) {
-    if (out.request == RobotRequest::kArm) armed = true;
-    if (out.request == RobotRequest::kDisarm || out.request == RobotRequest::kStop) armed = false;
-    if (out.request == RobotRequest::kArm || out.request == RobotRequest::kDisarm)
-      answer = RequestAnswer::kAcknowledged;
-    double speed = 0.0;
-    rate_radps_ = 0.0;
-    if (armed && out.command_valid) {
-      speed = out.command.speed_mps;
-      rate_radps_ =
-          std::clamp(out.command.yaw_rate_radps +
-                         4.0 * wrap_angle(out.command.desired_yaw_rad - out.command.pose.yaw_rad),
-                     -1.2, 1.2);
-    }
-    const double half = rate_radps_ * parameters_.model.wheelbase_m / 2.0;
-    left_m_ += (speed - half) / (1.0 - parameters_.model.slip_left) * to_s(kStepPeriod);
-    right_m_ += (speed + half) / (1.0 - parameters_.model.slip_right) * to_s(kStepPeriod);
-    x_m += speed * std::cos(yaw_rad) * to_s(kStepPeriod);
-    y_m += speed * std::sin(yaw_rad) * to_s(kStepPeriod);
-    yaw_rad += rate_radps_ * to_s(kStepPeriod);
-  }
-
-  bool armed = false;
-  bool upside_down = false;
-  std::uint8_t imu_age = 0;
-  RequestAnswer answer = RequestAnswer::kNone;  // for the next step
-  FaultMask faults = 0;
-  double x_m = 0.0, y_m = 0.0, yaw_rad = 0.0;
-
- private:
-  Parameters parameters_;
-  double left_m_ = 0.0, right_m_ = 0.0, rate_radps_ = 0.0;
-};
-
-class StepTest : public testing::Test {
- protected:
-  StepTest() {
-    auto course = std::make_shared<course::Course>();
-    course->name = "test";
-    course->path = {course::Line{0.3}, course::Arc{0.3, kPi / 2}, course::Pivot{-kPi / 2},
-                    course::Line{0.2}};
-    course->fence = {-5, 5, -5, 5};
-    course_ = course;
-    parameters_.model.slip_angle_straight_rad = 0.0;
-  }
-
-  /// Runs one period: sample, step, robot.
-  const Outputs& tick(Step& step, KinematicRobot& robot,
-                      std::span<const OperatorRequest> requests = {}) {
-    now_ += kStepPeriod;
-    samples_.assign(1, robot.sample(now_));
-    ClockState clock;
-    clock.valid = true;
-    const Outputs& out =
-        step({.restart = std::exchange(restart_, {}),
-              .samples = connected_ ? std::span<const Sample>(samples_) : std::span<const Sample>(),
-              .requests = requests,
-              .changes = std::exchange(changes_, {}),
-              .session = connected_ ? SessionState::kReady : SessionState::kClosed,
-              .clock = clock,
-              .session_number = session_,
-              .answer = std::exchange(robot.answer, RequestAnswer::kNone)},
-             now_);
-    robot.obey(out);
-    return out;
-  }
-  /// Starts the robot and drives for two seconds.
-  void begin(Step& step, KinematicRobot& robot) {
-    start(step, robot);
-    ASSERT_EQ(run(step, robot, 2.0), RunState::kRunning);
-  }
-  RunState run(Step& step, KinematicRobot& robot, double duration_s) {
-    RunState state = RunState::kIdle;
-    for (double t = 0; t < duration_s; t += to_s(kStepPeriod)) {
-      state = tick(step, robot).snapshot.run_state;
-      if (state == RunState::kFinished || state == RunState::kAborted) break;
-    }
-    return state;
-  }
-  void start(Step& step, KinematicRobot& robot) {
-    const OperatorRequest request = OperatorRequest::kStart;
-    tick(step, robot, std::span(&request, 1));
-  }
-
-  Parameters parameters_{};
-  std::shared_ptr<const course::Course> course_;
-  std::vector<Sample> samples_ = std::vector<Sample>(1);
-  std::span<const ParameterChange> changes_{};  // of the next tick
-  BoundedList<CarriedState, 1> restart_{};      // ... too
-  HostNs now_ = 0;
-  bool connected_ = true;
-  std::uint32_t session_ = 1;
-};
 
 TEST_F(StepTest, DrivesACourseToItsEndAndDisarms) {
   Step step(parameters_, course_);
@@ -279,128 +159,6 @@ TEST_F(StepTest, GoesOnFromNowhereElse) {
   stays(step, robot, RunState::kFinished);
 }
 
-TEST_F(StepTest, NothingMovesWithoutAStartAndWhoIsArmedIsStopped) {
-  for (const bool with_course : {true, false}) {
-    Step step(parameters_, with_course ? course_ : nullptr);
-    KinematicRobot robot(parameters_);
-    robot.armed = true;
-    EXPECT_EQ(run(step, robot, 0.2), RunState::kAborted);
-    EXPECT_FALSE(robot.armed);
-    EXPECT_EQ(tick(step, robot).snapshot.faults, fault_bit(Fault::moves_unasked));
-    run(step, robot, 5.0);
-    EXPECT_EQ(robot.x_m, 0.0);
-    EXPECT_NEAR(robot.yaw_rad, 0.0, 1e-9);
-  }
-}
-
-TEST_F(StepTest, ACourseWhoseEndIsNotConfirmedIsNotCompleted) {
-  Step step(parameters_, course_);
-  KinematicRobot robot(parameters_);
-  start(step, robot);
-  ASSERT_EQ(run(step, robot, 60.0), RunState::kFinished);
-  robot.answer = RequestAnswer::kFailed;
-  EXPECT_EQ(tick(step, robot).snapshot.run_state, RunState::kAborted);
-  EXPECT_EQ(tick(step, robot).snapshot.faults, fault_bit(Fault::not_acknowledged));
-}
-
-TEST_F(StepTest, AfterACourseMotorsThatComeOnAgainAreStopped) {
-  Step step(parameters_, course_);
-  KinematicRobot robot(parameters_);
-  start(step, robot);
-  ASSERT_EQ(run(step, robot, 60.0), RunState::kFinished);
-  for (int i = 0; i < 200; ++i) tick(step, robot);
-  EXPECT_EQ(tick(step, robot).snapshot.run_state, RunState::kFinished);
-  robot.armed = true;
-  int steps = 0;
-  while (robot.armed && steps < 200) {
-    tick(step, robot);
-    ++steps;
-  }
-  EXPECT_LE(steps, 25);
-  EXPECT_EQ(tick(step, robot).snapshot.faults, fault_bit(Fault::moves_unasked));
-}
-
-TEST_F(StepTest, SaysBeforehandWhyAStartWouldBeRefused) {
-  const auto refusal = [&](const std::function<void(KinematicRobot&)>& oddity) {
-    Step step(parameters_, course_);
-    KinematicRobot robot(parameters_);
-    oddity(robot);
-    for (int i = 0; i < 6; ++i) tick(step, robot);
-    return tick(step, robot).snapshot.start_refusal;
-  };
-  EXPECT_EQ(refusal([](KinematicRobot&) {}), StartRefusal::kNotStill);
-  EXPECT_EQ(refusal([](KinematicRobot& robot) { robot.upside_down = true; }),
-            StartRefusal::kTilted);
-  EXPECT_EQ(refusal([](KinematicRobot& robot) { robot.imu_age = 255; }), StartRefusal::kNoImu);
-  EXPECT_EQ(refusal([](KinematicRobot& robot) { robot.armed = true; }), StartRefusal::kMotorsOn);
-  EXPECT_EQ(refusal([this](KinematicRobot&) { connected_ = false; }), StartRefusal::kNoSession);
-  connected_ = true;
-  Step step(parameters_, nullptr);
-  KinematicRobot robot(parameters_);
-  EXPECT_EQ(tick(step, robot).snapshot.start_refusal, StartRefusal::kNoCourse);
-  Step ready(parameters_, course_);
-  run(ready, robot, 1.0);
-  EXPECT_EQ(tick(ready, robot).snapshot.start_refusal, StartRefusal::kNone);
-  start(ready, robot);
-  EXPECT_EQ(tick(ready, robot).snapshot.start_refusal, StartRefusal::kUnderWay);
-}
-
-TEST_F(StepTest, ARobotThatIsUpsideDownIsNotArmed) {
-  Step step(parameters_, course_);
-  KinematicRobot robot(parameters_);
-  run(step, robot, 1.0);
-  robot.upside_down = true;
-  start(step, robot);
-  StartRefusal refused = StartRefusal::kNone;
-  for (int i = 0; i < 700; ++i) {
-    const Outputs& out = tick(step, robot);
-    ASSERT_EQ(out.request, RobotRequest::kNone);
-    if (out.refused != StartRefusal::kNone) refused = out.refused;
-  }
-  EXPECT_EQ(refused, StartRefusal::kTilted);
-  robot.upside_down = false;
-  EXPECT_EQ(run(step, robot, 10.0), RunState::kIdle)
-      << "a refused start must not take effect later";
-}
-
-TEST_F(StepTest, AnImuThatSaysItIsSilentEndsTheRunUnlessTheGyroDoesNotSteer) {
-  for (const bool stand : {false, true}) {
-    parameters_.setup = stand ? Setup::kStand : Setup::kFlat;
-    Step step(parameters_, course_);
-    KinematicRobot robot(parameters_);
-    begin(step, robot);
-    robot.imu_age = 255;
-    EXPECT_EQ(run(step, robot, 0.1), stand ? RunState::kRunning : RunState::kAborted);
-    EXPECT_EQ(tick(step, robot).snapshot.faults, stand ? 0u : fault_bit(Fault::imu_stale));
-  }
-}
-
-TEST_F(StepTest, AFaultBitThatNobodyKnowsEndsTheRun) {
-  Step step(parameters_, course_);
-  KinematicRobot robot(parameters_);
-  begin(step, robot);
-  robot.faults = FaultMask{1} << 14;
-  EXPECT_EQ(run(step, robot, 0.1), RunState::kAborted);
-  EXPECT_FALSE(robot.armed);
-}
-
-TEST_F(StepTest, WaitsForTheGyroBiasBeforeItArms) {
-  Step step(parameters_, course_);
-  KinematicRobot robot(parameters_);
-  start(step, robot);
-  for (int i = 0; i < 80; ++i) ASSERT_EQ(tick(step, robot).request, RobotRequest::kNone);
-  EXPECT_EQ(run(step, robot, 1.0), RunState::kRunning);
-}
-
-TEST_F(StepTest, OnABenchTheGyroNeitherSteersNorHoldsUpTheStart) {
-  parameters_.setup = Setup::kStand;
-  Step step(parameters_, course_);
-  KinematicRobot robot(parameters_);
-  start(step, robot);
-  EXPECT_EQ(run(step, robot, 60.0), RunState::kFinished);
-  EXPECT_NEAR(robot.x_m, 0.8, 0.02);
-}
-
 TEST_F(StepTest, ALostLinkEndsTheRunAndNothingMovesUntilTheNextStart) {
   Step step(parameters_, course_);
   KinematicRobot robot(parameters_);
@@ -534,84 +292,6 @@ TEST_F(StepTest, AllocatesNothing) {
   EXPECT_EQ(calls, 0u);
 }
 
-class CameraStepTest : public StepTest {
- protected:
-  /// Runs one period with a camera that sees the robot shifted by `aside_m`, 60 ms late, in every
-  /// sixth step. Returns the number of heap calls of the step.
-  std::uint64_t tick_seen(Step& step, KinematicRobot& robot, double aside_m,
-                          std::span<const OperatorRequest> requests = {}) {
-    now_ += kStepPeriod;
-    samples_[0] = robot.sample(now_);
-    if (++ticks_ % 6 == 0) {
-      under_way_.push_back({robot.x_m, robot.y_m + aside_m, robot.yaw_rad, now_,
-                            static_cast<std::uint32_t>(ticks_)});
-    }
-    arrived_.clear();
-    if (!under_way_.empty() && now_ - under_way_.front().measured_ns >= 60 * kNsPerMs) {
-      arrived_.push_back(under_way_.front());
-      under_way_.erase(under_way_.begin());
-    }
-    ClockState clock;
-    clock.valid = true;
-    const test::AllocCount count;
-    out_ = &step({.samples = samples_,
-                  .requests = requests,
-                  .camera = arrived_,
-                  .session = SessionState::kReady,
-                  .clock = clock,
-                  .session_number = 1,
-                  .answer = std::exchange(robot.answer, RequestAnswer::kNone)},
-                 now_);
-    const std::uint64_t calls = count.calls();
-    robot.obey(*out_);
-    return calls;
-  }
-  const Snapshot& snapshot() const { return out_->snapshot; }
-
-  std::vector<CameraSample> under_way_, arrived_;
-  int ticks_ = 0;
-  const Outputs* out_ = nullptr;
-};
-
-TEST_F(CameraStepTest, TheFusedPoseFollowsTheCameraAndAllocatesNothing) {
-  parameters_.steering = PoseSource::kFused;
-  Step step(parameters_, course_);
-  KinematicRobot robot(parameters_);
-  const OperatorRequest request = OperatorRequest::kStart;
-  std::uint64_t calls = tick_seen(step, robot, 0.0, std::span(&request, 1));
-  while (now_ < 60 * kNsPerS && snapshot().run_state != RunState::kFinished) {
-    calls += tick_seen(step, robot, 0.0);
-  }
-  EXPECT_EQ(snapshot().run_state, RunState::kFinished);
-  EXPECT_EQ(calls, 0u);
-  EXPECT_NEAR(snapshot().estimates[PoseSource::kFused].pose.x_m, robot.x_m, 0.002);
-  EXPECT_NEAR(snapshot().estimates[PoseSource::kFused].pose.y_m, robot.y_m, 0.002);
-  EXPECT_GT(snapshot().filter.camera_used, 300u);
-  EXPECT_EQ(snapshot().filter.camera_rejected, 0u);
-  EXPECT_LT(snapshot().filter.camera_age_us, 120'000);
-  EXPECT_LT(snapshot().filter.variance_x_m2, 4e-6);
-}
-
-TEST_F(CameraStepTest, WhoIsMovedIsFoundByTheCameraAndByNobodyElse) {
-  Step step(parameters_, course_);
-  KinematicRobot robot(parameters_);
-  for (int i = 0; i < 300; ++i) tick_seen(step, robot, 0.0);
-  for (int i = 0; i < 60; ++i) tick_seen(step, robot, 0.04);
-  EXPECT_NEAR(snapshot().estimates[PoseSource::kFused].pose.y_m, 0.04, 0.003);
-  EXPECT_EQ(snapshot().estimates[PoseSource::kOdometry].pose.y_m, 0.0);
-  EXPECT_EQ(snapshot().estimates[PoseSource::kModel].pose.y_m, 0.0);
-  EXPECT_EQ(snapshot().filter.recoveries, 1u);
-}
-
-TEST_F(CameraStepTest, OnABenchTheCameraIsNotLookedAt) {
-  parameters_.setup = Setup::kStand;
-  Step step(parameters_, course_);
-  KinematicRobot robot(parameters_);
-  for (int i = 0; i < 300; ++i) tick_seen(step, robot, 0.04);
-  EXPECT_EQ(snapshot().filter.camera_age_us, -1);
-  EXPECT_NEAR(snapshot().estimates[PoseSource::kFused].pose.y_m, 0.0, 1e-9);
-}
-
 TEST_F(StepTest, TheImuTellsTheSlopeOfTheRealBody) {
   Step step(parameters_, course_);
   KinematicRobot robot(parameters_);
@@ -646,12 +326,6 @@ TEST_F(StepTest, TheCounterOfTheTestAboveCounts) {
   const test::AllocCount count;
   const auto block = std::make_unique<std::vector<int>>(100);
   EXPECT_GE(count.calls(), 2u);
-}
-
-TEST_F(StepTest, ACourseFasterThanTheRobotIsRefused) {
-  auto fast = std::make_shared<course::Course>(*course_);
-  fast->speed_mps = 0.25;
-  EXPECT_THROW(Step(parameters_, fast), SetupError);
 }
 
 TEST_F(StepTest, PaperModeUsesThePrintedConstantsWhateverTheRobotSays) {

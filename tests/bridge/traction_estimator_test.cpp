@@ -22,7 +22,7 @@ Traction drive(TractionEstimator& traction_estimator, double ground_mps, double 
   return state;
 }
 
-TEST(TractionEstimator, ARobotThatMovesAsItsTracksSayGrips) {
+TEST(TractionEstimator, ARobotThatMovesAsItsTracksSayHasTraction) {
   TractionEstimator traction_estimator;
   EXPECT_EQ(drive(traction_estimator, 0.1, 5.0), Traction::kHolding);
 }

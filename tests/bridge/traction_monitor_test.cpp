@@ -25,35 +25,39 @@ class BothDirections : public testing::TestWithParam<double> {};
 INSTANTIATE_TEST_SUITE_P(Driving, BothDirections, testing::Values(1.0, -1.0));
 
 TEST_P(BothDirections, ARobotBelowAFifthOfItsTrackSpeedIsImmobilisedAfterThreeTenths) {
-  const double way = GetParam();
+  const double direction = GetParam();
   for (const double share : {0.19, 0.0, -0.1, -2.0}) {
     TractionMonitor traction;
-    EXPECT_NEAR(seconds_until(traction, Traction::kImmobilised, way * 0.1, way * share * 0.1, 1.0),
+    EXPECT_NEAR(seconds_until(traction, Traction::kImmobilised, direction * 0.1,
+                              direction * share * 0.1, 1.0),
                 0.3, 1e-9)
         << share;
   }
   TractionMonitor traction;
-  EXPECT_LT(seconds_until(traction, Traction::kImmobilised, way * 0.1, way * 0.021, 2.0), 0.0);
+  EXPECT_LT(
+      seconds_until(traction, Traction::kImmobilised, direction * 0.1, direction * 0.021, 2.0),
+      0.0);
 }
 
 TEST_P(BothDirections, OrdinarySlipIsNoEvent) {
-  const double way = GetParam();
+  const double direction = GetParam();
   for (const double slip : {0.0, 0.1, 0.26, 0.39, -0.2}) {
     TractionMonitor traction;
     for (int i = 0; i < 1000; ++i) {
-      ASSERT_EQ(traction.update(way * 0.1, way * 0.1 * (1 - slip), kDt), Traction::kHolding);
+      ASSERT_EQ(traction.update(direction * 0.1, direction * 0.1 * (1 - slip), kDt),
+                Traction::kHolding);
     }
     EXPECT_NEAR(traction.slip(), slip, 1e-12);
   }
 }
 
 TEST_P(BothDirections, SlipBeyondItsBoundIsSlippingWhetherTheTracksRunAheadOrBehind) {
-  const double way = GetParam();
+  const double direction = GetParam();
   for (const double slip : {0.41, 0.6, 0.79, -0.5}) {
     TractionMonitor traction;
-    EXPECT_NEAR(
-        seconds_until(traction, Traction::kSlipping, way * 0.1, way * 0.1 * (1 - slip), 2.0), 0.1,
-        1e-9)
+    EXPECT_NEAR(seconds_until(traction, Traction::kSlipping, direction * 0.1,
+                              direction * 0.1 * (1 - slip), 2.0),
+                0.1, 1e-9)
         << slip;
     EXPECT_EQ(traction.state(), Traction::kSlipping);
   }
@@ -84,7 +88,7 @@ TEST(TractionMonitor, StandingTracksShowNothingAndEndWhatWas) {
   EXPECT_NEAR(seconds_until(traction, Traction::kImmobilised, 0.1, 0.0, 1.0), 0.3, 1e-9);
 }
 
-TEST(TractionMonitor, LeavesAStateOnlyOnceItGripsWellAgain) {
+TEST(TractionMonitor, LeavesAStateOnlyOnceItHasGoodTractionAgain) {
   TractionMonitor traction;
   ASSERT_GT(seconds_until(traction, Traction::kImmobilised, 0.1, 0.0, 1.0), 0.0);
   EXPECT_LT(seconds_until(traction, Traction::kHolding, 0.1, 0.065, 2.0), 0.0);

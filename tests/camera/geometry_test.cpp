@@ -28,7 +28,7 @@ SceneCamera hanging() {
   return camera;
 }
 
-Seen drawn(Scene& scene, const Pose& pose) {
+Seen rendered(Scene& scene, const Pose& pose) {
   camera::Observer observer(lens_of(scene.camera()), corner_view());
   const auto found = observer.look(scene.image(pose));
   EXPECT_TRUE(found.has_value());
@@ -62,7 +62,7 @@ Seen expected(const Pose& pose) {
 }
 
 void expect_agreement(Scene& scene, const Pose& pose) {
-  const Seen image = drawn(scene, pose), sensor = emulated(pose), estimate = expected(pose);
+  const Seen image = rendered(scene, pose), sensor = emulated(pose), estimate = expected(pose);
   EXPECT_LT(std::hypot(image.x_m - sensor.x_m, image.y_m - sensor.y_m), 0.001);
   EXPECT_LT(std::hypot(image.x_m - estimate.x_m, image.y_m - estimate.y_m), 0.001);
   EXPECT_NEAR(wrap_angle(image.yaw_rad - sensor.yaw_rad), 0.0, 0.7 * kRadPerDeg);
@@ -73,7 +73,7 @@ TEST(TiltedRobot, AMarkerSixtyMillimetresUpFallsBackBy28AtTwentyEightDegrees) {
   Scene scene = corner_scene(hanging(), 1);
   // The robot is below the lens, so that only the tilt shifts the marker.
   const Pose pose{.x_m = 0.2, .y_m = -0.1, .pitch_rad = -28.0 * kRadPerDeg};
-  EXPECT_NEAR(drawn(scene, pose).x_m - pose.x_m, -0.06 * std::sin(28.0 * kRadPerDeg), 0.001);
+  EXPECT_NEAR(rendered(scene, pose).x_m - pose.x_m, -0.06 * std::sin(28.0 * kRadPerDeg), 0.001);
   expect_agreement(scene, pose);
 }
 
@@ -97,7 +97,7 @@ TEST(TiltedRobot, TheThreeAgreeOnRampsAllOverTheFloor) {
 TEST(TiltedRobot, AcrossTheSlopeItLooksTurnedByDegreesAndTheThreeAgree) {
   Scene scene = corner_scene(hanging(), 3);
   const Pose pose{.x_m = 0.2, .y_m = 0.55, .z_m = 0.05, .pitch_rad = -28.0 * kRadPerDeg};
-  EXPECT_GT(drawn(scene, pose).yaw_rad, 3.0 * kRadPerDeg);
+  EXPECT_GT(rendered(scene, pose).yaw_rad, 3.0 * kRadPerDeg);
   expect_agreement(scene, pose);
 }
 

@@ -85,9 +85,9 @@ TEST_F(LensFile, WhatIsNoLensIsAnErrorOfOneLineThatNamesTheFile) {
   for (const std::string& text :
        {std::string(), std::string("width_px = 1920\n"), good + "k9 = 1.0\n",
         good.substr(0, good.size() / 2), std::string("\x00\x01\xff", 3), "fx_px = nan\n" + good}) {
-    const std::string said = problem("lens.toml", text);
-    EXPECT_THAT(said, HasSubstr("lens.toml"));
-    EXPECT_EQ(said.find('\n'), std::string::npos) << said;
+    const std::string message = problem("lens.toml", text);
+    EXPECT_THAT(message, HasSubstr("lens.toml"));
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
   }
   EXPECT_THROW(camera::read_lens(folder_.file("nothing.toml")), SetupError);
 }

@@ -82,16 +82,16 @@ TEST_F(Sources, TimesComeFromTheFileBesideTheImages) {
 TEST_F(Sources, BadTimesAreNamedByLine) {
   draw("a.png", 10);
   draw("b.png", 10);
-  const auto said = [&](const std::string& times) {
+  const auto error_of = [&](const std::string& times) {
     write("times.csv", times);
     return problem(folder_.path().string());
   };
-  EXPECT_THAT(said("a.png,1\nb.png,1\n"), HasSubstr("times.csv:2: not later"));
-  EXPECT_THAT(said("a.png,1\nb.png,nan\n"), HasSubstr("times.csv:2: no time"));
-  EXPECT_THAT(said("a.png,1\nb.png 2\n"), HasSubstr("times.csv:2: no comma"));
-  EXPECT_THAT(said("a.png,1\na.png,2\n"), HasSubstr("times.csv:2: named twice"));
-  EXPECT_THAT(said("a.png,1\n"), HasSubstr("no time for b.png"));
-  EXPECT_THAT(said("a.png,1\nb.png,2\nc.png,3\n"), HasSubstr("c.png is not in the folder"));
+  EXPECT_THAT(error_of("a.png,1\nb.png,1\n"), HasSubstr("times.csv:2: not later"));
+  EXPECT_THAT(error_of("a.png,1\nb.png,nan\n"), HasSubstr("times.csv:2: no time"));
+  EXPECT_THAT(error_of("a.png,1\nb.png 2\n"), HasSubstr("times.csv:2: no comma"));
+  EXPECT_THAT(error_of("a.png,1\na.png,2\n"), HasSubstr("times.csv:2: named twice"));
+  EXPECT_THAT(error_of("a.png,1\n"), HasSubstr("no time for b.png"));
+  EXPECT_THAT(error_of("a.png,1\nb.png,2\nc.png,3\n"), HasSubstr("c.png is not in the folder"));
 }
 
 TEST_F(Sources, WhatIsNoImageInAFolderIsAnError) {
@@ -177,11 +177,11 @@ TEST_F(Sources, ImagesOfAVideoThatWereDroppedLeaveAGapInItsTimes) {
 TEST_F(Sources, ATruncatedVideoIsAnErrorThatSaysHowMuchIsThere) {
   const std::string path = video(50, 25.0);
   fs::resize_file(path, fs::file_size(path) / 2);
-  const std::string said = problem(path);
-  EXPECT_THAT(said, HasSubstr("video.avi: "));
-  EXPECT_TRUE(said.find("ends after") != std::string::npos ||
-              said.find("cannot be read") != std::string::npos)
-      << said;
+  const std::string message = problem(path);
+  EXPECT_THAT(message, HasSubstr("video.avi: "));
+  EXPECT_TRUE(message.find("ends after") != std::string::npos ||
+              message.find("cannot be read") != std::string::npos)
+      << message;
   fs::resize_file(path, 100);
   EXPECT_THAT(problem(path), HasSubstr("cannot be read as a video"));
   fs::resize_file(path, 0);

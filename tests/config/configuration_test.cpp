@@ -16,7 +16,7 @@ namespace {
 
 using testing::HasSubstr;
 
-std::string told(const std::string& text) {
+std::string error_of(const std::string& text) {
   try {
     parse_configuration(text, "tp100.toml");
   } catch (const SetupError& error) {
@@ -75,24 +75,24 @@ TEST(Configuration, EveryKeyOfTheBundledFileRefusesAWrongType) {
     if (line.starts_with("#") || equals == std::string::npos) continue;
     ++keys;
     const std::string name = line.substr(0, equals);
-    EXPECT_THAT(told(section + name + " = [1]\n"), HasSubstr(name + "' is an array, expected"));
-    EXPECT_EQ(told(section + line + "\n"), "");
-    EXPECT_THAT(told(section + name + "x = 1\n"), HasSubstr("did you mean"));
+    EXPECT_THAT(error_of(section + name + " = [1]\n"), HasSubstr(name + "' is an array, expected"));
+    EXPECT_EQ(error_of(section + line + "\n"), "");
+    EXPECT_THAT(error_of(section + name + "x = 1\n"), HasSubstr("did you mean"));
   }
   EXPECT_GT(keys, 35);
 }
 
 TEST(Configuration, RefusesUnknownKeysAndValuesOutOfRangeInOneLine) {
-  EXPECT_EQ(told("[loop]\nrate = 100\n"),
+  EXPECT_EQ(error_of("[loop]\nrate = 100\n"),
             "tp100.toml:2:1: unknown key 'loop.rate'; did you mean 'loop.rate_hz'?");
-  EXPECT_EQ(told("[loop]\nrate_hz = 2000\n"),
+  EXPECT_EQ(error_of("[loop]\nrate_hz = 2000\n"),
             "tp100.toml:2:11: 'loop.rate_hz' is 2000, allowed 50 to 1000 Hz");
-  EXPECT_EQ(told("[control]\ncommand_life_ms = 500\n"),
+  EXPECT_EQ(error_of("[control]\ncommand_life_ms = 500\n"),
             "tp100.toml:2:19: 'control.command_life_ms' is 500, allowed 20 to 190 ms");
-  EXPECT_THAT(told("setup = 'flatt'\n"), HasSubstr("did you mean 'flat'?"));
-  EXPECT_THAT(told("setup = 'bench'\n"), HasSubstr("did you mean 'stand'?"));
-  EXPECT_THAT(told("[control]\npush_radps = 0.4\n"), HasSubstr("did you mean"));
-  EXPECT_THAT(told("[lopp]\n"), HasSubstr("unknown key 'lopp'; did you mean 'loop'?"));
+  EXPECT_THAT(error_of("setup = 'flatt'\n"), HasSubstr("did you mean 'flat'?"));
+  EXPECT_THAT(error_of("setup = 'bench'\n"), HasSubstr("did you mean 'stand'?"));
+  EXPECT_THAT(error_of("[control]\npush_radps = 0.4\n"), HasSubstr("did you mean"));
+  EXPECT_THAT(error_of("[lopp]\n"), HasSubstr("unknown key 'lopp'; did you mean 'loop'?"));
 }
 
 TEST(Configuration, TheRobotGivesModelAndDriveAndTheConfigurationTheTurningThreshold) {

@@ -76,12 +76,12 @@ TEST_F(ArmingTest, TheReasonOfARefusalIsSaidOnce) {
   connect();
   in_.refusal = StartRefusal::kNoWorld;
   arming_.start();
-  int said = 0;
+  int refusals = 0;
   for (int i = 0; i < 2000; ++i) {
     run(1);
-    if (arming_.refused() == StartRefusal::kNoWorld) ++said;
+    if (arming_.refused() == StartRefusal::kNoWorld) ++refusals;
   }
-  EXPECT_EQ(said, 1);
+  EXPECT_EQ(refusals, 1);
 }
 
 TEST_F(ArmingTest, AStartWaitsThatLongForTheSession) {

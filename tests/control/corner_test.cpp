@@ -19,14 +19,14 @@ Corner corner_of(double angle_deg, double x_icr_m, double room_m = kRoomM) {
 }
 
 /// Largest distance from the path of a robot that turns about a point ahead of its reference point,
-/// around sharp corners to both sides. `told`: the tracker knows this point.
-double largest_distance_m(double x_icr_m, bool told) {
+/// around sharp corners to both sides. `known`: the tracker knows this point.
+double largest_distance_m(double x_icr_m, bool known) {
   const course::Course course = make_course(
       {course::Line{0.5}, course::Pivot{kPi / 2}, course::Line{0.4}, course::Pivot{-kPi / 2},
        course::Line{0.5}, course::Pivot{-2.0}, course::Line{0.4}});
   const course::Path path(course);
   Tracker tracker(Parameters{}, path,
-                  {.speed_mps = course.speed_mps, .tracks = {.x_icr_m = told ? x_icr_m : 0.0}});
+                  {.speed_mps = course.speed_mps, .tracks = {.x_icr_m = known ? x_icr_m : 0.0}});
   LaggingRobot robot;
   robot.x_icr_m = x_icr_m;
   double largest_m = 0.0;

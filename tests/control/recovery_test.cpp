@@ -65,7 +65,7 @@ struct Displacement {
 /// The point about which a robot turns, as a distance ahead of it: the true one, and the one that
 /// the tracker uses.
 struct TurningCentre {
-  double ahead_m = 0.0, told_m = 0.0;
+  double ahead_m = 0.0, assumed_m = 0.0;
 };
 
 /// Drives `course`; at 6 s the robot is displaced, and the tracker is notified. Returns the
@@ -77,7 +77,7 @@ double recovered_after_s(const course::Course& course, const Displacement& distu
   parameters.recovery_speed_share = speed_share;
   const course::Path path(course);
   Tracker tracker(parameters, path,
-                  {.speed_mps = course.speed_mps, .tracks = {.x_icr_m = centre.told_m}});
+                  {.speed_mps = course.speed_mps, .tracks = {.x_icr_m = centre.assumed_m}});
   LaggingRobot robot;
   robot.x_icr_m = centre.ahead_m;
   double recovered_s = -1.0, progress_m = 0.0;
@@ -121,12 +121,13 @@ TEST(RecoveryDrive, BringsTheRobotBackFromEitherSide) {
 TEST(RecoveryDrive, BringsARobotBackSoonThatTurnsAboutAPointAheadOfIt) {
   const course::Course course = make_course({course::Line{1.8}});
   const Displacement disturbance{.left_m = 0.04, .yaw_rad = 15.0 * kRadPerDeg};
-  const double told_s = recovered_after_s(course, disturbance, 0.5, nullptr, nullptr, {0.03, 0.03});
-  const double untold_s =
+  const double known_s =
+      recovered_after_s(course, disturbance, 0.5, nullptr, nullptr, {0.03, 0.03});
+  const double unknown_s =
       recovered_after_s(course, disturbance, 0.5, nullptr, nullptr, {0.03, 0.0});
-  EXPECT_GT(told_s, 0.5);
-  EXPECT_LT(told_s, 2.5 + Recovery::kRecoveredForS);
-  EXPECT_GT(untold_s, told_s + 0.3);
+  EXPECT_GT(known_s, 0.5);
+  EXPECT_LT(known_s, 2.5 + Recovery::kRecoveredForS);
+  EXPECT_GT(unknown_s, known_s + 0.3);
 }
 
 TEST(RecoveryDrive, GoesSlowlyUntilItLooksBack) {

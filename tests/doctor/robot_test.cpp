@@ -140,7 +140,7 @@ TEST(Robot, WithALatchedFaultSaysItsFix) {
   EXPECT_EQ(find(robot_findings(probe), "fault").severity, Severity::kWarning);
 }
 
-TEST(Robot, WithEmptyCellsOrNoneSaysWhich) {
+TEST(Robot, WithAnEmptyBatteryOrNoneSaysWhich) {
   ProbeResult probe = good_probe();
   probe.battery_v = 5.5;
   EXPECT_EQ(find(robot_findings(probe), "battery").severity, Severity::kError);

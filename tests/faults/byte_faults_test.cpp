@@ -121,8 +121,8 @@ TEST(ByteFaults, AFarEndWithAUartGetsNoTwoBytesAtOnce) {
 
 TEST(ByteFaults, NoiseAndChatterComeThoughNobodySends) {
   EXPECT_EQ(carried("noise:200@0.01", {}).size(), 200u);
-  const std::vector<std::uint8_t> said = values(carried("chatter:1000@1", {}));
-  const std::string text(said.begin(), said.end());
+  const std::vector<std::uint8_t> sent = values(carried("chatter:1000@1", {}));
+  const std::string text(sent.begin(), sent.end());
   EXPECT_EQ(text.substr(0, 4), "AT\r\n");
   EXPECT_EQ(text.substr(text.size() / 3, 4), "AT\r\n") << "three times, once a second";
 }

@@ -11,7 +11,7 @@ namespace tp100::sim {
 namespace {
 
 template <class Message>
-void say(std::vector<TimedByte>& bytes, std::int64_t at_ns, const Message& message) {
+void append(std::vector<TimedByte>& bytes, std::int64_t at_ns, const Message& message) {
   std::array<std::uint8_t, Message::kSize> payload{};
   std::array<std::uint8_t, wire::kMaxFrame> frame{};
   wire::write_payload(message, payload.data());
@@ -20,7 +20,7 @@ void say(std::vector<TimedByte>& bytes, std::int64_t at_ns, const Message& messa
   for (std::size_t i = 0; i < size; ++i) bytes.push_back({at_ns, frame[i]});
 }
 
-struct Heard {
+struct Received {
   std::vector<wire::Sample> samples;
   std::vector<wire::Hello> hellos;
   std::vector<wire::SyncReply> replies;
@@ -28,8 +28,8 @@ struct Heard {
   int corrupted = 0;
 };
 
-Heard received(const std::vector<TimedByte>& bytes) {
-  Heard out;
+Received received(const std::vector<TimedByte>& bytes) {
+  Received out;
   wire::FrameDecoder decoder;
   for (const TimedByte& byte : bytes) {
     const wire::DecodeResult received = decoder.push(byte.value);
@@ -56,7 +56,7 @@ Heard received(const std::vector<TimedByte>& bytes) {
 }
 
 // Passes a hello, then samples and answers to clock requests in turn, 5 ms apart.
-Heard passed(const std::string& fault, std::int64_t* longest_ns = nullptr) {
+Received passed(const std::string& fault, std::int64_t* longest_ns = nullptr) {
   FrameFaults cable({parse_fault(fault)});
   std::vector<TimedByte> out;
   for (std::uint16_t i = 0; i < 100; ++i) {
@@ -65,21 +65,21 @@ Heard passed(const std::string& fault, std::int64_t* longest_ns = nullptr) {
     wire::Hello hello{};
     hello.protocol = 1;
     hello.schema = 8;
-    if (i == 0) say(bytes, at_ns, hello);
+    if (i == 0) append(bytes, at_ns, hello);
     wire::Sample sample{};
     sample.sequence = static_cast<std::uint16_t>(1000 + i);
     sample.device_us = i * 5000U;
-    say(bytes, at_ns, sample);
+    append(bytes, at_ns, sample);
     wire::SyncReply reply{};
     reply.id = i;
     reply.received_us = reply.sent_us = i * 5000U;
-    say(bytes, at_ns, reply);
+    append(bytes, at_ns, reply);
     for (const TimedByte& byte : cable.pass(bytes, at_ns + 5 * kNsPerMs - 1)) out.push_back(byte);
     if (longest_ns != nullptr)
       *longest_ns = std::max<std::int64_t>(
           *longest_ns, (i - static_cast<int>(received(out).replies.size()) + 1) * 5 * kNsPerMs);
   }
-  const Heard all = received(out);
+  const Received all = received(out);
   EXPECT_EQ(all.corrupted, 0) << fault;
   return all;
 }
@@ -92,7 +92,7 @@ TEST(FrameFaults, HelloSaysAnotherVersionSchemaOrBoard) {
 }
 
 TEST(FrameFaults, TimesJumpInSamplesAndAnswersAlike) {
-  const Heard all = passed("clock-step:500@0.25");
+  const Received all = passed("clock-step:500@0.25");
   EXPECT_EQ(all.samples[49].device_us, 49 * 5000u);
   EXPECT_EQ(all.samples[50].device_us, 50 * 5000u + 500000u);
   EXPECT_EQ(all.replies[50].received_us, all.samples[50].device_us);
@@ -100,7 +100,7 @@ TEST(FrameFaults, TimesJumpInSamplesAndAnswersAlike) {
 }
 
 TEST(FrameFaults, SamplesCountFromNothingAgain) {
-  const Heard all = passed("sequence@0.25");
+  const Received all = passed("sequence@0.25");
   EXPECT_EQ(all.samples[49].sequence, 1049);
   EXPECT_EQ(all.samples[50].sequence, 0);
   EXPECT_EQ(all.samples[99].sequence, 49);
@@ -108,9 +108,9 @@ TEST(FrameFaults, SamplesCountFromNothingAgain) {
 }
 
 TEST(FrameFaults, OldFramesAndUnknownOnesComeBetween) {
-  const Heard replayed = passed("replay:10");
+  const Received replayed = passed("replay:10");
   EXPECT_EQ(replayed.types.size(), 201u + 191u);
-  const Heard unknown = passed("unknown-message:63");
+  const Received unknown = passed("unknown-message:63");
   EXPECT_EQ(unknown.types.size(), 402u);
   EXPECT_EQ(std::count(unknown.types.begin(), unknown.types.end(), 63), 201);
   EXPECT_EQ(unknown.samples.size(), 100u);
@@ -119,7 +119,7 @@ TEST(FrameFaults, OldFramesAndUnknownOnesComeBetween) {
 TEST(FrameFaults, ClockAnswersWaitOrComeTwice) {
   EXPECT_EQ(passed("sync-twice").replies.size(), 200u);
   std::int64_t longest_ns = 0;
-  const Heard late = passed("sync-late:30", &longest_ns);
+  const Received late = passed("sync-late:30", &longest_ns);
   EXPECT_EQ(late.samples.size(), 100u);
   EXPECT_EQ(longest_ns, 30 * kNsPerMs);
 }

@@ -91,7 +91,7 @@ TEST_F(Arming, WithoutParametersIsRefused) {
   EXPECT_NE(answer.detail & mask(Fault::parameters_missing), 0);
 }
 
-TEST_F(Arming, WithEmptyCellsIsRefused) {
+TEST_F(Arming, WithAnEmptyBatteryIsRefused) {
   rig.hal.pack_mv = 5500;
   rig.run(500);
   const wire::Acknowledge answer = rig.arm();

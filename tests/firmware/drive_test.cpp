@@ -136,7 +136,7 @@ TEST(Drive, ADutyIsNeverMoreThanFull) {
 }
 
 TEST(SpeedLoop, ASaturatedMotorDoesNotWindUp) {
-  wire::Parameters p = Rig::good_parameters();
+  wire::Parameters p = test::good_parameters();
   p.speed_ki = 1.0f;
   SpeedLoop loop;
   for (int i = 0; i < 100; ++i) {
@@ -147,7 +147,7 @@ TEST(SpeedLoop, ASaturatedMotorDoesNotWindUp) {
 }
 
 TEST(SpeedLoop, NorDoesItBackwards) {
-  wire::Parameters p = Rig::good_parameters();
+  wire::Parameters p = test::good_parameters();
   p.speed_ki = 1.0f;
   SpeedLoop loop;
   for (int i = 0; i < 100; ++i) {
@@ -158,7 +158,7 @@ TEST(SpeedLoop, NorDoesItBackwards) {
 }
 
 TEST(SpeedLoop, TheLagOfATrackThatDoesNotFollowIsBounded) {
-  wire::Parameters p = Rig::good_parameters();
+  wire::Parameters p = test::good_parameters();
   p.speed_kp = 0.0f;
   p.speed_ki = 10.0f;
   SpeedLoop loop;
@@ -172,7 +172,7 @@ TEST(SpeedLoop, TheLagOfATrackThatDoesNotFollowIsBounded) {
 }
 
 TEST(SpeedLoop, TheDeadBandIsBlendedIn) {
-  wire::Parameters p = Rig::good_parameters();
+  wire::Parameters p = test::good_parameters();
   p.speed_ki = 0.0f;
   SpeedLoop loop;
   float last = 0.0f;
@@ -196,7 +196,7 @@ int turning_duty(float rate_radps, float desired_yaw_rad) {
   rig.arm();
   rig.streams = false;
   rig.run(20);
-  rig.hal.gyro_z = static_cast<std::int16_t>(rate_radps / Rig::kGyroScale);
+  rig.hal.gyro_z = static_cast<std::int16_t>(rate_radps / test::kGyroRadpsPerLsb);
   rig.run(60);
   rig.hal.gyro_z = 0;
   wire::Command command = rig.command();
@@ -220,9 +220,9 @@ TEST(Drive, YawIsCarriedForwardFromTheAnsweredSample) {
 }
 
 TEST(Drive, TheGyroBiasIsTakenOff) {
-  wire::Parameters p = Rig::good_parameters();
+  wire::Parameters p = test::good_parameters();
   TurnHistory history;
-  const auto raw = static_cast<std::int16_t>(0.1f / Rig::kGyroScale);
+  const auto raw = static_cast<std::int16_t>(0.1f / test::kGyroRadpsPerLsb);
   std::uint32_t us = 0xFFFFFFFFU - 50'000U;  // the clock wraps during the test
   for (std::uint16_t i = 65'520; i != 20; ++i) {
     history.add(i, us, raw, 0, 0);
@@ -236,7 +236,7 @@ TEST(Drive, TheGyroBiasIsTakenOff) {
 }
 
 TEST(Drive, WithoutTheGyroTheTracksCarryTheYaw) {
-  wire::Parameters p = Rig::good_parameters();
+  wire::Parameters p = test::good_parameters();
   TurnHistory history;
   for (std::uint16_t i = 0; i < 30; ++i) {
     history.add(i, i * 5000U, 12'000, -i * 10, i * 10);
@@ -278,7 +278,7 @@ TEST(Drive, YawErrorIsClosedByTheGyroBetweenCommands) {
 }
 
 TEST(Drive, TheShortWayRoundIsTaken) {
-  const wire::Parameters p = Rig::good_parameters();
+  const wire::Parameters p = test::good_parameters();
   EXPECT_GT(turn_rate(6.0f - 12.5663706f * 2.0f, 0.0f, p), -p.max_yaw_radps - 1e-6f);
   EXPECT_LT(turn_rate(6.0f, 0.0f, p), 0.0f);
   EXPECT_GT(turn_rate(-6.0f, 0.0f, p), 0.0f);
@@ -288,7 +288,7 @@ TEST(Drive, TheShortWayRoundIsTaken) {
 }
 
 TEST(TrackSpeeds, InvertEquationsOneAndFive) {
-  const wire::Parameters p = Rig::good_parameters();
+  const wire::Parameters p = test::good_parameters();
   const TrackSpeeds tracks = track_speeds(0.1f, 0.2f, p);
   const float left = tracks.left * (1.0f - p.slip_left);
   const float right = tracks.right * (1.0f - p.slip_right);
@@ -297,7 +297,7 @@ TEST(TrackSpeeds, InvertEquationsOneAndFive) {
 }
 
 TEST(TrackSpeeds, SaturationKeepsTheTurnAndCutsTheSpeed) {
-  const wire::Parameters p = Rig::good_parameters();
+  const wire::Parameters p = test::good_parameters();
   for (const float speed : {0.2f, 0.5f, 2.0f, -2.0f}) {
     const TrackSpeeds tracks = track_speeds(speed, 0.5f, p);
     EXPECT_LE(std::max(std::abs(tracks.left), std::abs(tracks.right)), p.max_track_mps + 1e-6f);
@@ -308,7 +308,7 @@ TEST(TrackSpeeds, SaturationKeepsTheTurnAndCutsTheSpeed) {
 }
 
 TEST(TrackSpeeds, ATurnBeyondTheLimitTurnsOnTheSpot) {
-  const wire::Parameters p = Rig::good_parameters();
+  const wire::Parameters p = test::good_parameters();
   const TrackSpeeds tracks = track_speeds(0.2f, 5.0f, p);
   EXPECT_FLOAT_EQ(tracks.right, p.max_track_mps);
   EXPECT_FLOAT_EQ(tracks.left, -p.max_track_mps);

@@ -71,7 +71,7 @@ TEST_P(Hostile, CorruptedFramesOfAGoodHostNeverArm) {
   rig.streams = true;
   rig.speed_mps = 0.1f;
   for (int i = 0; i < 2000; ++i) {
-    std::vector<std::uint8_t> frame = Rig::frame_of(rig.arm_message());
+    std::vector<std::uint8_t> frame = test::frame_of(rig.arm_message());
     // One bit of the encoded frame is flipped, which the CRC must detect.
     const std::size_t at = below(static_cast<std::uint32_t>(frame.size() - 1));
     frame[at] = static_cast<std::uint8_t>(frame[at] ^ (1U << below(8)));

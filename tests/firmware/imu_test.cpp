@@ -63,7 +63,7 @@ TEST(Imu, ThatDiesWhileDrivingStopsTheRobotWithinAnInstantIfTheGyroSteers) {
   EXPECT_FALSE(rig.motors_on());
 }
 
-TEST(Imu, ThatDiesOnABenchStopsNothing) {
+TEST(Imu, ThatDiesOnAStandStopsNothing) {
   Rig rig;
   rig.tracks_follow = true;
   rig.parameters.flags = 0;

@@ -29,7 +29,7 @@ TEST(Clamp, WhatIsNoNumberBecomesZero) {
 }
 
 TEST(TrackSpeeds, WhatIsNoNumberAsksForAStandstill) {
-  const wire::Parameters parameters = Rig::good_parameters();
+  const wire::Parameters parameters = test::good_parameters();
   for (const float bad : {kNan, -kNan}) {
     const TrackSpeeds speeds = track_speeds(bad, 0.5f, parameters);
     EXPECT_EQ(speeds.left, 0.0f);
@@ -38,7 +38,7 @@ TEST(TrackSpeeds, WhatIsNoNumberAsksForAStandstill) {
 }
 
 TEST(SpeedLoop, ATargetThatIsNoNumberGivesNoDuty) {
-  const wire::Parameters parameters = Rig::good_parameters();
+  const wire::Parameters parameters = test::good_parameters();
   SpeedLoop loop;
   loop.measure(0, 5000, parameters);
   EXPECT_EQ(loop.update(kNan, 0.005f, parameters), 0.0f);

@@ -2,48 +2,20 @@
 // A firmware on a scripted board with a host that follows the protocol and two tracks that follow
 // their duties. A loop takes 250 us, and a tick comes every millisecond.
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "../support/wire_host.h"
 #include "firmware/firmware.h"
 #include "scripted_hal.h"
-#include "wire/frame.h"
 
 namespace tp100::firmware {
 
-class Rig {
+class Rig : public test::ReceivedFrames {
  public:
-  static constexpr float kGyroScale = 0.0174532925f / 32.8f;  // 1000 deg/s full scale
-
-  static wire::Parameters good_parameters() {
-    wire::Parameters p{};
-    p.boot_nonce = 0xB007;
-    p.token = 1;
-    p.counts_per_metre = 11140.0f;
-    p.wheelbase_m = p.wheelbase_tight_m = p.wheelbase_spin_m = 0.274f;
-    p.turn_slip_share = 1.0f;
-    p.slip_left = 0.16f;
-    p.slip_right = 0.10f;
-    p.max_track_mps = 0.2f;
-    p.max_track_mps2 = 0.6f;
-    p.feed_forward = 4.0f;
-    p.dead_band = 0.15f;
-    p.speed_kp = 4.0f;
-    p.speed_ki = 30.0f;
-    p.yaw_kp = 4.0f;
-    p.max_yaw_radps = 1.2f;
-    p.gyro_z_radps_per_lsb = kGyroScale;
-    p.battery_cutoff_mv = 6000;
-    p.stall_duty = 600;
-    p.stall_ms = 1000;
-    p.command_life_ms = 200;
-    p.yaw_window_ms = 200;
-    p.flags = wire::kUseGyro;
-    return p;
-  }
-
   explicit Rig(bool boot_now = true) {
     if (boot_now) boot();
   }
@@ -53,7 +25,7 @@ class Rig {
   Firmware program{hal};
 
   // The host.
-  wire::Parameters parameters = good_parameters();
+  wire::Parameters parameters = test::good_parameters();
   bool streams = false;  // a command every 5 ms
   float speed_mps = 0.0f;
   float yaw_rate_radps = 0.0f;
@@ -76,27 +48,9 @@ class Rig {
   double true_yaw_rad = 0.0;
   double true_m = 0.0;  ///< distance of the middle
 
-  // Received frames.
-  std::vector<wire::Hello> hellos;
-  std::vector<wire::Sample> samples;
-  std::vector<wire::Acknowledge> acknowledges;
-  std::vector<wire::SyncReply> sync_replies;
-  std::vector<wire::FaultReport> reports;
-  std::vector<std::string> logs;
-  int bad_frames = 0;
-
-  template <class Message>
-  static std::vector<std::uint8_t> frame_of(const Message& message) {
-    std::uint8_t payload[Message::kSize];
-    wire::write_payload(message, payload);
-    std::vector<std::uint8_t> frame(wire::kMaxFrame);
-    frame.resize(wire::encode_frame(static_cast<std::uint8_t>(Message::kType), payload,
-                                    Message::kSize, frame.data()));
-    return frame;
-  }
   template <class Message>
   void send(const Message& message) {
-    const auto frame = frame_of(message);
+    const auto frame = test::frame_of(message);
     hal.received.insert(hal.received.end(), frame.begin(), frame.end());
   }
 
@@ -173,57 +127,14 @@ class Rig {
 
   /// Adds foreign bytes to what the host receives.
   void overhear(const std::string& text) {
-    for (const char byte : text) hear(static_cast<std::uint8_t>(byte));
+    for (const char byte : text) receive(static_cast<std::uint8_t>(byte));
   }
   void collect() {
-    for (const std::uint8_t byte : hal.sent) hear(byte);
+    for (const std::uint8_t byte : hal.sent) receive(byte);
     hal.sent.clear();
   }
 
  private:
-  void hear(std::uint8_t byte) {
-    const wire::DecodeResult received = decoder_.push(byte);
-    if (received == wire::DecodeResult::kFrame) {
-      take();
-    } else if (received != wire::DecodeResult::kNothing) {
-      ++bad_frames;
-    }
-  }
-  template <class Message>
-  void keep(std::vector<Message>& list) {
-    Message message{};
-    if (wire::read_payload(decoder_.payload(), decoder_.size(), message)) {
-      list.push_back(message);
-    } else {
-      ++bad_frames;
-    }
-  }
-  void take() {
-    switch (wire::Type{decoder_.type()}) {
-      case wire::Type::kHello:
-        return keep(hellos);
-      case wire::Type::kSample:
-        return keep(samples);
-      case wire::Type::kAcknowledge:
-        return keep(acknowledges);
-      case wire::Type::kSyncReply:
-        return keep(sync_replies);
-      case wire::Type::kFaultReport:
-        return keep(reports);
-      case wire::Type::kLog: {
-        std::vector<wire::Log> one;
-        keep(one);
-        std::string text;
-        for (const std::uint8_t c : one.at(0).text) {
-          if (c != 0) text.push_back(static_cast<char>(c));
-        }
-        logs.push_back(text);
-        return;
-      }
-      default:
-        ++bad_frames;
-    }
-  }
   double follow(double mps, std::int16_t duty) const {
     const double size = std::abs(duty) / 1000.0 - load_duty;
     const double wanted = std::copysign(std::max(0.0, size - 0.13) / 4.3, duty);
@@ -240,10 +151,9 @@ class Rig {
     hal.right_counts = static_cast<std::int32_t>(std::floor(right_m_ * 11140.0));
     const double rate = (right_mps * 0.90 - left_mps * 0.84) / 0.274 + disturbance_radps;
     true_yaw_rad += rate * 1e-3;
-    hal.gyro_z = static_cast<std::int16_t>(std::lround(rate / static_cast<double>(kGyroScale)));
+    hal.gyro_z = static_cast<std::int16_t>(std::lround(rate / double{test::kGyroRadpsPerLsb}));
   }
 
-  wire::FrameDecoder decoder_;
   int since_command_ = 0;
   double left_m_ = 0.0;
   double right_m_ = 0.0;

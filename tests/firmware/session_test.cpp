@@ -174,7 +174,7 @@ TEST(Session, BoundsOfParametersAreInRangeAsBinary32) {
   for (std::size_t i = 0; i < std::size(ranges); ++i) {
     const auto& [field, low, high] = ranges[i];
     const auto answer = [&, field = field](float value) {
-      wire::Parameters parameters = Rig::good_parameters();
+      wire::Parameters parameters = test::good_parameters();
       parameters.*field = value;
       return int{bad_field(parameters)};
     };

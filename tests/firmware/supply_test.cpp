@@ -35,7 +35,7 @@ TEST(Supply, BatteryReadRightAtAnyUsbVoltageUpToFiveVolts) {
   }
 }
 
-TEST(Supply, NoChipReadsCellsHigherThanIfFiveVoltsWereAssumedNorTenPercentTooHigh) {
+TEST(Supply, NoChipReadsTheBatteryHigherThanIfFiveVoltsWereAssumedNorTenPercentTooHigh) {
   for (double supply_v = 4.4; supply_v <= 5.25; supply_v += 0.05) {
     for (double bandgap_v = 1.0; bandgap_v <= 1.2; bandgap_v += 0.02) {
       const double read = battery_read_v(6.0, supply_v, bandgap_v);

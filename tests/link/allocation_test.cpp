@@ -37,7 +37,7 @@ TEST(Allocation, ASessionNeverTouchesTheHeap) {
       session.send(Command{}, now);
       calls += heap.calls();
     }
-    robot.hear(session.output(), now);
+    robot.receive(session.output(), now);
     session.written(session.output().size());
   }
   EXPECT_EQ(calls, 0u);

@@ -7,26 +7,17 @@
 #include <span>
 #include <vector>
 
+#include "../support/wire_host.h"
 #include "core/time.h"
-#include "wire/frame.h"
-#include "wire/messages.h"
 
 namespace tp100 {
 
-template <class Message>
-std::vector<std::uint8_t> frame_of(const Message& message) {
-  std::uint8_t payload[Message::kSize];
-  wire::write_payload(message, payload);
-  std::vector<std::uint8_t> frame(wire::kMaxFrame);
-  frame.resize(wire::encode_frame(static_cast<std::uint8_t>(Message::kType), payload,
-                                  Message::kSize, frame.data()));
-  return frame;
-}
+using test::frame_of;
 
 class ScriptedRobot {
  public:
   // Received frames, by kind.
-  struct Heard {
+  struct Received {
     std::vector<wire::HelloRequest> hello_requests;
     std::vector<wire::Parameters> parameters;
     std::vector<wire::Command> commands;
@@ -57,7 +48,7 @@ class ScriptedRobot {
   double metres_per_s = 0.0;
   bool drives = false;  // straight ahead at the commanded speed
 
-  Heard received;
+  Received received;
   wire::State state = wire::State::kHello;
   std::uint16_t sequence = 0;
   std::uint16_t faults = 0;
@@ -82,19 +73,19 @@ class ScriptedRobot {
   }
 
   template <class Message>
-  void say(const Message& message) {
+  void send(const Message& message) {
     const auto frame = frame_of(message);
     out_.insert(out_.end(), frame.begin(), frame.end());
   }
   void say_hello() {
-    say(wire::Hello{protocol,
-                    {0, 1, 0},
-                    schema,
-                    board,
-                    boot_nonce,
-                    0,
-                    static_cast<std::uint8_t>(state),
-                    faults});
+    send(wire::Hello{protocol,
+                     {0, 1, 0},
+                     schema,
+                     board,
+                     boot_nonce,
+                     0,
+                     static_cast<std::uint8_t>(state),
+                     faults});
   }
   wire::Sample sample(HostNs now) const {
     wire::Sample sample{};
@@ -124,13 +115,13 @@ class ScriptedRobot {
       next_hello_ns_ = now + wire::kHelloPeriodMs * kNsPerMs;
     }
     if (samples && state >= wire::State::kDisarmed && now >= next_sample_ns_) {
-      say(sample(now));
+      send(sample(now));
       ++sequence;
       next_sample_ns_ = now + wire::kSamplePeriodUs * kNsPerUs;
     }
   }
 
-  void hear(std::span<const std::uint8_t> bytes, HostNs now) {
+  void receive(std::span<const std::uint8_t> bytes, HostNs now) {
     for (const std::uint8_t byte : bytes) {
       const wire::DecodeResult result = decoder_.push(byte);
       if (result == wire::DecodeResult::kFrame) {
@@ -156,8 +147,8 @@ class ScriptedRobot {
   }
   void acknowledge(wire::Type type, std::uint32_t token, wire::Result result) {
     if (!silent) {
-      say(wire::Acknowledge{static_cast<std::uint8_t>(type), token,
-                            static_cast<std::uint8_t>(result), 0});
+      send(wire::Acknowledge{static_cast<std::uint8_t>(type), token,
+                             static_cast<std::uint8_t>(result), 0});
     }
   }
   void on_frame(HostNs now) {
@@ -201,7 +192,8 @@ class ScriptedRobot {
         ++received.sync_requests;
         const auto request = read<wire::SyncRequest>();
         if (answers_sync && !silent) {
-          say(wire::SyncReply{request.id, device_us(now), device_us(now), corrupted, missed_edges});
+          send(
+              wire::SyncReply{request.id, device_us(now), device_us(now), corrupted, missed_edges});
         }
         return;
       }

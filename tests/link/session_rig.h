@@ -42,7 +42,7 @@ class SessionRig {
     collect();
     if (loses_output) session.written(session.output().size());
     if (port_takes) {
-      robot.hear(session.output(), now);
+      robot.receive(session.output(), now);
       session.written(session.output().size());
     }
   }

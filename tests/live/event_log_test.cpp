@@ -50,8 +50,8 @@ class SmallPipe {
 
 TEST(EventLog, LinesComeInOrderAndAllOfThemBeforeItEnds) {
   SmallPipe pipe;
-  std::string said;
-  std::thread reader([&] { said = pipe.read_all(); });
+  std::string output;
+  std::thread reader([&] { output = pipe.read_all(); });
   {
     EventLog log;
     for (int i = 0; i < 300; ++i) log.info("line " + std::to_string(i) + ";");
@@ -61,26 +61,26 @@ TEST(EventLog, LinesComeInOrderAndAllOfThemBeforeItEnds) {
   reader.join();
   std::size_t at = 0;
   for (int i = 0; i < 300; ++i) {
-    at = said.find("line " + std::to_string(i) + ";", at);
+    at = output.find("line " + std::to_string(i) + ";", at);
     ASSERT_NE(at, std::string::npos) << i;
   }
-  EXPECT_THAT(said, HasSubstr("warning the last one"));
+  EXPECT_THAT(output, HasSubstr("warning the last one"));
 }
 
 TEST(EventLog, WhoDoesNotReadItHoldsUpNobody) {
   SmallPipe pipe;
-  std::string said;
+  std::string output;
   std::thread reader;
   {
     EventLog log;
     for (int i = 0; i < 5000; ++i) log.info("line " + std::to_string(i) + ";");
     // Reading begins only after all lines are logged: the newest lines must arrive.
-    reader = std::thread([&] { said = pipe.read_all(); });
+    reader = std::thread([&] { output = pipe.read_all(); });
   }
   pipe.restore();
   reader.join();
-  EXPECT_TRUE(said.ends_with("line 4999;\n"));
-  EXPECT_LT(std::count(said.begin(), said.end(), '\n'), 5000)
+  EXPECT_TRUE(output.ends_with("line 4999;\n"));
+  EXPECT_LT(std::count(output.begin(), output.end(), '\n'), 5000)
       << "the oldest lines must have been dropped";
 }
 

@@ -16,14 +16,14 @@ class LinkMonitorTest : public ::testing::Test {
   LinkMonitorTest() { record_->inputs.session = SessionState::kReady; }
   /// Steps for `seconds` at 200 Hz; returns the events that were reported.
   std::vector<messages::Event> drive(double seconds) {
-    std::vector<messages::Event> said;
+    std::vector<messages::Event> events;
     for (const HostNs end = record_->now_ns + from_s(seconds); record_->now_ns < end;) {
       record_->now_ns += 5 * kNsPerMs;
       ++record_->step;
       watch_.take(*record_);
-      for (messages::Event& word : watch_.drain_events()) said.push_back(std::move(word));
+      for (messages::Event& word : watch_.drain_events()) events.push_back(std::move(word));
     }
-    return said;
+    return events;
   }
   std::unique_ptr<StepRecord> record_ = std::make_unique<StepRecord>();
   LinkMonitor watch_;
@@ -45,9 +45,9 @@ TEST_F(LinkMonitorTest, EveryTroubleHasALineWithCauseAndFix) {
   record_->snapshot.has_sample = true;
   record_->snapshot.age_us = 23'000;
   record_->now_ns += 100 * kNsPerMs;
-  const std::vector<messages::Event> said = drive(1.0);
-  EXPECT_THAT(said, SizeIs(10));
-  for (const messages::Event& word : said) {
+  const std::vector<messages::Event> events = drive(1.0);
+  EXPECT_THAT(events, SizeIs(10));
+  for (const messages::Event& word : events) {
     EXPECT_EQ(word.level, messages::Event::Level::kWarning) << word.text;
     EXPECT_NE(word.cause, "") << word.text;
     EXPECT_NE(word.fix, "") << word.text;
@@ -77,9 +77,9 @@ TEST_F(LinkMonitorTest, StepsThatFoundNoRoomAreNoPause) {
 TEST_F(LinkMonitorTest, APauseOfTheLoopIsSpokenOfWithItsLength) {
   drive(0.1);
   record_->now_ns += 300 * kNsPerMs;
-  const auto said = drive(0.1);
-  ASSERT_THAT(said, SizeIs(1));
-  EXPECT_THAT(said[0].text, HasSubstr("305 ms"));
+  const auto events = drive(0.1);
+  ASSERT_THAT(events, SizeIs(1));
+  EXPECT_THAT(events[0].text, HasSubstr("305 ms"));
 }
 
 }  // namespace

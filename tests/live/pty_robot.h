@@ -47,7 +47,7 @@ class PtyRobot {
         const std::lock_guard lock(mutex_);
         const HostNs now = monotonic_now();
         if (pty_ != nullptr) {
-          robot_.hear(pty_->read(), now);
+          robot_.receive(pty_->read(), now);
           robot_.tick(now);
           pty_->write(robot_.take());
         }

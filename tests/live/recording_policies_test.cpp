@@ -233,8 +233,8 @@ TEST_F(BlackBoxTest, AReportIsMadeOfIt) {
   options.out = folder_.file("report");
   testing::internal::CaptureStdout();
   EXPECT_EQ(app::run_report(options), 0);
-  const std::string told = testing::internal::GetCapturedStdout();
-  EXPECT_THAT(told, HasSubstr(folder_.file("report/report.html")));
+  const std::string output = testing::internal::GetCapturedStdout();
+  EXPECT_THAT(output, HasSubstr(folder_.file("report/report.html")));
   const std::string page = test::read_bytes(folder_.file("report/report.html"));
   EXPECT_THAT(page, HasSubstr("<dt>course</dt><dd>1-curve</dd>"));
   EXPECT_THAT(page, HasSubstr("<dt>set-up</dt><dd>flat</dd>"));

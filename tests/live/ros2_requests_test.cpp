@@ -75,8 +75,8 @@ class Ros2RequestsTest : public ::testing::Test {
     if (why.empty()) requests_.set_course(course);
     std::exchange(controls_.answers.back(), {})(why, "{}");
   }
-  /// What was said since the last call.
-  std::string said() {
+  /// Messages since the last call.
+  std::string take_messages() {
     std::vector<messages::Event> events;
     requests_.drain_events(events);
     std::string text;
@@ -102,7 +102,7 @@ TEST_F(Ros2RequestsTest, AGoalChoosesTheCourseToItAndStartsIt) {
   answer("goal");
   step();
   EXPECT_EQ(controls_.starts, 1);
-  EXPECT_EQ(said(), "ROS 2 /goal_pose starts the robot\n");
+  EXPECT_EQ(take_messages(), "ROS 2 /goal_pose starts the robot\n");
   wait(kNsPerS);
   EXPECT_EQ(controls_.starts, 1);
 }
@@ -124,7 +124,8 @@ TEST_F(Ros2RequestsTest, WhatTheChoiceRefusesIsSaid) {
   send_goal(9.0, 0.0);
   answer("goal", "goal.toml:7:1: the path leaves the fence at (1.800, 0.000) m");
   step();
-  EXPECT_EQ(said(), "ROS 2: /goal_pose refused: the path leaves the fence at (1.800, 0.000) m\n");
+  EXPECT_EQ(take_messages(),
+            "ROS 2: /goal_pose refused: the path leaves the fence at (1.800, 0.000) m\n");
   EXPECT_EQ(requests_.take_answer()->level, messages::Event::Level::kWarning);
   send_course("1-shrap");
   answer("", "1-shrap: no such course; did you mean '1-sharp'?");
@@ -137,7 +138,7 @@ TEST_F(Ros2RequestsTest, WhatTheChoiceRefusesIsSaid) {
 TEST_F(Ros2RequestsTest, WhereThePagesStartIsRefusedNothingIsChosen) {
   refuse_starts(StartRefusal::kNoSession);
   send_goal(1.0, 0.0);
-  EXPECT_EQ(said(), "ROS 2: /goal_pose refused: no robot yet\n");
+  EXPECT_EQ(take_messages(), "ROS 2: /goal_pose refused: no robot yet\n");
   refuse_starts(StartRefusal::kDriven);
   send_course("3");
   step([](StepRecord& record) { record.snapshot.run_state = RunState::kRunning; });
@@ -153,9 +154,9 @@ TEST_F(Ros2RequestsTest, AStartThatCannotBeginSoonIsRefused) {
   refuse_starts(StartRefusal::kNotStill);
   wait(2 * kNsPerS);
   EXPECT_EQ(controls_.starts, 0);
-  EXPECT_EQ(said(), "");
+  EXPECT_EQ(take_messages(), "");
   wait(2 * kNsPerS);
-  EXPECT_EQ(said(),
+  EXPECT_EQ(take_messages(),
             "ROS 2: /tp100/course refused: the gyro is not still; leave the robot at rest for a "
             "second\n");
   refuse_starts(StartRefusal::kNone);
@@ -180,7 +181,7 @@ TEST_F(Ros2RequestsTest, AMessageThatIsRepeatedStartsOnce) {
   }
   EXPECT_EQ(controls_.choices.size(), 1u);
   EXPECT_EQ(controls_.starts, 1);
-  EXPECT_THAT(said(), HasSubstr("/goal_pose is repeated and starts nothing"));
+  EXPECT_THAT(take_messages(), HasSubstr("/goal_pose is repeated and starts nothing"));
   wait(Ros2Requests::kSilenceNs);
   send_goal(1.0, 0.0);
   EXPECT_EQ(controls_.choices.size(), 2u);
@@ -189,7 +190,8 @@ TEST_F(Ros2RequestsTest, AMessageThatIsRepeatedStartsOnce) {
 TEST_F(Ros2RequestsTest, AMessageThatCameLateStartsNothing) {
   send_goal(1.0, 0.0, 3 * kNsPerS);
   EXPECT_THAT(controls_.choices, IsEmpty());
-  EXPECT_THAT(said(), HasSubstr("/goal_pose refused: sent 3.0 s ago by the clock of its sender"));
+  EXPECT_THAT(take_messages(),
+              HasSubstr("/goal_pose refused: sent 3.0 s ago by the clock of its sender"));
 }
 
 TEST_F(Ros2RequestsTest, WhoeverAsksMeanwhileEndsTheStart) {
@@ -201,7 +203,7 @@ TEST_F(Ros2RequestsTest, WhoeverAsksMeanwhileEndsTheStart) {
     answer("3");
     wait(kNsPerS);
     EXPECT_EQ(controls_.starts, 0);
-    EXPECT_THAT(said(), HasSubstr("another request came meanwhile"));
+    EXPECT_THAT(take_messages(), HasSubstr("another request came meanwhile"));
   }
 }
 
@@ -210,7 +212,7 @@ TEST_F(Ros2RequestsTest, AStartIsOfItsOwnCourseAndPlaceOnly) {
   answer("3");
   requests_.set_course("2");
   step();
-  EXPECT_THAT(said(), HasSubstr("another course was chosen meanwhile"));
+  EXPECT_THAT(take_messages(), HasSubstr("another course was chosen meanwhile"));
   send_goal(1.0, 0.0);
   answer("goal");
   step([](StepRecord& record) { record.snapshot.world.x_m += 0.02; });
@@ -243,13 +245,13 @@ TEST_F(Ros2RequestsTest, AStopNeedsNoMessageThatIsRightAndEndsAStart) {
   EXPECT_EQ(controls_.stops, 2);
   requests_.take({.input = ros2::Input::kStop, .gone = true}, now_);
   EXPECT_EQ(controls_.stops, 2);
-  EXPECT_THAT(said(), HasSubstr("/tp100/stop: STOP"));
+  EXPECT_THAT(take_messages(), HasSubstr("/tp100/stop: STOP"));
 }
 
 TEST_F(Ros2RequestsTest, ARefusalHidesNoneOfAnotherTopic) {
   requests_.take({.input = ros2::Input::kGoal}, now_);
   send_course("");
-  EXPECT_THAT(said(),
+  EXPECT_THAT(take_messages(),
               testing::AllOf(HasSubstr("/goal_pose refused"), HasSubstr("/tp100/course refused")));
 }
 
@@ -258,7 +260,7 @@ TEST_F(Ros2RequestsTest, WhatIsRefusedAgainAndAgainIsSaidOnceASecond) {
     requests_.take({.input = ros2::Input::kGoal, .writer = 1}, now_);
     step();
   }
-  const std::string all = said();
+  const std::string all = take_messages();
   EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 5);
   EXPECT_THAT(all, HasSubstr("/goal_pose refused: no geometry_msgs/msg/PoseStamped"));
 }

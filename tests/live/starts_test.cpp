@@ -15,6 +15,7 @@
 #include "../support/temporary_folder.h"
 #include "live_command.h"
 #include "pty_robot.h"
+#include "server/services.h"
 
 namespace tp100::live {
 namespace {
@@ -227,11 +228,11 @@ TEST_F(Starts, EnterAndTheStopOfThePageAtOnceStartNothing) {
     server::WebClient viewer(page());
     for (int i = 0; i < kRepetitions; ++i) {
       const std::size_t before = arms();
-      if (i % 2 == 0) viewer.call(3);
+      if (i % 2 == 0) viewer.call(server::Service::kStop);
       if (i % 2 != 0) keyboard_.enter();
       std::this_thread::sleep_for(std::chrono::milliseconds(i));
       if (i % 2 == 0) keyboard_.enter();
-      if (i % 2 != 0) viewer.call(3);
+      if (i % 2 != 0) viewer.call(server::Service::kStop);
       ASSERT_TRUE(after_commands());
       ASSERT_EQ(arms(), before) << "repetition " << i;
       viewer.drain();
@@ -247,7 +248,7 @@ TEST_F(Starts, TheFirstEnterAndTheStopOfThePageAtOnceLeaveNoRun) {
   run([&] {
     ASSERT_TRUE(ready());
     server::WebClient viewer(page());
-    viewer.call(3);
+    viewer.call(server::Service::kStop);
     keyboard_.enter();
     ASSERT_TRUE(after_commands(200));
     ASSERT_TRUE(soon([this] { return stops() > 0; }));
@@ -354,7 +355,7 @@ TEST_F(Starts, AStopBeforeTheRobotIsThereIsNotUndoneByStartingByItself) {
   run([&] {
     server::WebClient viewer(page());
     viewer.subscribe(messages::Channel::kState);
-    viewer.call(3);
+    viewer.call(server::Service::kStop);
     viewer.read_until("\"latched\":true");
     with_board(wire::BoardType::kNative);
     ASSERT_TRUE(ready());

@@ -27,9 +27,9 @@ class Files : public testing::Test {
     run_.settings.rate_hz = 1000.0;
   }
   void open() {
-    files_ = std::make_unique<WorldFiles>(run_, [this](const WorldSample& said) {
+    files_ = std::make_unique<WorldFiles>(run_, [this](const WorldSample& sample) {
       const std::lock_guard lock(mutex_);
-      said_ = said;
+      sample_ = sample;
       return true;
     });
   }
@@ -43,7 +43,7 @@ class Files : public testing::Test {
   }
   double pitch() {
     const std::lock_guard lock(mutex_);
-    return said_.pitch_rad;
+    return sample_.pitch_rad;
   }
   static bool eventually(const std::function<bool()>& condition) {
     for (int i = 0; i < 5000; ++i) {
@@ -57,7 +57,7 @@ class Files : public testing::Test {
   config::WorldRun run_;
   std::unique_ptr<StepRecord> record_ = std::make_unique<StepRecord>();
   std::mutex mutex_;
-  WorldSample said_{};
+  WorldSample sample_{};
   std::unique_ptr<WorldFiles> files_;
 };
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests tp100d with faulty robots: runs each row of oddities.py with a robot that was written from
+"""Tests tp100d with faulty robots: runs each row of oddity_list.py with a robot that was written from
 firmware/PROTOCOL.md alone. Usage: oddities_test.py [--jobs N] [--verbose] PROGRAM [WORD...]; words select rows by name.
 
 Times are measured by the robot's loop. A failed run is repeated if that loop or the program paused for 50 ms, because
@@ -17,7 +17,7 @@ import tempfile
 import time
 from collections import namedtuple
 
-from oddities import ROWS
+from oddity_list import ROWS
 from robot import COUNTS_PER_METRE, DEAD_BAND, FEED_FORWARD, SLIP_LEFT, SLIP_RIGHT, WHEELBASE, Robot, asks_motion
 from wire import GOLDEN, pack, unpack
 

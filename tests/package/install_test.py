@@ -31,7 +31,7 @@ def newer(deb, folder):
 def drive_as_user(machine):
     """Runs emulator and daemon as the service's user through a short course without systemd, and a campaign of two runs."""
     machine.write("/srv/short.toml", COURSE)
-    said = machine.shell("""
+    output = machine.shell("""
       test "$(id -nG tp100)" = "tp100 dialout"
       as='setpriv --reuid=tp100 --regid=tp100 --init-groups'
       $as tp100-sim robot --link /tmp/robot & robot=$!
@@ -43,8 +43,8 @@ def drive_as_user(machine):
       printf 'runs = 2\\ncourse = "1-curve"\\n' >/srv/few.toml
       $as tp100-campaign /srv/few.toml --out /tmp/few --engine one
       test -s /tmp/few/index.html""")
-    check("short: completed" in said, f"the course as tp100: {said}")
-    print(said)
+    check("short: completed" in output, f"the course as tp100: {output}")
+    print(output)
 
 
 def serve(machine):
@@ -53,10 +53,10 @@ def serve(machine):
     may_raise = subprocess.run(["prlimit", "--rtprio=90:90", "true"], stderr=subprocess.DEVNULL, check=False)
     machine.write("/etc/tp100/tp100.toml", 'course = "/srv/short.toml"\n[link]\nport = "/srv/robot"\n')
     with open(HERE + "/service.sh", encoding="utf-8") as file:
-        said = machine.boot(file.read().replace("@MAY_RAISE@", "yes" if may_raise.returncode == 0 else ""))
-    print(said)
-    check("service: done" in said, "the service under systemd (above)")
-    untried = re.findall(r"^service: not tried: (.*)", said, re.M)
+        output = machine.boot(file.read().replace("@MAY_RAISE@", "yes" if may_raise.returncode == 0 else ""))
+    print(output)
+    check("service: done" in output, "the service under systemd (above)")
+    untried = re.findall(r"^service: not tried: (.*)", output, re.M)
     return "; ".join(untried)
 
 
@@ -84,13 +84,13 @@ def left(machine):
 
 def watch_marker(machine, apt):
     """Installs the camera beside the bridge, draws the marker and reads it from an image, and removes it again."""
-    said = machine.shell(f"""
+    output = machine.shell(f"""
       ! dpkg -l 'libopencv*' | grep ^ii
       {apt} install --no-install-recommends /srv/tp100-camera.deb
       tp100-camera --print-marker /srv/marker.svg; grep -c '<svg' /srv/marker.svg
       tp100-camera --print-marker /srv/marker.svg --view /usr/share/tp100/view.toml
       {apt} purge tp100-camera; {apt} autoremove --purge; tp100d --version""")
-    print(said)
+    print(output)
 
 
 def install(build):

@@ -63,10 +63,10 @@ class Machine:
             return file.read()
 
     def nspawn(self, *rest, **more):
-        said = run("systemd-nspawn", "--quiet", "--directory=" + self.folder, "--register=no", "--keep-unit", *rest,
-                   **more)
+        output = run("systemd-nspawn", "--quiet", "--directory=" + self.folder, "--register=no", "--keep-unit", *rest,
+                     **more)
         # This message comes from nspawn's clean-up where /run is no separate file system.
-        return re.sub(r"^Attempted to remove disk file system .*\n", "", said, flags=re.M)
+        return re.sub(r"^Attempted to remove disk file system .*\n", "", output, flags=re.M)
 
     def shell(self, script, good=True):
         return self.nspawn("--pipe", "--setenv=DEBIAN_FRONTEND=noninteractive", "sh", "-ec", script, good=good)

@@ -124,6 +124,6 @@ def setup(_build):
 
         machine = Machine(at + "/hidden", MOREUTILS, "install ok installed")
         os.mkdir(at + "/out")
-        said = machine.run(ROOT + "/scripts/campaign", ROOT + "/config/campaigns/course-3.toml", "--out", at + "/out",
-                           good=False)
-        check("is not GNU parallel; " in said, f"scripts/campaign with moreutils' parallel said '{said}'")
+        output = machine.run(ROOT + "/scripts/campaign", ROOT + "/config/campaigns/course-3.toml", "--out", at + "/out",
+                             good=False)
+        check("is not GNU parallel; " in output, f"scripts/campaign with moreutils' parallel said '{output}'")

@@ -72,9 +72,9 @@ class WheelsUpFromThePage : public testing::Test {
                                  "127.0.0.1:0", "--setup", "stand"});
     ASSERT_TRUE(daemon_->wait_for("page: http://127.0.0.1:")) << daemon_->output();
     ASSERT_TRUE(daemon_->wait_for("-> ready")) << daemon_->output();
-    const std::string said = daemon_->output();
-    const std::size_t at = said.find("http://127.0.0.1:") + std::strlen("http://127.0.0.1:");
-    page_ = said.substr(at, said.find('/', at) - at);
+    const std::string output = daemon_->output();
+    const std::size_t at = output.find("http://127.0.0.1:") + std::strlen("http://127.0.0.1:");
+    page_ = output.substr(at, output.find('/', at) - at);
     caller_ = std::make_unique<Caller>(page_);
   }
   /// Begins a check as soon as the robot is at rest.
@@ -110,7 +110,7 @@ class WheelsUpFromThePage : public testing::Test {
     return answer;
   }
   /// What the robot said since the check began.
-  std::string said() { return robot_->output().substr(begun_); }
+  std::string robot_output() { return robot_->output().substr(begun_); }
   /// Why the motors are off, as the robot says; empty: they run.
   std::string last_cause() {
     if (robot_ == nullptr) return {};
@@ -123,7 +123,7 @@ class WheelsUpFromThePage : public testing::Test {
   /// Watches until a track runs.
   void run_tracks() {
     ASSERT_TRUE(eventually([&] {
-      return watch().contains("result") || said().find("motors on") != std::string::npos;
+      return watch().contains("result") || robot_output().find("motors on") != std::string::npos;
     })) << robot_->output();
   }
   /// The result of a check in which `meanwhile` happens. On a busy machine the firmware may stop
@@ -167,12 +167,12 @@ TEST_F(WheelsUpFromThePage, MovesNothingBeforeItIsConfirmedAndFindsAGoodRobotWel
   EXPECT_EQ(result["errors"], 0) << result;
   EXPECT_THAT(line(result, "left-track"), HasSubstr("ok: "));
   EXPECT_THAT(line(result, "right-track"), HasSubstr("ok: "));
-  EXPECT_THAT(said(), HasSubstr("motors off: disarm"));
+  EXPECT_THAT(robot_output(), HasSubstr("motors off: disarm"));
   // The daemon has the robot again, and starts nothing.
   EXPECT_THAT(daemon_->output(), HasSubstr("handed over to the check of the tracks"));
   EXPECT_TRUE(eventually([&] {
-    const std::string said = daemon_->output();
-    return said.find("-> ready", said.find("handed over to the check")) != std::string::npos;
+    const std::string output = daemon_->output();
+    return output.find("-> ready", output.find("handed over to the check")) != std::string::npos;
   })) << daemon_->output();
   EXPECT_THAT(daemon_->output(), Not(HasSubstr("-> arming")));
   EXPECT_EQ(checked([&] { return watched(); })["errors"], 0) << "a second check, confirmed anew";
@@ -210,7 +210,7 @@ TEST_F(WheelsUpFromThePage, StopOfAnyViewerStopsTheTracksAndIsAcknowledged) {
     });
   }
   EXPECT_THAT(line(result, "wheels-up"), HasSubstr("error: stopped before its end"));
-  EXPECT_THAT(said(), HasSubstr("motors off: disarm"));
+  EXPECT_THAT(robot_output(), HasSubstr("motors off: disarm"));
   EXPECT_TRUE(stop["acknowledged"]) << stop << "; the robot has stopped, whoever has its port";
 }
 

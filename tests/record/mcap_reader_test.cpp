@@ -252,7 +252,7 @@ TEST(McapReader, AChunkThatUnpacksToAttachmentsIsLeftOut) {
 
 TEST(McapReader, WhatIsNoMcapFileIsAnErrorOfOneLine) {
   const test::TemporaryFolder folder;
-  const auto told = [](const std::string& path) -> std::string {
+  const auto error_of = [](const std::string& path) -> std::string {
     try {
       const McapReader reader(path);
     } catch (const SetupError& error) {
@@ -260,10 +260,10 @@ TEST(McapReader, WhatIsNoMcapFileIsAnErrorOfOneLine) {
     }
     return {};
   };
-  EXPECT_THAT(told(folder.file("none")), HasSubstr("none: cannot be read (No such file"));
+  EXPECT_THAT(error_of(folder.file("none")), HasSubstr("none: cannot be read (No such file"));
   test::write_bytes(folder.file("text"), "hello, this is text");
-  EXPECT_THAT(told(folder.file("text")), HasSubstr("text: not a recording"));
-  EXPECT_THAT(told(folder.path().string()), HasSubstr("not a file"));
+  EXPECT_THAT(error_of(folder.file("text")), HasSubstr("text: not a recording"));
+  EXPECT_THAT(error_of(folder.path().string()), HasSubstr("not a file"));
 }
 
 }  // namespace

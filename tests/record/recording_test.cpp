@@ -117,8 +117,8 @@ TEST_F(RecordingTest, NoChangeOfAFileDoesAnyHarm) {
         if (bytes.empty()) bytes = "x";
       }
       test::write_bytes(path(), bytes);
-      const std::string told = read_all(path());
-      ASSERT_EQ(told.find('\n'), std::string::npos) << told;
+      const std::string message = read_all(path());
+      ASSERT_EQ(message.find('\n'), std::string::npos) << message;
     }
   }
 }

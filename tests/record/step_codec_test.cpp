@@ -93,25 +93,26 @@ TEST(StepCodec, ABlockOfInputsIsTakenStepByStepAndRefusedWhereItIsCut) {
 
 TEST(StepCodec, RefusesInputsThatNoRobotCanHaveMeasured) {
   auto back = random_record(4);
-  const auto told = [&](auto change) {
+  const auto error_of = [&](auto change) {
     const auto record = random_record(3);
     record->inputs.samples.resize(1);
     change(*record);
     return decode_step(encoded(*record), *back).value_or("");
   };
-  EXPECT_THAT(told([](StepRecord& r) { r.inputs.samples[0].gyro_radps[1] = std::nan(""); }),
+  EXPECT_THAT(error_of([](StepRecord& r) { r.inputs.samples[0].gyro_radps[1] = std::nan(""); }),
               HasSubstr("gyro"));
-  EXPECT_THAT(told([](StepRecord& r) { r.inputs.samples[0].battery_v = HUGE_VAL; }),
+  EXPECT_THAT(error_of([](StepRecord& r) { r.inputs.samples[0].battery_v = HUGE_VAL; }),
               HasSubstr("battery"));
-  EXPECT_THAT(told([](StepRecord& r) { r.inputs.samples[0].device_us = INT64_MAX; }),
+  EXPECT_THAT(error_of([](StepRecord& r) { r.inputs.samples[0].device_us = INT64_MAX; }),
               HasSubstr("device"));
-  EXPECT_THAT(told([](StepRecord& r) {
+  EXPECT_THAT(error_of([](StepRecord& r) {
                 r.inputs.clock.valid = true;
                 r.inputs.clock.drift = -1.0;
               }),
               HasSubstr("drift"));
-  EXPECT_THAT(told([](StepRecord& r) { r.inputs.samples[0].state = static_cast<RobotState>(99); }),
-              HasSubstr("state"));
+  EXPECT_THAT(
+      error_of([](StepRecord& r) { r.inputs.samples[0].state = static_cast<RobotState>(99); }),
+      HasSubstr("state"));
 }
 
 // On a busy machine replies wait in buffers and seem to arrive at the same time, which gives

@@ -151,7 +151,7 @@ TEST(CameraRun, DetectionsOfThisDriveTakeTheEmulatedCamerasPlace) {
   EXPECT_LT(error_m(seen, PoseSource::kFused), error_m(blind, PoseSource::kOdometry));
 }
 
-TEST(CameraRun, ABenchIsNoPlaceForACamera) {
+TEST(CameraRun, AStandIsNoPlaceForACamera) {
   LockstepSettings run = settings("1-curve", "end-loaded", PoseSource::kOdometry);
   run.setup = bridge::Setup::kStand;
   EXPECT_THROW(run_lockstep(run), SetupError);

@@ -178,16 +178,16 @@ class HandDriven {
   }
   /// No writer is left on that topic.
   void writers_gone(ros2::Input input) { ros2_.take({.input = input, .gone = true}, now()); }
-  /// ROS 2 takes the wheel, and the robot is armed; else what was said.
+  /// ROS 2 takes the wheel, and the robot is armed; else the messages.
   std::string take_by_ros2() {
     receive_drive(false);
-    said();
+    take_messages();
     receive_drive(true);
     step_until([&] { return state() == RunState::kDriving; }, 1.0);
-    return said();
+    return take_messages();
   }
-  /// What was said of ROS 2's requests since the last call.
-  std::string said() {
+  /// Messages about ROS 2's requests since the last call.
+  std::string take_messages() {
     std::vector<messages::Event> words;
     ros2_.drain_events(words);
     std::string text;

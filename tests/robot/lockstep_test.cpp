@@ -199,7 +199,7 @@ TEST(Lockstep, OneSeedGivesOneResultAndAnotherSeedAnother) {
   EXPECT_NE(first, without_time(run_lockstep(run), run.course));
 }
 
-TEST(Lockstep, OnABenchTheVirtualRobotCompletesTheCourseAndTheBodyStays) {
+TEST(Lockstep, OnAStandTheVirtualRobotCompletesTheCourseAndTheBodyStays) {
   LockstepSettings run = settings("1-curve", "end-loaded");
   run.setup = bridge::Setup::kStand;
   const report::RunResult result = run_lockstep(run);

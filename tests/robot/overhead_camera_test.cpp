@@ -75,11 +75,11 @@ class OverheadCameraRun : public testing::Test {
 };
 
 TEST_F(OverheadCameraRun, PushedAsideFusedSteersBackByTheDatagramsAndEndsWhereTheRobotIs) {
-  const std::string said = drive();
+  const std::string output = drive();
   double x_m = 0.0, y_m = 0.0, yaw_deg = 0.0;
-  const std::size_t at = said.find("robot: stands at");
-  ASSERT_NE(at, std::string::npos) << said;
-  ASSERT_EQ(std::sscanf(said.c_str() + at, "robot: stands at x %lf m, y %lf m, yaw %lf deg", &x_m,
+  const std::size_t at = output.find("robot: stands at");
+  ASSERT_NE(at, std::string::npos) << output;
+  ASSERT_EQ(std::sscanf(output.c_str() + at, "robot: stands at x %lf m, y %lf m, yaw %lf deg", &x_m,
                         &y_m, &yaw_deg),
             3);
 
@@ -147,7 +147,7 @@ TEST_F(OverheadCameraRun, HostileDatagramsDoNotDisturbARun) {
   EXPECT_EQ(camera.at("recoveries").get<int>(), 0) << camera;
 }
 
-TEST_F(OverheadCameraRun, ABusyPortABadAddressAndABenchAreErrorsOfOneLine) {
+TEST_F(OverheadCameraRun, ABusyPortABadAddressAndAStandAreErrorsOfOneLine) {
   const UdpReceiver busy(udp_port_);
   Process body(robot());
   ASSERT_TRUE(body.wait_for("linked from"));

@@ -170,11 +170,11 @@ TEST_P(RecordedCourse, IsExportedFromTheFirstToTheLastStepOfItsRun) {
   const std::string out = folder_.file("out");
   const test::Finished exported = test::run({"tp100d", "export", run.path, "--out", out});
   ASSERT_EQ(exported.status, 0) << exported.output;
-  std::string told;
+  std::string expected;
   for (const char* name :
        {"samples.csv", "poses.csv", "model.tum", "odometry.tum", "fused.tum", "truth.tum"})
-    told += out + "/" + name + "\n";
-  EXPECT_EQ(exported.output, told);
+    expected += out + "/" + name + "\n";
+  EXPECT_EQ(exported.output, expected);
 
   const Recording recording(run.path);
   HostNs from = 0, to = 0, last = 0;

@@ -42,7 +42,7 @@ TEST(Terrain, OnAFlatFloorTheObstaclesExistInTheDaemonsWorldOnly) {
   EXPECT_LT(largest_nose_up_deg(result), 0.1);
 }
 
-TEST(Terrain, OnABenchTheCourseIsCompletedToo) {
+TEST(Terrain, OnAStandTheCourseIsCompletedToo) {
   const report::RunResult result = run_lockstep(course_3(bridge::Setup::kStand));
   EXPECT_TRUE(result.completed) << result.cause;
 }
@@ -61,7 +61,7 @@ TEST(Terrain, AStepThatThisRobotCannotClimbIsRefusedInEverySetUp) {
   }
 }
 
-TEST(Terrain, WithTooLittleGripTheRobotIsImmobilisedAndTheRunStops) {
+TEST(Terrain, WithTooLittleFrictionTheRobotIsImmobilisedAndTheRunStops) {
   LockstepSettings settings = course_3(bridge::Setup::kTerrain);
   settings.robot.emulated.body.friction = 0.6;
   // The robot slides around before it is detected as immobilised. The firmware, which has no

@@ -21,9 +21,9 @@ class PublisherTest : public ::testing::Test {
     for (std::uint32_t i = 1; i <= messages::kChannelCount; ++i)
       all.subscriptions.push_back({i, i});
     broker_.subscribe(*viewer_, all);
-    hear();
+    take();
   }
-  std::vector<Json> hear(messages::Channel wanted = messages::Channel::kClient) {
+  std::vector<Json> take(messages::Channel wanted = messages::Channel::kClient) {
     std::vector<Json> out;
     while (!viewer_->outbox().empty()) {
       const WebSocketFrame frame = viewer_->outbox().pop();
@@ -43,7 +43,7 @@ class PublisherTest : public ::testing::Test {
       record_.inputs.samples.resize(1);
       publisher_.take(record_);
       if (i % 10 == 0) publisher_.tick(record_.now_ns);
-      for (Json& message : hear(wanted)) out.push_back(std::move(message));
+      for (Json& message : take(wanted)) out.push_back(std::move(message));
     }
     return out;
   }
@@ -84,7 +84,7 @@ TEST_F(PublisherTest, AChangeOfStateIsToldAtOnce) {
   record_.snapshot.faults = fault_bit(Fault::tilt);
   record_.now_ns += 5 * kNsPerMs;
   publisher_.take(record_);
-  const auto received = hear(messages::Channel::kState);
+  const auto received = take(messages::Channel::kState);
   ASSERT_EQ(received.size(), 1U);
   EXPECT_EQ(received[0]["run"], "aborted");
   EXPECT_EQ(received[0]["faults"][0]["name"], "tilt");
@@ -121,7 +121,7 @@ TEST_F(PublisherTest, SaysWhyAStartWouldBeRefusedAndThatTheMotorsAreOn) {
   record_.snapshot.sample.right_duty = 0.2;
   record_.now_ns += 5 * kNsPerMs;
   publisher_.take(record_);
-  const auto received = hear(messages::Channel::kState);
+  const auto received = take(messages::Channel::kState);
   ASSERT_EQ(received.size(), 1U) << "a change of the motors must be published at once";
   EXPECT_EQ(received[0]["motors_on"], true);
 }
@@ -159,7 +159,7 @@ TEST_F(PublisherTest, ALoopThatStandsStillDoesNotSilenceTheRest) {
   int states = 0;
   for (int i = 1; i <= 40; ++i) {
     publisher_.tick(record_.now_ns + i * 50 * kNsPerMs);
-    states += static_cast<int>(hear(messages::Channel::kState).size());
+    states += static_cast<int>(take(messages::Channel::kState).size());
   }
   EXPECT_GE(states, 9);
 }
@@ -191,7 +191,7 @@ TEST_F(PublisherTest, ANewcomerGetsTheWholePathHistory) {
 TEST_F(PublisherTest, EventsBecomeLogLines) {
   publisher_.take(
       messages::Event{.at_ns = 3 * kNsPerS, .kind = "run", .text = "state: idle -> arming"});
-  EXPECT_EQ(hear(messages::Channel::kLog).at(0)["message"], "state: idle -> arming");
+  EXPECT_EQ(take(messages::Channel::kLog).at(0)["message"], "state: idle -> arming");
 }
 
 TEST_F(PublisherTest, ACheckThatHasThePortAcknowledgesAStop) {
@@ -210,7 +210,7 @@ TEST_F(PublisherTest, ACheckThatHasThePortAcknowledgesAStop) {
 TEST_F(PublisherTest, AnImageHasTheTimeAtWhichItWasTaken) {
   const HostNs at = 3 * kNsPerS;
   publisher_.take_image(at, "\xff\xd8 image");
-  const Json image = hear(messages::Channel::kCameraImage).at(0);
+  const Json image = take(messages::Channel::kCameraImage).at(0);
   EXPECT_EQ(image["format"], "jpeg");
   EXPECT_EQ(image["data"], "/9ggaW1hZ2U=");
   const std::uint64_t unix_ns = messages::example_clock().unix_ns(at);

@@ -10,6 +10,8 @@
 
 namespace tp100::server {
 
+enum class Service : std::uint32_t;
+
 /// Connects to that port; the caller closes the descriptor. Throws std::runtime_error.
 int dial(const std::string& port, const std::string& address = "127.0.0.1");
 /// Sends `request` and returns everything until the server closes the connection.
@@ -33,6 +35,7 @@ class WebClient {
   void write_raw(const std::string& bytes);
   void subscribe(messages::Channel channel);
   void call(std::uint32_t service);
+  void call(Service service) { call(static_cast<std::uint32_t>(service)); }
 
   /// Reads the available bytes without waiting. The last 200 messages are kept.
   void drain();

@@ -31,7 +31,7 @@ course::Robot robot(double com_height_m) {
   return robot;
 }
 
-std::string told(const course::Course& course, const course::Robot& robot) {
+std::string error_of(const course::Course& course, const course::Robot& robot) {
   try {
     require_climbable(course, robot);
   } catch (const SetupError& error) {
@@ -41,16 +41,16 @@ std::string told(const course::Course& course, const course::Robot& robot) {
 }
 
 TEST(Climbable, TheReferenceRobotCanClimbThePapersStep) {
-  EXPECT_EQ(told(course_3(), robot(0.022)), "");
+  EXPECT_EQ(error_of(course_3(), robot(0.022)), "");
 }
 
 TEST(Climbable, AStepAboveTheLimitIsRefusedByNameWithTheLimit) {
-  EXPECT_THAT(told(course_3(), robot(0.030)),
+  EXPECT_THAT(error_of(course_3(), robot(0.030)),
               HasSubstr("course 3: block 1 cannot be climbed by robot tall: it is 37 mm high, the "
                         "limit is 33.4 mm"));
   course::Course course = course_3();
   course.terrain.blocks[0].height_m = 0.041;
-  EXPECT_THAT(told(course, robot(0.022)), HasSubstr("it is 41 mm high, the limit is 40.2 mm"));
+  EXPECT_THAT(error_of(course, robot(0.022)), HasSubstr("it is 41 mm high, the limit is 40.2 mm"));
 }
 
 TEST(Climbable, ABlockBesideThePathIsNoStep) {
@@ -58,9 +58,9 @@ TEST(Climbable, ABlockBesideThePathIsNoStep) {
   course.terrain.blocks[0].height_m = 0.2;
   course.terrain.blocks[0].place.y_m = -0.4;
   course.terrain.blocks[0].width_m = 0.3;
-  EXPECT_EQ(told(course, robot(0.022)), "");
+  EXPECT_EQ(error_of(course, robot(0.022)), "");
   course.terrain.blocks[0].place.y_m = -0.6;
-  EXPECT_THAT(told(course, robot(0.022)), HasSubstr("block 1"))
+  EXPECT_THAT(error_of(course, robot(0.022)), HasSubstr("block 1"))
       << "the right track meets the block";
 }
 
@@ -69,9 +69,9 @@ TEST(Climbable, ARampOnWhichTheRobotFallsOverIsRefused) {
   tower.shape.com_forward_m = -0.03;
   course::Course course = course_3();
   course.terrain.blocks.clear();
-  EXPECT_EQ(told(course, tower), "");
+  EXPECT_EQ(error_of(course, tower), "");
   course.terrain.ramps[0].up_rad = 45 * kRadPerDeg;
-  EXPECT_THAT(told(course, tower), HasSubstr("ramp 1 cannot be climbed by robot tall"));
+  EXPECT_THAT(error_of(course, tower), HasSubstr("ramp 1 cannot be climbed by robot tall"));
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ class AtomicFile : public testing::Test {
     text << file.rdbuf();
     return text.str();
   }
-  static std::string told(const std::string& path, std::string_view content) {
+  static std::string error_of(const std::string& path, std::string_view content) {
     try {
       write_file(path, content);
     } catch (const SetupError& error) {
@@ -75,14 +75,14 @@ TEST_F(AtomicFile, ALinkStaysALink) {
 }
 
 TEST_F(AtomicFile, SaysWhyAPathCannotBeWritten) {
-  EXPECT_THAT(told((folder_.path() / "none" / "out").string(), "x"),
+  EXPECT_THAT(error_of((folder_.path() / "none" / "out").string(), "x"),
               HasSubstr("none/out: cannot be written (No such file"));
-  EXPECT_THAT(told(folder_.path().string(), "x"), HasSubstr("(Is a directory)"));
-  EXPECT_THAT(told("", "x"), HasSubstr("cannot be written"));
+  EXPECT_THAT(error_of(folder_.path().string(), "x"), HasSubstr("(Is a directory)"));
+  EXPECT_THAT(error_of("", "x"), HasSubstr("cannot be written"));
 }
 
 TEST_F(AtomicFile, AFullDeviceIsReportedAndStaysADevice) {
-  EXPECT_THAT(told("/dev/full", "x"), HasSubstr("No space left on device"));
+  EXPECT_THAT(error_of("/dev/full", "x"), HasSubstr("No space left on device"));
   EXPECT_TRUE(fs::is_character_file("/dev/full"));
 }
 
@@ -94,7 +94,7 @@ TEST_F(AtomicFile, AFileThatCannotGrowIsReportedAndTheOldOneStays) {
     std::signal(SIGXFSZ, SIG_IGN);
     const rlimit limit = {1000, 1000};
     setrlimit(RLIMIT_FSIZE, &limit);
-    const std::string line = told(path.string(), std::string(100000, 'x'));
+    const std::string line = error_of(path.string(), std::string(100000, 'x'));
     std::_Exit(line.find("File too large") != std::string::npos ? 0 : 1);
   };
   EXPECT_EXIT(write_beyond_a_limit(), testing::ExitedWithCode(0), "");

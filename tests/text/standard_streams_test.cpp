@@ -50,7 +50,7 @@ TEST(StandardStreamsDeathTest, SoIsOneThatFailedEarlier) {
 
 TEST(UsageError, NamesWhatWasMeantAndTheRightHelp) {
   const std::vector<Subcommand> known = {{"run", {"--course", "--port"}}, {"replay", {"--out"}}};
-  const auto told = [&](std::vector<std::string> arguments, const char* what = "what") {
+  const auto error_of = [&](std::vector<std::string> arguments, const char* what = "what") {
     arguments.insert(arguments.begin(), "prog");
     std::vector<char*> argv;
     for (std::string& argument : arguments) argv.push_back(argument.data());
@@ -59,28 +59,28 @@ TEST(UsageError, NamesWhatWasMeantAndTheRightHelp) {
               2);
     return testing::internal::GetCapturedStderr();
   };
-  EXPECT_EQ(told({"run", "--cours", "3"}),
+  EXPECT_EQ(error_of({"run", "--cours", "3"}),
             "prog: unknown option '--cours'; did you mean '--course'?; see prog run --help\n");
-  EXPECT_EQ(told({"run", "--cours=3"}),
+  EXPECT_EQ(error_of({"run", "--cours=3"}),
             "prog: unknown option '--cours'; did you mean '--course'?; see prog run --help\n");
-  EXPECT_EQ(told({"run", "--zzz"}), "prog: unknown option '--zzz'; see prog run --help\n");
-  EXPECT_EQ(told({"run", "--port"}), "prog: what; see prog run --help\n");
-  EXPECT_EQ(told({"run", "--", "--cours"}), "prog: what; see prog run --help\n");
-  EXPECT_EQ(told({"rum"}),
+  EXPECT_EQ(error_of({"run", "--zzz"}), "prog: unknown option '--zzz'; see prog run --help\n");
+  EXPECT_EQ(error_of({"run", "--port"}), "prog: what; see prog run --help\n");
+  EXPECT_EQ(error_of({"run", "--", "--cours"}), "prog: what; see prog run --help\n");
+  EXPECT_EQ(error_of({"rum"}),
             "prog: unknown subcommand 'rum'; did you mean 'run'?; see prog --help\n");
-  EXPECT_EQ(told({}), "prog: what; see prog --help\n");
-  EXPECT_EQ(told({"run", "--port", "x"}, "Could not convert: --port = x"),
+  EXPECT_EQ(error_of({}), "prog: what; see prog --help\n");
+  EXPECT_EQ(error_of({"run", "--port", "x"}, "Could not convert: --port = x"),
             "prog: --port x: not a number; see prog run --help\n");
-  EXPECT_EQ(told({"run"}, "--port: Value abc not in range 0.100000 to 3600.000000"),
+  EXPECT_EQ(error_of({"run"}, "--port: Value abc not in range 0.100000 to 3600.000000"),
             "prog: --port abc: not a number; give 0.1 to 3600; see prog run --help\n");
-  EXPECT_EQ(told({"run"}, "--port: Value -7 not in range 1 to 100"),
+  EXPECT_EQ(error_of({"run"}, "--port: Value -7 not in range 1 to 100"),
             "prog: --port -7: out of range; give 1 to 100; see prog run --help\n");
-  EXPECT_EQ(told({"run"}, "--port: Value  not in range 1 to 100"),
+  EXPECT_EQ(error_of({"run"}, "--port: Value  not in range 1 to 100"),
             "prog: --port : not a number; give 1 to 100; see prog run --help\n");
   const char* unexpected = "The following argument was not expected: low";
-  EXPECT_EQ(told({"run", "--port", "low"}, unexpected),
+  EXPECT_EQ(error_of({"run", "--port", "low"}, unexpected),
             "prog: low: unexpected argument; did you mean '--port=low'?; see prog run --help\n");
-  EXPECT_EQ(told({"run", "low"}, unexpected),
+  EXPECT_EQ(error_of({"run", "low"}, unexpected),
             "prog: low: unexpected argument; see prog run --help\n");
 }
 

@@ -14,8 +14,8 @@ def add(tree, program, to):
     shutil.copy(program, tree + to)
     if shutil.which("strip"):
         run("strip", "--strip-debug", tree + to)
-    _, said = run("ldd", program, good=False)
-    add_libraries(tree, re.findall(r"(/\S+) \(0x", said))
+    _, output = run("ldd", program, good=False)
+    add_libraries(tree, re.findall(r"(/\S+) \(0x", output))
 
 
 def add_libraries(tree, libraries):
@@ -31,10 +31,10 @@ def add_service(tree, systemd):
     shutil.copytree(systemd, tree, symlinks=True, dirs_exist_ok=True)
     where = dict(os.environ, LD_LIBRARY_PATH=systemd + LIBRARIES)
     for program in PROGRAMS:
-        _, said = run("ldd", f"{systemd}/{program}", good=False, env=where)
-        add_libraries(tree, [path for path in re.findall(r"(/\S+) \(0x", said) if not path.startswith(systemd)])
-    _, said = run(tree + "/bin/busybox", "--list")
-    for applet in said.split():
+        _, output = run("ldd", f"{systemd}/{program}", good=False, env=where)
+        add_libraries(tree, [path for path in re.findall(r"(/\S+) \(0x", output) if not path.startswith(systemd)])
+    _, output = run(tree + "/bin/busybox", "--list")
+    for applet in output.split():
         if not os.path.lexists(f"{tree}/bin/{applet}"):
             os.symlink("busybox", f"{tree}/bin/{applet}")
     for folder in ("sbin", "run", "root", "var/tmp", "var/lib", "usr/bin", "usr/lib/sysusers.d", "etc/tp100"):

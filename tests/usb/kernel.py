@@ -12,8 +12,8 @@ MODULES = ("dummy_hcd", "libcomposite", "usb_f_acm", "cdc_acm", "ftdi_sio", "xhc
 
 def package():
     """The package to which linux-image-amd64 refers at present; empty if apt knows none."""
-    _, said = run(find("apt-cache", "apt"), "depends", "linux-image-amd64", good=False)
-    found = re.search(r"Depends: (linux-image-\d\S+)", said)
+    _, output = run(find("apt-cache", "apt"), "depends", "linux-image-amd64", good=False)
+    found = re.search(r"Depends: (linux-image-\d\S+)", output)
     return found[1] if found else ""
 
 

@@ -25,7 +25,7 @@ def boot(kernel, root, log, limit_s, options=""):
     except subprocess.TimeoutExpired:
         ended = None
     with open(log, encoding="utf-8", errors="replace") as file:
-        said = file.read().replace("\r", "")
-    check(ended is not None, f"the machine did not switch itself off within {limit_s} s; it said:\n{said}")
-    check(ended.returncode == 0, f"qemu-system-x86_64: status {ended.returncode}: {ended.stdout}\n{said}")
-    return said
+        output = file.read().replace("\r", "")
+    check(ended is not None, f"the machine did not switch itself off within {limit_s} s; it said:\n{output}")
+    check(ended.returncode == 0, f"qemu-system-x86_64: status {ended.returncode}: {ended.stdout}\n{output}")
+    return output

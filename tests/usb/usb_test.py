@@ -39,13 +39,13 @@ def main(step, build):
     with tempfile.TemporaryDirectory(prefix="tp100-usb-") as at:
         root = image.build(folder, os.path.join(build, "bin"), at + "/tree", service)
         began = time.monotonic()
-        said = machine.boot(folder, root, at + "/log", LIMIT_S, options)
-    print(said)
+        output = machine.boot(folder, root, at + "/log", LIMIT_S, options)
+    print(output)
     print(f"{os.path.basename(folder)}: {time.monotonic() - began:.0f} s from boot to power-off")
-    passed = re.findall(r"^ok (\S+)$", said, re.M)
-    check(not (failed := re.findall(r"^FAILED (.*)", said, re.M)), "; ".join(failed))
+    passed = re.findall(r"^ok (\S+)$", output, re.M)
+    check(not (failed := re.findall(r"^FAILED (.*)", output, re.M)), "; ".join(failed))
     check(not (missing := [name for name in wanted(script) if name not in passed]), f"not made: {', '.join(missing)}")
-    check(re.search(r"^guest: done$", said, re.M), "the machine ended before the last check")
+    check(re.search(r"^guest: done$", output, re.M), "the machine ended before the last check")
 
 
 if __name__ == "__main__":

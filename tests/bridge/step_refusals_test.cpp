@@ -1,0 +1,141 @@
+// Starts that a step refuses, and states of the robot that end a run.
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "core/error.h"
+#include "step_rig.h"
+
+namespace tp100::bridge {
+namespace {
+
+TEST_F(StepTest, NothingMovesWithoutAStartAndWhoIsArmedIsStopped) {
+  for (const bool with_course : {true, false}) {
+    Step step(parameters_, with_course ? course_ : nullptr);
+    KinematicRobot robot(parameters_);
+    robot.armed = true;
+    EXPECT_EQ(run(step, robot, 0.2), RunState::kAborted);
+    EXPECT_FALSE(robot.armed);
+    EXPECT_EQ(tick(step, robot).snapshot.faults, fault_bit(Fault::moves_unasked));
+    run(step, robot, 5.0);
+    EXPECT_EQ(robot.x_m, 0.0);
+    EXPECT_NEAR(robot.yaw_rad, 0.0, 1e-9);
+  }
+}
+
+TEST_F(StepTest, ACourseWhoseEndIsNotConfirmedIsNotCompleted) {
+  Step step(parameters_, course_);
+  KinematicRobot robot(parameters_);
+  start(step, robot);
+  ASSERT_EQ(run(step, robot, 60.0), RunState::kFinished);
+  robot.answer = RequestAnswer::kFailed;
+  EXPECT_EQ(tick(step, robot).snapshot.run_state, RunState::kAborted);
+  EXPECT_EQ(tick(step, robot).snapshot.faults, fault_bit(Fault::not_acknowledged));
+}
+
+TEST_F(StepTest, AfterACourseMotorsThatComeOnAgainAreStopped) {
+  Step step(parameters_, course_);
+  KinematicRobot robot(parameters_);
+  start(step, robot);
+  ASSERT_EQ(run(step, robot, 60.0), RunState::kFinished);
+  for (int i = 0; i < 200; ++i) tick(step, robot);
+  EXPECT_EQ(tick(step, robot).snapshot.run_state, RunState::kFinished);
+  robot.armed = true;
+  int steps = 0;
+  while (robot.armed && steps < 200) {
+    tick(step, robot);
+    ++steps;
+  }
+  EXPECT_LE(steps, 25);
+  EXPECT_EQ(tick(step, robot).snapshot.faults, fault_bit(Fault::moves_unasked));
+}
+
+TEST_F(StepTest, SaysBeforehandWhyAStartWouldBeRefused) {
+  const auto refusal = [&](const std::function<void(KinematicRobot&)>& oddity) {
+    Step step(parameters_, course_);
+    KinematicRobot robot(parameters_);
+    oddity(robot);
+    for (int i = 0; i < 6; ++i) tick(step, robot);
+    return tick(step, robot).snapshot.start_refusal;
+  };
+  EXPECT_EQ(refusal([](KinematicRobot&) {}), StartRefusal::kNotStill);
+  EXPECT_EQ(refusal([](KinematicRobot& robot) { robot.upside_down = true; }),
+            StartRefusal::kTilted);
+  EXPECT_EQ(refusal([](KinematicRobot& robot) { robot.imu_age = 255; }), StartRefusal::kNoImu);
+  EXPECT_EQ(refusal([](KinematicRobot& robot) { robot.armed = true; }), StartRefusal::kMotorsOn);
+  EXPECT_EQ(refusal([this](KinematicRobot&) { connected_ = false; }), StartRefusal::kNoSession);
+  connected_ = true;
+  Step step(parameters_, nullptr);
+  KinematicRobot robot(parameters_);
+  EXPECT_EQ(tick(step, robot).snapshot.start_refusal, StartRefusal::kNoCourse);
+  Step ready(parameters_, course_);
+  run(ready, robot, 1.0);
+  EXPECT_EQ(tick(ready, robot).snapshot.start_refusal, StartRefusal::kNone);
+  start(ready, robot);
+  EXPECT_EQ(tick(ready, robot).snapshot.start_refusal, StartRefusal::kUnderWay);
+}
+
+TEST_F(StepTest, ARobotThatIsUpsideDownIsNotArmed) {
+  Step step(parameters_, course_);
+  KinematicRobot robot(parameters_);
+  run(step, robot, 1.0);
+  robot.upside_down = true;
+  start(step, robot);
+  StartRefusal refused = StartRefusal::kNone;
+  for (int i = 0; i < 700; ++i) {
+    const Outputs& out = tick(step, robot);
+    ASSERT_EQ(out.request, RobotRequest::kNone);
+    if (out.refused != StartRefusal::kNone) refused = out.refused;
+  }
+  EXPECT_EQ(refused, StartRefusal::kTilted);
+  robot.upside_down = false;
+  EXPECT_EQ(run(step, robot, 10.0), RunState::kIdle)
+      << "a refused start must not take effect later";
+}
+
+TEST_F(StepTest, AnImuThatSaysItIsSilentEndsTheRunUnlessTheGyroDoesNotSteer) {
+  for (const bool stand : {false, true}) {
+    parameters_.setup = stand ? Setup::kStand : Setup::kFlat;
+    Step step(parameters_, course_);
+    KinematicRobot robot(parameters_);
+    begin(step, robot);
+    robot.imu_age = 255;
+    EXPECT_EQ(run(step, robot, 0.1), stand ? RunState::kRunning : RunState::kAborted);
+    EXPECT_EQ(tick(step, robot).snapshot.faults, stand ? 0u : fault_bit(Fault::imu_stale));
+  }
+}
+
+TEST_F(StepTest, AFaultBitThatNobodyKnowsEndsTheRun) {
+  Step step(parameters_, course_);
+  KinematicRobot robot(parameters_);
+  begin(step, robot);
+  robot.faults = FaultMask{1} << 14;
+  EXPECT_EQ(run(step, robot, 0.1), RunState::kAborted);
+  EXPECT_FALSE(robot.armed);
+}
+
+TEST_F(StepTest, WaitsForTheGyroBiasBeforeItArms) {
+  Step step(parameters_, course_);
+  KinematicRobot robot(parameters_);
+  start(step, robot);
+  for (int i = 0; i < 80; ++i) ASSERT_EQ(tick(step, robot).request, RobotRequest::kNone);
+  EXPECT_EQ(run(step, robot, 1.0), RunState::kRunning);
+}
+
+TEST_F(StepTest, OnAStandTheGyroNeitherSteersNorHoldsUpTheStart) {
+  parameters_.setup = Setup::kStand;
+  Step step(parameters_, course_);
+  KinematicRobot robot(parameters_);
+  start(step, robot);
+  EXPECT_EQ(run(step, robot, 60.0), RunState::kFinished);
+  EXPECT_NEAR(robot.x_m, 0.8, 0.02);
+}
+
+TEST_F(StepTest, ACourseFasterThanTheRobotIsRefused) {
+  auto fast = std::make_shared<course::Course>(*course_);
+  fast->speed_mps = 0.25;
+  EXPECT_THROW(Step(parameters_, fast), SetupError);
+}
+
+}  // namespace
+}  // namespace tp100::bridge

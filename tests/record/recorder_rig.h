@@ -1,0 +1,54 @@
+#pragma once
+// What tests of the recorder need: a folder, records to feed, and the numbers of recorded steps.
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "../messages/fixtures.h"
+#include "random_record.h"
+#include "record/recorder.h"
+#include "record/recording.h"
+#include "record/recording_file.h"
+#include "support/temporary_folder.h"
+
+namespace tp100::record {
+
+class RecorderTest : public testing::Test {
+ protected:
+  RecordingSettings settings(const std::string& name = "run.mcap") const {
+    return {.path = folder_.file(name), .clock = {0, 0}};
+  }
+  static RunFacts facts() {
+    RunFacts facts;
+    facts.run_context = messages::example_subject();
+    facts.run_context.version = "9.8.7";
+    facts.facts = {{"course", "example"}, {"seed", "7"}};
+    facts.files = {
+        {.name = "robot.toml", .media_type = "application/toml", .log_ns = 0, .data = "x = 1\n"}};
+    return facts;
+  }
+  static void feed(Recorder& recorder, std::uint64_t from, std::uint64_t to) {
+    for (std::uint64_t i = from; i <= to; ++i) recorder.take(*random_record(i));
+  }
+  static std::uint64_t steps_in(const Recording& recording) {
+    std::uint64_t steps = 0;
+    recording.visit({.step = [&](const StepRecord&) { ++steps; }});
+    return steps;
+  }
+  static std::vector<std::uint64_t> steps_before(const std::string& path) {
+    std::vector<std::uint64_t> steps;
+    Recording(path).visit({.before = [&](const StepRecord& r) { steps.push_back(r.step); }});
+    return steps;
+  }
+  static std::vector<std::uint64_t> numbers(std::uint64_t first, std::uint64_t last) {
+    std::vector<std::uint64_t> all;
+    for (; first <= last; ++first) all.push_back(first);
+    return all;
+  }
+  test::TemporaryFolder folder_;
+};
+
+}  // namespace tp100::record

@@ -1,0 +1,188 @@
+// Requests that read, set and save parameters.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "request_rig.h"
+
+namespace tp100::server {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST_F(RequestHandlerTest, ParametersAreListed) {
+  const Received all = send(R"({"op":"getParameters","parameterNames":[],"id":"q"})");
+  EXPECT_EQ(all.texts[0]["parameters"].size(), 6U);
+  EXPECT_EQ(all.texts[0]["id"], "q");
+  const Received one = send(R"({"op":"getParameters","parameterNames":["loop.rate_hz","none"]})");
+  EXPECT_EQ(one.texts[0]["parameters"].size(), 1U);
+}
+
+TEST_F(RequestHandlerTest, AGoodValueIsPassedOnAndTold) {
+  send(R"({"op":"subscribeParameterUpdates","parameterNames":["control.gain"]})");
+  const Received received =
+      send(R"({"op":"setParameters","parameters":[{"name":"control.gain","value":20}],"id":"s"})");
+  ASSERT_EQ(controls_.sets.size(), 1U);
+  EXPECT_EQ(controls_.sets[0].second, messages::ParameterValue(20.0));
+  ASSERT_EQ(received.texts.size(), 2U);  // one for the subscription, then the answer to the request
+  EXPECT_EQ(received.texts[1]["parameters"][0]["value"], 20);
+  EXPECT_EQ(received.texts[1]["id"], "s");
+}
+
+TEST_F(RequestHandlerTest, WatchedParametersAddUpUntilTheyAreTakenBack) {
+  const auto updates = [&] {
+    const Received received =
+        send(R"({"op":"setParameters","parameters":[{"name":"control.gain","value":20}]})");
+    return received.texts.size() - 1;
+  };
+  EXPECT_EQ(updates(), 0U);
+  send(R"({"op":"subscribeParameterUpdates","parameterNames":["control.gain"]})");
+  send(R"({"op":"subscribeParameterUpdates","parameterNames":["loop.rate_hz","none"]})");
+  EXPECT_EQ(updates(), 1U);
+  send(R"({"op":"unsubscribeParameterUpdates","parameterNames":["control.gain"]})");
+  EXPECT_EQ(updates(), 0U);
+  send(R"({"op":"subscribeParameterUpdates","parameterNames":[]})");
+  EXPECT_EQ(updates(), 1U);
+  send(R"({"op":"unsubscribeParameterUpdates","parameterNames":[]})");
+  EXPECT_EQ(updates(), 0U);
+}
+
+TEST_F(RequestHandlerTest, NothingUncheckedIsPassedOn) {
+  for (const char* parameter :
+       {R"({"name":"control.gain","value":-1})", R"({"name":"control.gain","value":201})",
+        R"({"name":"control.gain","value":"20"})", R"({"name":"control.gain","value":null})",
+        R"({"name":"control.gain"})", R"({"name":"loop.rate_hz","value":100})",
+        R"({"name":"none","value":1})", R"({"name":"estimation.steering","value":"truth"})"}) {
+    const Received received =
+        send(std::string(R"({"op":"setParameters","parameters":[)") + parameter + "]}");
+    ASSERT_EQ(received.texts.size(), 2U) << parameter;
+    EXPECT_EQ(received.texts[0]["op"], "status");
+    EXPECT_EQ(received.texts[0]["level"], 2);
+  }
+  EXPECT_TRUE(controls_.sets.empty());
+  // JSON cannot express these values, but a caller in the program could pass them.
+  for (const double value : {std::nan(""), std::numeric_limits<double>::infinity()})
+    handler_.handle(viewer_, SetParameters{{{"control.gain", messages::ParameterValue(value)}}, ""},
+                    Permission::kCommand, kNow);
+  EXPECT_TRUE(controls_.sets.empty());
+}
+
+TEST_F(RequestHandlerTest, SomeParametersWaitForTheEndOfARun) {
+  const char* set =
+      R"({"op":"setParameters","parameters":[{"name":"estimation.steering","value":"model"}]})";
+  StepRecord record = ready();
+  record.snapshot.run_state = RunState::kRunning;
+  step(record);
+  EXPECT_THAT(send(set).texts[0]["message"], HasSubstr("during a run"));
+  EXPECT_TRUE(controls_.sets.empty());
+  step(ready());
+  send(set);
+  EXPECT_EQ(controls_.sets.size(), 1U);
+}
+
+TEST_F(RequestHandlerTest, TheStepHasTheLastWord) {
+  step(ready());
+  send(R"({"op":"setParameters","parameters":[{"name":"estimation.steering","value":"model"}]})");
+  const auto value = [&] {
+    return send(R"({"op":"getParameters","parameterNames":["estimation.steering"]})")
+        .texts.back()["parameters"][0]["value"];
+  };
+  EXPECT_EQ(value(), "model");
+  StepRecord later = ready();
+  later.now_ns += kNsPerS;
+  step(later);  // the pose source is still odometry: the change came too late
+  EXPECT_EQ(value(), "odometry");
+  later.now_ns += kNsPerS;
+  later.snapshot.steering = PoseSource::kModel;
+  step(later);
+  EXPECT_EQ(value(), "model");
+}
+
+TEST_F(RequestHandlerTest, OtherParametersKeepWhatViewersHaveSet) {
+  send(R"({"op":"setParameters","parameters":[{"name":"control.gain","value":20}]})");
+  std::vector<messages::ParameterText> next = parameters();
+  next[1].value = 400.0;
+  handler_.change_setup(next, kNow);
+  const Json values = send(R"({"op":"getParameters","parameterNames":[]})").texts.at(0);
+  EXPECT_EQ(values["parameters"][0]["value"], 20.0);
+  EXPECT_EQ(values["parameters"][1]["value"], 400.0);
+}
+
+TEST_F(RequestHandlerTest, ParametersAreSavedIfTheyMayBeAndTakeTheValue) {
+  const Received saved = call(Service::kParametersSave, R"({"control.gain":12.5,"course":"3"})");
+  ASSERT_EQ(saved.binaries.size(), 1U);
+  EXPECT_EQ(answer_of(saved.binaries[0])["file"], "tp100.toml");
+  ASSERT_EQ(controls_.parameters_saved.size(), 1U);
+  EXPECT_FALSE(controls_.parameters_saved[0].check);
+  ASSERT_EQ(controls_.parameters_saved[0].values.size(), 2U);
+  EXPECT_EQ(controls_.parameters_saved[0].values[0].first, "control.gain");
+  EXPECT_EQ(controls_.parameters_saved[0].values[0].second, messages::ParameterValue(12.5));
+  call(Service::kParametersSave, R"({"check":true,"course":""})");
+  EXPECT_TRUE(controls_.parameters_saved.at(1).check);
+  call(Service::kParametersRestore, R"({"check":true})");
+  call(Service::kParametersRestore, "");
+  EXPECT_THAT(controls_.restored, ::testing::ElementsAre(true, false));
+}
+
+TEST_F(RequestHandlerTest, HostileParametersToSaveAreRefusedByName) {
+  const auto refused = [&](const char* request) {
+    const Received received = call(Service::kParametersSave, request);
+    return received.texts.empty() ? std::string()
+                                  : received.texts[0].value("message", std::string());
+  };
+  EXPECT_EQ(refused("{}"), "name parameters and their values");
+  EXPECT_EQ(refused(R"({"check":true})"), "name parameters and their values");
+  EXPECT_EQ(refused(R"({"check":1,"control.gain":1})"), "check is true or false");
+  EXPECT_EQ(refused(R"({"control.gian":1})"), "there is no parameter 'control.gian'");
+  EXPECT_EQ(refused(R"({"a\nb":1})"), "there is no parameter 'a?b'");
+  EXPECT_THAT(refused(R"({"server.listen":"0.0.0.0:80"})"),
+              HasSubstr("server.listen is not saved"));
+  EXPECT_THAT(refused(R"({"robot.model.wheelbase_m":0.3})"), HasSubstr("the robot's file"));
+  EXPECT_THAT(refused(R"({"control.gain":201})"), HasSubstr("control.gain ranges from 0 to 200"));
+  EXPECT_THAT(refused(R"({"control.gain":"12"})"), HasSubstr("control.gain takes a number"));
+  for (const char* other : {"null", "[1]", "{}"})
+    EXPECT_EQ(refused((R"({"control.gain":)" + std::string(other) + "}").c_str()),
+              "control.gain takes no value of that type");
+  EXPECT_EQ(refused(R"({"control.gain":NaN})"), "the request must be a JSON object");
+  EXPECT_NE(refused(R"({"control.gain":1e999})"), "");
+  for (const char* name : {R"(a\nb)", "../x", "/etc/passwd", R"(a\u0000)"})
+    EXPECT_THAT(refused((R"({"course":")" + std::string(name) + "\"}").c_str()),
+                HasSubstr("course: name takes letters"));
+  EXPECT_NE(call(Service::kParametersRestore, R"({"check":null})").texts.size(), 0U);
+  EXPECT_NE(call(Service::kParametersRestore, R"({"file":"x"})").texts.size(), 0U);
+  EXPECT_TRUE(controls_.parameters_saved.empty());
+  EXPECT_TRUE(controls_.restored.empty());
+  const Received viewer =
+      call(Service::kParametersSave, R"({"control.gain":1})", Permission::kStopOnly);
+  EXPECT_THAT(viewer.texts.at(0)["message"], HasSubstr("server.commands"));
+  EXPECT_TRUE(controls_.parameters_saved.empty());
+}
+
+TEST_F(RequestHandlerTest, DuringARunOnlyWhatIsInForceAtOnceIsSaved) {
+  StepRecord record = ready();
+  record.snapshot.run_state = RunState::kRunning;
+  step(record);
+  EXPECT_EQ(call(Service::kParametersSave, R"({"control.gain":1})").binaries.size(), 1U);
+  EXPECT_EQ(call(Service::kParametersSave, R"({"check":true,"loop.rate_hz":100})").binaries.size(),
+            1U);
+  const Received refused =
+      call(Service::kParametersSave, R"({"control.gain":1,"loop.rate_hz":100})");
+  EXPECT_THAT(refused.texts.at(0)["message"], HasSubstr("loop.rate_hz takes effect when"));
+  EXPECT_THAT(call(Service::kParametersRestore, "{}").texts.at(0)["message"],
+              HasSubstr("not during a run"));
+  EXPECT_EQ(controls_.parameters_saved.size(), 2U);
+  EXPECT_TRUE(controls_.restored.empty());
+}
+
+TEST_F(RequestHandlerTest, AnArgumentThatIsNoPlainValueIsNotOverlooked) {
+  EXPECT_NE(call(Service::kStart, R"({"from":{}})").texts.size(), 0U);
+  EXPECT_NE(call(Service::kHold, R"({"x":null})").texts.size(), 0U);
+  EXPECT_EQ(controls_.starts + controls_.holds, 0);
+}
+
+}  // namespace
+}  // namespace tp100::server

@@ -1,0 +1,122 @@
+#pragma once
+// A request handler with one viewer, without a socket.
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "../messages/fixtures.h"
+#include "fake_controls.h"
+#include "server/request_handler.h"
+
+namespace tp100::server {
+
+using Json = nlohmann::json;
+
+constexpr HostNs kNow = 100 * kNsPerS;
+
+inline std::vector<messages::ParameterText> parameters() {
+  return {{{.name = "control.gain",
+            .type = messages::ParameterText::Type::kNumber,
+            .value = 16.0,
+            .standard = 16.0,
+            .unit = "1/m",
+            .range = {0.0, 200.0}},
+           true,
+           false,
+           true},
+          {{.name = "loop.rate_hz", .value = 200.0, .standard = 200.0, .range = {50.0, 1000.0}},
+           false,
+           false,
+           true},
+          {{.name = "server.listen",
+            .type = messages::ParameterText::Type::kText,
+            .value = std::string(),
+            .standard = std::string()}},
+          {{.name = "course",
+            .type = messages::ParameterText::Type::kText,
+            .value = std::string(),
+            .standard = std::string()},
+           false,
+           false,
+           true},
+          {{.name = "robot.model.wheelbase_m", .value = 0.2, .standard = 0.2, .range = {0.1, 1.0}}},
+          {{.name = "estimation.steering",
+            .type = messages::ParameterText::Type::kChoice,
+            .value = std::string("odometry"),
+            .standard = std::string("odometry"),
+            .choices = {"model", "odometry"}},
+           true,
+           true}};
+}
+
+class RequestHandlerTest : public ::testing::Test {
+ protected:
+  RequestHandlerTest() { broker_.add(viewer_); }
+
+  // Everything in the viewer's outbox; data messages are separate from answers.
+  struct Received {
+    std::vector<Json> texts;
+    std::vector<std::string> binaries;
+    std::vector<std::pair<std::uint32_t, Json>> data;  // subscription, message
+  };
+  static Received take(Viewer& viewer) {
+    Received received;
+    while (!viewer.outbox().empty()) {
+      const WebSocketFrame frame = viewer.outbox().pop();
+      if (!frame.binary) {
+        received.texts.push_back(Json::parse(*frame.body));
+      } else if (frame.head_size == 0) {
+        received.binaries.push_back(*frame.body);
+      } else {
+        received.data.emplace_back(frame.head[1], Json::parse(*frame.body));
+      }
+    }
+    return received;
+  }
+  Received take() { return take(*viewer_); }
+
+  Received send(const std::string& text, Permission permission = Permission::kCommand) {
+    handler_.handle(viewer_, parse_text(text), permission, kNow);
+    return take();
+  }
+  Received call(std::uint32_t service, const std::string& payload = "{}",
+                Permission permission = Permission::kCommand, HostNs now = kNow) {
+    handler_.handle(viewer_, ServiceCall{service, 9, "json", payload}, permission, now);
+    return take();
+  }
+  Received call(Service service, const std::string& payload = "{}",
+                Permission permission = Permission::kCommand) {
+    return call(static_cast<std::uint32_t>(service), payload, permission);
+  }
+  void step(const StepRecord& record) {
+    publisher_.take(record);
+    handler_.tick(record.now_ns);
+  }
+  StepRecord ready() const {
+    StepRecord record = messages::example_record();
+    record.now_ns = kNow;
+    record.snapshot.run_state = RunState::kIdle;
+    record.snapshot.start_refusal = StartRefusal::kNone;
+    return record;
+  }
+  static Json answer_of(const std::string& response) {
+    return Json::parse(response.substr(response.find('{')));
+  }
+
+  FakeControls controls_;
+  Broker broker_{messages::channel_texts()};
+  Publisher publisher_{broker_,
+                       messages::Messages(messages::example_subject(), messages::example_clock()),
+                       controls_};
+  RequestHandler handler_{broker_, publisher_, controls_, parameters(), "session"};
+  std::shared_ptr<Viewer> viewer_ = std::make_shared<Viewer>(
+      3, [] {}, [this] { failed_ = true; });
+  bool failed_ = false;
+};
+
+}  // namespace tp100::server

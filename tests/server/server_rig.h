@@ -1,0 +1,72 @@
+#pragma once
+// A server on a real socket, whose steps the test makes. No test depends on the speed of the
+// machine: tests wait for conditions.
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#include "../messages/fixtures.h"
+#include "core/clock.h"
+#include "fake_controls.h"
+#include "server/server.h"
+#include "web_client.h"
+
+namespace tp100::server {
+
+inline constexpr unsigned char kPage[] = "<html>cockpit</html>";
+
+class ServerTest : public ::testing::Test {
+ protected:
+  ServerTest() {
+    settings_.listen = "127.0.0.1:0";
+    settings_.page = [](std::string_view path) {
+      return path == "/"
+                 ? std::optional(PageFile{"text/html", {kPage, sizeof kPage - 1}, "\"1\"", ""})
+                 : std::nullopt;
+    };
+  }
+  void start() {
+    const messages::PublishClock clock{monotonic_now(), 1'700'000'000 * kNsPerS};
+    server_ = std::make_unique<Server>(
+        settings_, messages::Messages(messages::example_subject(), clock),
+        std::vector<messages::ParameterText>{
+            {{.name = "control.gain", .value = 16.0, .standard = 16.0, .range = {0.0, 200.0}},
+             true}},
+        controls_);
+    server_->start();
+    if (server_->url().empty()) return;
+    port_ = server_->url().substr(server_->url().rfind(':') + 1);
+    port_.pop_back();
+  }
+  WebClient connect() { return WebClient(port_); }
+  void step(int count = 1) {
+    for (int i = 0; i < count; ++i) {
+      record_.now_ns = record_.snapshot.now_ns = monotonic_now();
+      ++record_.step;
+      server_->take(record_);
+    }
+  }
+  static bool eventually(const std::function<bool()>& condition) {
+    for (int i = 0; i < 3000; ++i) {
+      if (condition()) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return false;
+  }
+
+  ServerSettings settings_;
+  FakeControls controls_;
+  std::unique_ptr<Server> server_;
+  std::string port_;
+  StepRecord record_ = messages::example_record();
+};
+
+}  // namespace tp100::server

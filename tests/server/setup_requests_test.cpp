@@ -1,0 +1,150 @@
+// Requests that choose, start and pause a run.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <string>
+
+#include "request_rig.h"
+
+namespace tp100::server {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST_F(RequestHandlerTest, StartNeedsARobotThatIsReadyAndIdle) {
+  EXPECT_THAT(std::string(call(Service::kStart).texts[0]["message"]), HasSubstr("no robot yet"));
+  StepRecord running = ready();
+  running.snapshot.run_state = RunState::kRunning;
+  running.snapshot.start_refusal = StartRefusal::kUnderWay;
+  step(running);
+  EXPECT_THAT(std::string(call(Service::kStart).texts[0]["message"]), HasSubstr("under way"));
+  step(ready());
+  EXPECT_EQ(answer_of(call(Service::kStart).binaries.at(0)), Json::parse(R"({"accepted":true})"));
+  EXPECT_EQ(controls_.starts, 1);
+  EXPECT_EQ(controls_.go_ons, 0);
+}
+
+TEST_F(RequestHandlerTest, AStartSaysWhereTheRobotStands) {
+  const auto message = [&](const char* request) -> std::string {
+    const Received received = call(Service::kStart, request);
+    return received.texts.empty() ? "" : std::string(received.texts[0]["message"]);
+  };
+  StepRecord record = ready();
+  record.snapshot.progress_m = 0.0;
+  step(record);
+  EXPECT_THAT(message(R"({"from":"here"})"), HasSubstr("no run ended before the end of its course"));
+  record.snapshot.run_state = RunState::kAborted;
+  record.snapshot.progress_m = 0.1;
+  step(record);
+  for (const char* bad : {R"({"from":"there"})", R"({"from":1})"})
+    EXPECT_THAT(message(bad), HasSubstr("from is \"start\"")) << bad;
+  EXPECT_THAT(message(R"({"x":1})"), HasSubstr("no argument 'x'"));
+  EXPECT_EQ(controls_.starts + controls_.go_ons, 0);
+  EXPECT_EQ(message(R"({"from":"here"})"), "");
+  EXPECT_EQ(controls_.go_ons, 1);
+  EXPECT_EQ(message(R"({"from":"start"})"), "");
+  EXPECT_EQ(controls_.starts, 1);
+}
+
+TEST_F(RequestHandlerTest, WhatIsChosenIsPassedOnUnlessARunIsUnderWay) {
+  step(ready());
+  const Json answer =
+      answer_of(call(Service::kChoose, R"({"course":"3","setup":"flat"})").binaries.at(0));
+  EXPECT_EQ(answer["course"], "3");
+  ASSERT_EQ(controls_.choices.size(), 1U);
+  EXPECT_EQ(controls_.choices[0].course, "3");
+  EXPECT_EQ(controls_.choices[0].robot, std::nullopt) << "what is not named stays";
+  EXPECT_EQ(controls_.choices[0].setup, "flat");
+  controls_.change_refusal = "mine.toml:3:1: unknown key 'x'";
+  EXPECT_EQ(call(Service::kChoose, R"({"course":"mine"})").texts[0]["message"],
+            controls_.change_refusal);
+
+  for (const RunState run : {RunState::kArming, RunState::kRunning, RunState::kDriving}) {
+    StepRecord record = ready();
+    record.snapshot.run_state = run;
+    step(record);
+    EXPECT_THAT(std::string(call(Service::kChoose, R"({"course":"3"})").texts[0]["message"]),
+                HasSubstr("a run is under way"));
+    EXPECT_THAT(std::string(call(Service::kPlace, R"({"at":"start"})").texts[0]["message"]),
+                HasSubstr("a run is under way"));
+  }
+  EXPECT_EQ(controls_.choices.size(), 2U);
+  EXPECT_TRUE(controls_.places.empty());
+}
+
+TEST_F(RequestHandlerTest, ARunIsPausedAndResumed) {
+  step(ready());
+  EXPECT_EQ(call(Service::kPause, "{}").texts[0]["message"], "no run is under way");
+  StepRecord record = ready();
+  record.snapshot.run_state = RunState::kRunning;
+  step(record);
+  EXPECT_EQ(call(Service::kResume, "{}").texts[0]["message"], "the run is not paused");
+  call(Service::kPause, "{}");
+  EXPECT_EQ(controls_.pauses, 1);
+  record.snapshot.pause_left_s = 119.0;
+  step(record);
+  EXPECT_EQ(call(Service::kPause, "{}").texts[0]["message"], "the run is paused already");
+  call(Service::kResume, "{}");
+  EXPECT_EQ(controls_.resumes, 1);
+  EXPECT_EQ(controls_.pauses, 1);
+}
+
+TEST_F(RequestHandlerTest, ADraftIsCheckedAlsoDuringARun) {
+  StepRecord record = ready();
+  record.snapshot.run_state = RunState::kRunning;
+  step(record);
+  call(Service::kFileCheck, R"({"kind":"course","name":"mine","text":"x"})");
+  ASSERT_EQ(controls_.checked.size(), 1U);
+  EXPECT_EQ(controls_.checked[0].text, "x");
+  EXPECT_TRUE(controls_.saved.empty());
+  EXPECT_THAT(
+      std::string(call(Service::kFileCheck, R"({"kind":"map","name":"mine"})").texts[0]["message"]),
+      HasSubstr("kind is"));
+}
+
+TEST_F(RequestHandlerTest, ARobotIsPlacedAtTheStartOrAtAPose) {
+  step(ready());
+  call(Service::kPlace, R"({"at":"start"})");
+  call(Service::kPlace, R"({"x_m":1.5,"y_m":-2,"yaw_rad":0.5})");
+  ASSERT_EQ(controls_.places.size(), 2U);
+  EXPECT_FALSE(controls_.places[0]);
+  ASSERT_TRUE(controls_.places[1]);
+  EXPECT_EQ(controls_.places[1]->x_m, 1.5);
+  EXPECT_EQ(controls_.places[1]->y_m, -2.0);
+  EXPECT_EQ(controls_.places[1]->yaw_rad, 0.5);
+}
+
+TEST_F(RequestHandlerTest, ArgumentsOfTheSetupServicesAreChecked) {
+  step(ready());
+  struct Bad {
+    Service service;
+    const char* request;
+    const char* why;
+  };
+  for (const Bad& bad :
+       {Bad{Service::kChoose, "{}", "name a course"},
+        {Service::kChoose, R"({"course":3})", "are names"},
+        {Service::kChoose, R"({"curse":"3"})", "no argument 'curse'"},
+        {Service::kPlace, "{}", "give x_m"},
+        {Service::kPlace, R"({"at":"end"})", "give x_m"},
+        {Service::kPlace, R"({"x_m":1,"y_m":1})", "give x_m"},
+        {Service::kPlace, R"({"x_m":1,"y_m":1,"yaw_rad":"1"})", "give x_m"},
+        {Service::kPlace, R"({"x_m":101,"y_m":1,"yaw_rad":1})", "from -100 to 100"},
+        {Service::kPlace, R"({"x_m":1e999,"y_m":1,"yaw_rad":1})", "JSON"},
+        {Service::kPlace, R"({"at":"start","x_m":1,"y_m":1})", "give x_m"},
+        {Service::kFileSave, R"({"kind":"word","name":"a","text":""})", "kind is"},
+        {Service::kFileSave, R"({"kind":"course","name":"../a","text":""})", "name takes"},
+        {Service::kFileSave, R"({"kind":"course","name":".a","text":""})", "name takes"},
+        {Service::kFileSave, R"({"kind":"course","text":""})", "name takes"},
+        {Service::kFileSave, R"({"kind":"course","name":"a","text":"","replace":1})", "replace"},
+        {Service::kFileDelete, R"({"kind":"course","name":"a","text":""})", "no argument 'text'"}})
+    EXPECT_THAT(std::string(call(bad.service, bad.request).texts.at(0)["message"]),
+                HasSubstr(bad.why))
+        << bad.request;
+  EXPECT_TRUE(controls_.choices.empty() && controls_.places.empty());
+  EXPECT_TRUE(controls_.saved.empty() && controls_.deleted.empty());
+}
+
+}  // namespace
+}  // namespace tp100::server
