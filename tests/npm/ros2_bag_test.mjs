@@ -260,3 +260,36 @@ for (const { what, options, robot = 'end-loaded', status = 0 } of runs)
       value.transforms[0].transform.translation.y)));
     assert.ok(camera ? shift > 1e-4 : shift === 0, `shift ${shift}`);
   }, status));
+
+test("every robot's description is a tree from base_link with the sizes of its file", async () => {
+  const folder = new URL('../../config/robots/', import.meta.url);
+  for (const robot of (await readdir(folder)).map((name) => name.replace('.toml', '')))
+    await bagOf([short, '--robot', robot], async ({ folder: at, messages }) => {
+      const [{ value: { data: urdf } }] = messages('/robot_description');
+      await writeFile(join(at, 'robot.urdf'), urdf);
+      // ROS's own reader.
+      assert.equal(execFileSync('check_urdf', [join(at, 'robot.urdf')], { encoding: 'utf8' }), `robot name is: ${robot}\n`
+        + '---------- Successfully Parsed XML ---------------\nroot Link: base_link has 3 child(ren)\n'
+        + '    child(1):  imu_link\n    child(2):  left_sprocket\n    child(3):  right_sprocket\n');
+      const { shape, 'emulated.body': { shoe_width_m: shoe } } = await robotFile(robot);
+      const numbers = (text) => text.split(' ').map(Number);
+      const [base] = /<link name="base_link">[^]*?<\/link>/.exec(urdf);
+      for (const kind of ['visual', 'collision']) {
+        const boxes = [...base.matchAll(new RegExp(`<${kind}><origin xyz="([^"]+)" rpy="0 0 0"/><geometry><box size="([^"]+)"/>`, 'g'))]
+          .map(([, origin, size]) => ({ origin: numbers(origin), size: numbers(size) }));
+        assert.equal(boxes.length, 3);
+        const end = (axis, sign) => sign * Math.max(...boxes.map(({ origin, size }) => sign * origin[axis] + size[axis] / 2));
+        [shape.length_m / 2, (shape.gauge_m + shoe) / 2].forEach((half, axis) => [1, -1].forEach((sign) =>
+          near(end(axis, sign), sign * half, `${robot} ${kind} ${'xy'[axis]}`)));
+        near(end(2, 1), shape.height_m, `${robot} ${kind} height`);
+        near(end(2, -1), 0, `${robot} ${kind} ground`);
+      }
+      for (const [side, sign] of [['left', 1], ['right', -1]]) {
+        const [, origin, axis] = new RegExp(`<joint name="${side}_sprocket_joint" type="continuous">[^]*?<origin xyz="([^"]+)" rpy="0 0 0"/>`
+          + '[^]*?<axis xyz="([^"]+)"/>').exec(urdf);
+        [shape.axle_spacing_m / 2, sign * shape.gauge_m / 2, shape.wheel_radius_m].forEach((place, i) =>
+          near(numbers(origin)[i], place, `${robot} ${side} sprocket ${i}`));
+        assert.equal(axis, '0 1 0');
+      }
+    });
+});
