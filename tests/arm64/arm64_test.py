@@ -34,7 +34,7 @@ def make(_build):
     depends = run("dpkg-deb", "-f", camera, "Depends")
     check("libopencv-imgproc406" in depends, f"tp100-camera does not depend on OpenCV: {depends}")
     depends = run("dpkg-deb", "-f", deb, "Depends")
-    for library in ("libc6 (>= ", "libode8", "libserialport0", "libsimavr2", "libstdc++6", "libzstd1"):
+    for library in ("libc6 (>= ", "libddsc0debian", "libode8", "libserialport0", "libsimavr2", "libstdc++6", "libzstd1"):
         check(library in depends, f"the package does not depend on {library}: {depends}")
     there = run("dpkg-deb", "-c", deb)
     for path in ("bin/tp100d", "bin/tp100-sim", "share/tp100/tp100.hex", "share/man/man1/tp100d.1.gz",

@@ -40,3 +40,28 @@ export function angles({ x, y, z, w }) {
     yaw: Math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z)),
   };
 }
+
+/** The rotation of a pose. */
+export function quaternion({ roll_rad: roll, pitch_rad: pitch, yaw_rad: yaw }) {
+  const [cr, cp, cy] = [roll, pitch, yaw].map((angle) => Math.cos(angle / 2));
+  const [sr, sp, sy] = [roll, pitch, yaw].map((angle) => Math.sin(angle / 2));
+  return { x: sr * cp * cy - cr * sp * sy, y: cr * sp * cy + sr * cp * sy, z: cr * cp * sy - sr * sp * cy,
+    w: cr * cp * cy + sr * sp * sy };
+}
+
+/** Stands for a field that is compared elsewhere. */
+export const elsewhere = Symbol('elsewhere');
+
+/** Where a message is not the expected one, with no field more or less; numbers may differ by `tolerance`. */
+export function difference(actual, expected, tolerance) {
+  if (expected === elsewhere || Object.is(actual, expected)) return undefined;
+  if (typeof expected === 'number' && typeof actual === 'number' && Math.abs(actual - expected) <= tolerance) return undefined;
+  if (typeof expected !== 'object' || typeof actual !== 'object') return `: ${actual}, expected ${expected}`;
+  const names = Object.keys(expected), others = Object.keys(actual);
+  if (names.length !== others.length || !names.every((name) => name in actual)) return `: fields ${others}, expected ${names}`;
+  for (const name of names) {
+    const found = difference(actual[name], expected[name], tolerance);
+    if (found !== undefined) return `.${name}${found}`;
+  }
+  return undefined;
+}

@@ -20,11 +20,15 @@ def make(build):
     need(("dpkg-shlibdeps", "dpkg-dev"))
     run("cpack", cwd=build)
     written = run("dpkg-parsechangelog", "-l", ROOT + "/scripts/debian/changelog", "-S", "Version").strip()
+    with open(build + "/CMakeCache.txt", encoding="utf-8") as cache:
+        with_dds = "\nTP100_BUILD_ROS2:BOOL=ON\n" in cache.read()
     for name, deb in packages(build).items():
         version = run("dpkg-deb", "-f", deb, "Version").strip()
         check(version == written, f"scripts/debian/changelog is of version {written}, {name} of {version}")
         depends = run("dpkg-deb", "-f", deb, "Depends")
         check(("libopencv" in depends) == (name == "tp100-camera"), f"{name} depends on: {depends}")
+        # CMake only warns where it is missing.
+        check(("libddsc0debian" in depends) == (with_dds and name == "tp100"), f"{name} depends on: {depends}")
     there = run("dpkg-deb", "-c", package(build))
     for path in ("bin/tp100-campaign", "share/doc/tp100/README.md", "share/doc/tp100/config/TUTORIALS.md", "share/tp100/tp100_fake.hex",
                  "share/doc/tp100/examples/64-tp100-bridges.rules"):

@@ -5,6 +5,7 @@
 
 #include <map>
 
+#include "ros2/inputs.h"
 #include "ros2/message_types.h"
 #include "ros2/topics.h"
 
@@ -14,10 +15,9 @@ namespace {
 using testing::ElementsAreArray;
 using testing::HasSubstr;
 
-// The first six as CARLA's table has them, the last two as rosidl prints them; the others agree
-// with them by construction. rosidl prints them.
-TEST(MessageType, HashesAreThoseOfRos2) {
-  const std::map<const MessageType*, std::string_view> published = {
+// As rosidl prints them (`ros2 topic info --verbose` shows them).
+const std::map<const MessageType*, std::string_view>& published_hashes() {
+  static const std::map<const MessageType*, std::string_view> kPublished = {
       {&nav_msgs::Odometry::kType,
        "RIHS01_3cc97dc7fb7502f8714462c526d369e35b603cfc34d946e3f2eda2766dfec6e0"},
       {&sensor_msgs::Imu::kType,
@@ -42,8 +42,27 @@ TEST(MessageType, HashesAreThoseOfRos2) {
        "RIHS01_20b625256f32d5dbc0d04fee44f43c41e51c70d3502f84b4a08e7a9c26a96312"},
       {&rmw_dds_common::ParticipantEntitiesInfo::kType,
        "RIHS01_91a0593bacdcc50ea9bdcf849a938b128412cc1ea821245c663bcd26f83c295e"},
+      {&geometry_msgs::PoseWithCovarianceStamped::kType,
+       "RIHS01_26432f9803e43727d3c8f668d1fdb3c630f548af631e2f4e31382371bfea3b6e"},
+      {&geometry_msgs::TwistStamped::kType,
+       "RIHS01_5f0fcd4f81d5d06ad9b4c4c63e3ea51b82d6ae4d0558f1d475229b1121db6f64"},
+      {&std_msgs::Bool::kType,
+       "RIHS01_feb91e995ff9ebd09c0cb3d2aed18b11077585839fb5db80193b62d74528f6c9"},
+      {&diagnostic_msgs::DiagnosticArray::kType,
+       "RIHS01_5a8a36efb05fb25070fa0fb3810290c0e6cd4862b54a8fb975a1ee8dc55a333e"},
   };
-  for (const auto& [type, hash] : published) EXPECT_EQ(type->hash, hash) << type->name;
+  return kPublished;
+}
+
+TEST(MessageType, HashesAreThoseOfRos2) {
+  for (const auto& [type, hash] : published_hashes()) EXPECT_EQ(type->hash, hash) << type->name;
+}
+
+TEST(MessageType, TheHashOfEveryTopicIsCompared) {
+  for (const TopicText& topic : topics())
+    EXPECT_TRUE(published_hashes().contains(topic.type)) << topic.name;
+  for (const InputText& input : inputs())
+    EXPECT_TRUE(published_hashes().contains(input.type)) << input.name;
 }
 
 TEST(MessageType, NamesAreThoseOfRos2AndOfDds) {
