@@ -6,7 +6,7 @@ import { readMcap } from './mcap_file.mjs';
 import { angles, decode } from './ros2.mjs';
 import { Peer, ddsType } from './ros2_network.mjs';
 
-const odometry = 'nav_msgs/msg/Odometry', bool = 'std_msgs/msg/Bool';
+const odometry = 'nav_msgs/msg/Odometry', bool = 'std_msgs/msg/Bool', truth = 'geometry_msgs/msg/PoseStamped';
 export const twist = 'geometry_msgs/msg/Twist', twistStamped = 'geometry_msgs/msg/TwistStamped';
 const periodMs = 25;
 
@@ -17,7 +17,8 @@ export class Driver {
   constructor(run, { domain = 42, type = twist, under = [] } = {}) {
     this.run = run;
     this.type = type;
-    this.peer = new Peer(domain, [`rt/odom=${ddsType(odometry)}=RV`, `+rt/cmd_vel=${ddsType(type)}=RV`, `+rt/tp100/drive=${ddsType(bool)}=RV`], under);
+    this.peer = new Peer(domain, [`rt/odom=${ddsType(odometry)}=RV`, `rt/ground_truth=${ddsType(truth)}=RV`,
+      `+rt/cmd_vel=${ddsType(type)}=RV`, `+rt/tp100/drive=${ddsType(bool)}=RV`], under);
   }
   /** Takes the wheel as soon as the daemon permits it. */
   async take() {
@@ -56,6 +57,10 @@ export class Driver {
   place() {
     const { pose } = decode(odometry, this.peer.messages('/odom').at(-1)).pose;
     return { ...pose.position, yaw: angles(pose.orientation).yaw };
+  }
+  /** Where the robot truly is, by the newest /ground_truth of an emulator that publishes it. */
+  truth() {
+    return decode(truth, this.peer.messages('/ground_truth').at(-1)).pose.position;
   }
   /** Drives to within 3 cm of a point; on a machine that stood still meanwhile, by another drive. */
   async driveTo(x, y) {
