@@ -1,5 +1,6 @@
 // ros2_bench.mjs SECONDS ROUNDS TRIALS [LOSS]: how soon ROS 2's topics arrive, what they cost, and how soon the robot is
-// told to stop when its driver is lost, in each way or in that one, as JSON rows; 0 leaves a part out. Run it in_network.
+// told to stop and stands when its driver is lost, in each way or in that one, as JSON rows; 0 leaves a part out. Run it
+// in_network.
 import { execFileSync } from 'node:child_process';
 import { readFile, readdir, writeFile } from 'node:fs/promises';
 import { cpus } from 'node:os';
@@ -158,8 +159,10 @@ const measureLosses = () => withSecondHost((under) => withRobot(async ({ folder,
     const times = await loseDriver(run, loss, trials, { under });
     run.child.kill('SIGTERM');
     await run.exit;
-    const moved = (await movedAfter(record, times)).filter((ms) => ms !== undefined);
-    printTimes(`${loss}: told to move after the last message`, moved, 'ms', { lost: trials - moved.length });
+    const after = (await movedAfter(record, times)).filter(({ told, moved }) => told !== undefined && moved !== undefined);
+    for (const what of ['told', 'moved'])
+      printTimes(`${loss}: ${what === 'told' ? 'told to move' : 'moved, by the encoders,'} after the last message`,
+        after.map((each) => each[what]), 'ms', { lost: trials - after.length });
   }
 }));
 

@@ -2,23 +2,32 @@
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import test from 'node:test';
-import { Driver, loseDriver, losses, movedAfter, pause } from './ros2_driver.mjs';
+import { Driver, loseDriver, losses, movedAfter, pause, twist, twistStamped } from './ros2_driver.mjs';
 import { Peer, ddsType, withRobot, withSecondHost } from './ros2_network.mjs';
 
 const limits = { timeout: 120_000 };
 const on = '[ros2]\nenabled = true';
 const stays = ['--stay', '--wait'];
 
-test('a node drives the robot through waypoints', limits, (t) => withRobot(async ({ daemon }) => {
-  const run = await daemon(on, stays);
-  const driver = new Driver(run);
-  await driver.take();
-  for (const [x, y] of [[0.2, 0], [0.2, 0.2]])
-    t.diagnostic(`reached ${JSON.stringify(await driver.driveTo(x, y))}`);
-  await driver.peer.end();
-}));
+// A square and its diagonal, with turns to both sides.
+const waypoints = [[0.3, 0], [0.3, 0.3], [0, 0.3], [0, 0], [0.3, 0.3], [0.3, 0]];
 
-test('the robot is told to stop within 250 ms after the last message of a driver that is lost', limits, (t) =>
+for (const type of [twist, twistStamped])
+  test(`a node drives the robot through waypoints by ${type}`, limits, (t) => withRobot(async ({ daemon }) => {
+    const run = await daemon(on, stays);
+    const driver = new Driver(run, { type });
+    await driver.take();
+    await driver.peer.until(() => driver.peer.messages('/ground_truth').length > 0);
+    for (const [x, y] of waypoints) {
+      const { x: seen_x, y: seen_y } = await driver.driveTo(x, y);
+      const truth = driver.truth(), off_m = Math.hypot(truth.x - x, truth.y - y);
+      t.diagnostic(`(${x}, ${y}): ${Math.hypot(seen_x - x, seen_y - y).toFixed(3)} m off by odometry, ${off_m.toFixed(3)} m in truth`);
+      assert.ok(off_m < 0.05, `(${x}, ${y}): the robot is at (${truth.x}, ${truth.y})`);
+    }
+    await driver.peer.end();
+  }, ['--ros2']));
+
+test('the robot is told to stop within 250 ms of the last message of a driver that is lost, and brakes to a standstill', limits, (t) =>
   withSecondHost((under) => withRobot(async ({ folder, daemon }) => {
     const record = join(folder, 'runs');
     const run = await daemon(`${on}\ninterface = "eth0"\n[server]\ncommands = "all"`, ['--wait', '--record', record]);
@@ -27,10 +36,13 @@ test('the robot is told to stop within 250 ms after the last message of a driver
       for (const each of await loseDriver(run, loss, 1, { under })) times.push({ loss, ...each });
     run.child.kill('SIGTERM');
     await run.exit;
-    (await movedAfter(record, times)).forEach((ms, i) => {
-      assert.notEqual(ms, undefined, `${times[i].loss}: the robot was not driven before`);
-      t.diagnostic(`${times[i].loss}: ${ms.toFixed(0)} ms`);
-      assert.ok(ms < 250, `${times[i].loss}: the robot was told to move for ${ms} ms`);
+    (await movedAfter(record, times)).forEach(({ told, moved }, i) => {
+      const { loss } = times[i];
+      assert.ok(told !== undefined && moved !== undefined, `${loss}: the robot was not driven before`);
+      t.diagnostic(`${loss}: told to move for ${told.toFixed(0)} ms, moved for ${moved.toFixed(0)} ms`);
+      assert.ok(told < 250, `${loss}: the robot was told to move for ${told} ms`);
+      // From 0.15 m/s by 0.6 m/s^2, and until its loops have settled.
+      assert.ok(moved < 1200, `${loss}: the robot moved for ${moved} ms`);
     });
   })));
 

@@ -1,4 +1,4 @@
-// A node of ROS 2 that drives the robot, ways to lose it, and how long the robot is told to move after that.
+// A node of ROS 2 that drives the robot, ways to lose it, and how long the robot is told to move and moves after that.
 import { execFileSync } from 'node:child_process';
 import { readdir } from 'node:fs/promises';
 import { join } from 'node:path';
@@ -6,7 +6,7 @@ import { readMcap } from './mcap_file.mjs';
 import { angles, decode } from './ros2.mjs';
 import { Peer, ddsType } from './ros2_network.mjs';
 
-const odometry = 'nav_msgs/msg/Odometry', bool = 'std_msgs/msg/Bool';
+const odometry = 'nav_msgs/msg/Odometry', bool = 'std_msgs/msg/Bool', truth = 'geometry_msgs/msg/PoseStamped';
 export const twist = 'geometry_msgs/msg/Twist', twistStamped = 'geometry_msgs/msg/TwistStamped';
 const periodMs = 25;
 
@@ -17,7 +17,8 @@ export class Driver {
   constructor(run, { domain = 42, type = twist, under = [] } = {}) {
     this.run = run;
     this.type = type;
-    this.peer = new Peer(domain, [`rt/odom=${ddsType(odometry)}=RV`, `+rt/cmd_vel=${ddsType(type)}=RV`, `+rt/tp100/drive=${ddsType(bool)}=RV`], under);
+    this.peer = new Peer(domain, [`rt/odom=${ddsType(odometry)}=RV`, `rt/ground_truth=${ddsType(truth)}=RV`,
+      `+rt/cmd_vel=${ddsType(type)}=RV`, `+rt/tp100/drive=${ddsType(bool)}=RV`], under);
   }
   /** Takes the wheel as soon as the daemon permits it. */
   async take() {
@@ -57,6 +58,10 @@ export class Driver {
     const { pose } = decode(odometry, this.peer.messages('/odom').at(-1)).pose;
     return { ...pose.position, yaw: angles(pose.orientation).yaw };
   }
+  /** Where the robot truly is, by the newest /ground_truth of an emulator that publishes it. */
+  truth() {
+    return decode(truth, this.peer.messages('/ground_truth').at(-1)).pose.position;
+  }
   /** Drives to within 3 cm of a point; on a machine that stood still meanwhile, by another drive. */
   async driveTo(x, y) {
     for (;;) {
@@ -71,27 +76,30 @@ export class Driver {
   }
 }
 
-/** Ways to lose the driver in real time, each for a second; the driver is ended after that. Where it is back before, its
+/** Long enough to see the robot stand, and too short for being disarmed by silence. */
+const lossMs = 1500;
+
+/** Ways to lose the driver in real time, each for that long; the driver is ended after that. Where it is back before, its
  * loss's end is returned. */
 export const losses = {
-  'silence': () => pause(1000),
+  'silence': () => pause(lossMs),
   'writer killed': async (driver) => {
     driver.peer.kill();
-    await pause(1000);
+    await pause(lossMs);
   },
   'writer frozen': async (driver) => {
     driver.peer.process.kill('SIGSTOP');
-    await pause(1000);
+    await pause(lossMs);
     driver.peer.kill();
   },
   // Messages go on, what they were made of does not.
   'frozen stamp': async (driver, last) => {
-    for (const end = Date.now() + 1000; Date.now() < end; await pause(periodMs)) driver.drive(0.1, 0.3, last);
+    for (const end = Date.now() + lossMs; Date.now() < end; await pause(periodMs)) driver.drive(0.1, 0.3, last);
   },
   // The other end of the network goes on sending.
   'link cut': async (driver) => {
     execFileSync('ip', ['link', 'set', 'eth0', 'down']);
-    const end = await driver.driveFor(1000, 0.1, 0.3);
+    const end = await driver.driveFor(lossMs, 0.1, 0.3);
     execFileSync('ip', ['link', 'set', 'eth0', 'up']);
     // A participant that begins before the other end has noticed does not use it.
     await pause(1000);
@@ -120,17 +128,18 @@ export async function loseDriver(run, loss, trials, settings) {
   return times;
 }
 
-/** Milliseconds after `last` up to which the recording's commands ask for motion, for each of these times; undefined where
- * they did not ask before. */
+/** Milliseconds after `last` up to which the recording's commands ask for motion (`told`) and up to which its encoders count
+ * (`moved`), for each of these times; undefined where they did not before. */
 export async function movedAfter(folder, times) {
   const [run] = await readdir(folder);
   const { topics } = await readMcap(join(folder, run, 'run.mcap'));
-  const moving = topics.get('/command').filter(({ data }) => {
-    const { speed_mps, yaw_rate_radps } = JSON.parse(Buffer.from(data).toString());
-    return speed_mps !== 0 || yaw_rate_radps !== 0;
-  }).map(({ logTime }) => Number(logTime) / 1e6);
-  return times.map(({ begin, last, end }) => {
-    if (!moving.some((at) => at > begin && at <= last)) return undefined;
-    return Math.max(0, ...moving.filter((at) => at > last && at < end).map((at) => at - last));
-  });
+  const all = (topic) => topics.get(topic).map(({ data, logTime }) =>
+    ({ at: Number(logTime) / 1e6, ...JSON.parse(Buffer.from(data).toString()) }));
+  const told = all('/command').filter(({ speed_mps, yaw_rate_radps }) => speed_mps !== 0 || yaw_rate_radps !== 0).map(({ at }) => at);
+  const moved = all('/sample').filter(({ left_counts, right_counts }, i, samples) =>
+    i > 0 && (left_counts !== samples[i - 1].left_counts || right_counts !== samples[i - 1].right_counts))
+    .map(({ at, age_us }) => at - age_us / 1e3);
+  const after = (moving, { begin, last, end }) => moving.some((at) => at > begin && at <= last)
+    ? Math.max(0, ...moving.filter((at) => at > last && at < end).map((at) => at - last)) : undefined;
+  return times.map((time) => ({ told: after(told, time), moved: after(moved, time) }));
 }

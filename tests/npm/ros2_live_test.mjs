@@ -11,6 +11,7 @@ import test from 'node:test';
 import { readMcap } from './mcap_file.mjs';
 import { load } from './packages.mjs';
 import { decode, nanoseconds } from './ros2.mjs';
+import { Driver } from './ros2_driver.mjs';
 import { Peer, ddsType, discovery, latched, ordinary, percentile, program, start, topics, withRobot, withSecondHost } from './ros2_network.mjs';
 
 const { parse } = load('@foxglove/rosmsg');
@@ -222,6 +223,38 @@ test('a course in virtual time is on the topics as it is in its bag, with /clock
     await rm(folder, { recursive: true, force: true });
   }
 });
+
+/** Calls `work` on a loopback interface as most machines have it: it does not multicast. */
+async function withoutMulticast(work) {
+  const ip = (options) => execFileSync('ip', options.split(' '));
+  ip('link set lo multicast off');
+  ip('route del 224.0.0.0/4 dev lo');
+  try {
+    await work();
+  } finally {
+    ip('link set lo multicast on');
+    ip('route add 224.0.0.0/4 dev lo');
+  }
+}
+
+const withoutCourse = new Map([...topics].filter(([name]) => name !== '/path'));
+for (const [announced, domain] of [['at 127.0.0.1', '42>127.0.0.1'], ['by multicast alone', '42@127.0.0.1']])
+  test(`without multicast on lo both ends meet if the other one is announced ${announced}`, limits, (t) =>
+    withoutMulticast(() => withRobot(async ({ daemon }) => {
+      const run = await daemon('[ros2]\nenabled = true', ['--stay', '--wait']);
+      const listener = new Peer(domain, [...withoutCourse].map(([name, [type, qos]]) => `rt${name}=${ddsType(type)}=${qos}`));
+      const driver = new Driver(run, { domain });
+      try {
+        await listener.until(() => [...withoutCourse.keys()].every((topic) => listener.messages(topic).length > 0));
+        await driver.take();
+        await driver.peer.until(() => driver.peer.messages('/odom').length > 0);
+        const begin = driver.place();
+        await driver.driveTo(begin.x + 0.1, begin.y);
+        t.diagnostic(`drove from ${begin.x.toFixed(3)} to ${driver.place().x.toFixed(3)} m`);
+      } finally {
+        await Promise.all([listener.end(), driver.peer.end()]);
+      }
+    })));
 
 /** Of these ports of 10.0.0.1, those at which nobody listens to another host; `under`: a command of that host. */
 const closedPorts = (under, ports) => JSON.parse(execFileSync(under[0], [...under.slice(1), process.execPath, '-e', `

@@ -3,11 +3,13 @@
 // participant, each writer, each message, each match of a topic of its own and each message that it
 // has published. A line "TOPIC=TYPE
 // HEX" on standard input is a message to publish; it ends when standard input does. DOMAIN is a
-// number, @ADDRESS after it an address to be restricted to, and a final "quiet" keeps the messages'
-// lines to the end. QOS: R reliable or B best effort, followed by T transient local or V volatile.
+// number, @ADDRESS after it an address to be restricted to, >ADDRESS where to announce itself
+// instead of by multicast, and a final "quiet" keeps the messages' lines to the end. QOS: R
+// reliable or B best effort, followed by T transient local or V volatile.
 
 #include <fastcdr/Cdr.h>
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
+#include <fastrtps/utils/IPLocator.h>
 
 #include <chrono>
 #include <cstdint>
@@ -73,6 +75,14 @@ std::vector<std::uint8_t> bytes_of(const std::string& text) {
 
 std::string guid_text(const rtps::GUID_t& guid) {
   return hex(guid.guidPrefix.value, 12) + hex(guid.entityId.value, 4);
+}
+
+/// The address behind `mark` in the first argument; empty: there is none.
+std::string address_behind(char mark, const std::string& domain) {
+  const std::size_t at = domain.find(mark);
+  if (at == std::string::npos) return {};
+  const std::size_t end = domain.find_first_not_of("0123456789.", at + 1);
+  return domain.substr(at + 1, end == std::string::npos ? end : end - at - 1);
 }
 
 template <class UserData>
@@ -198,8 +208,13 @@ int main(int argc, char** argv) {
   participant_qos.transport().use_builtin_transports = false;
   auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
   udp->receiveBufferSize = kLargest;
-  if (const std::size_t at = domain.find('@'); at != std::string::npos)
-    udp->interfaceWhiteList.push_back(domain.substr(at + 1));
+  if (const std::string only = address_behind('@', domain); !only.empty())
+    udp->interfaceWhiteList.push_back(only);
+  if (const std::string peer = address_behind('>', domain); !peer.empty()) {
+    rtps::Locator_t locator;
+    rtps::IPLocator::setIPv4(locator, peer);
+    participant_qos.wire_protocol().builtin.initialPeersList.push_back(locator);
+  }
   participant_qos.transport().user_transports.push_back(udp);
   auto* const factory = fast::DomainParticipantFactory::get_instance();
   auto* const participant =
