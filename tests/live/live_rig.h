@@ -34,7 +34,7 @@ class LiveRig {
       cycle.wrote(now);
       cycle.after_write(now);
     }
-    robot.hear(cycle.output(), now);
+    robot.receive(cycle.output(), now);
     cycle.written(cycle.output().size());
     LiveEvent event;
     while (cycle.take_event(event)) {
