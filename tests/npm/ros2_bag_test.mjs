@@ -7,7 +7,7 @@ import { join } from 'node:path';
 import test from 'node:test';
 import { readMcap } from './mcap_file.mjs';
 import { load } from './packages.mjs';
-import { angles, decode, definitionsOf, nanoseconds } from './ros2.mjs';
+import { angles, decode, definitionsOf, nanoseconds, planarVariances } from './ros2.mjs';
 
 const { parse } = load('@foxglove/rosmsg');
 const program = (name) => join(process.env.TP100_BIN, name);
@@ -26,9 +26,9 @@ function nearPose({ position, orientation }, pose, what) {
   near(wrapped(yaw - pose.yaw_rad), 0, `${what} yaw`);
 }
 
-function nearDiagonal(covariance, { sd_x_m: x, sd_y_m: y, sd_yaw_rad: yaw }, what) {
-  const expected = new Map([[0, x * x], [7, y * y], [35, yaw * yaw]]);
-  covariance.forEach((value, i) => near(value, expected.get(i) ?? 0, `${what} covariance ${i}`, 1e-9));
+function nearDeviations(covariance, { sd_x_m: x, sd_y_m: y, sd_yaw_rad: yaw }, what) {
+  const expected = [x * x, y * y, yaw * yaw];
+  planarVariances(covariance).forEach((value, i) => near(value, expected[i], `${what} variance ${i}`, 1e-9));
 }
 
 /** Records a course in virtual time and calls `work` with its channels and with its bag. */
@@ -105,7 +105,7 @@ for (const camera of [false, true])
         assert.ok(stamps.length > 4000 && stamps.length >= samples.size - 1, `${topic}: ${stamps.length} of ${samples.size}`);
       }
 
-      let known = 0;
+      let spread = 0, correlated = 0, turning = 0;
       for (const { logTime, value } of messages('/odom')) {
         const { odometry, fused } = estimates.get(logTime);
         assert.deepEqual([value.header.frame_id, value.child_frame_id], ['odom', 'base_link']);
@@ -113,14 +113,18 @@ for (const camera of [false, true])
         near(value.twist.twist.linear.x, odometry.vx_mps, 'vx');
         near(value.twist.twist.linear.y, odometry.vy_mps, 'vy');
         near(value.twist.twist.angular.z, odometry.yaw_rate_radps, 'yaw rate');
-        // Known where odometry and the fused estimate are one; with a camera they are not.
-        if (value.pose.covariance[35] !== 0) {
-          ++known;
-          nearDiagonal(value.pose.covariance, fused, '/odom');
-          assert.equal(fused.camera_age_us, undefined);
-        }
+        // Without a camera it is the fused estimate's. With one, only that knows where it is all the time.
+        if (!camera) nearDeviations(value.pose.covariance, fused, '/odom');
+        const [x, y, yaw] = planarVariances(value.pose.covariance);
+        spread = Math.max(spread, Math.sqrt(x + y) / Math.hypot(fused.sd_x_m, fused.sd_y_m));
+        correlated = Math.max(correlated, Math.abs(value.pose.covariance[11]) / Math.sqrt(y * yaw));
+        const [forward, , rate] = planarVariances(value.twist.covariance);
+        assert.ok(forward > 0 && rate > 0);
+        if (rate < 1e6) turning = Math.max(turning, Math.sqrt(rate));
       }
-      assert.ok(camera ? known < 200 : known > 4000, `${known} covariances`);
+      assert.ok(camera ? spread > 3 : spread < 1.001, `odometry's place against the fused one's: ${spread}`);
+      assert.ok(correlated > 0.5 && correlated <= 1, `correlation of y and yaw: ${correlated}`);
+      assert.ok(turning < 0.1, `yaw rate: ${turning}`);
 
       let shift = 0;
       for (const { logTime, value } of messages('/tf')) {
@@ -146,7 +150,7 @@ for (const camera of [false, true])
         const { fused } = estimates.get(logTime);
         assert.equal(value.header.frame_id, 'map');
         nearPose(value.pose.pose, fused, '/pose/fused');
-        nearDiagonal(value.pose.covariance, fused, '/pose/fused');
+        nearDeviations(value.pose.covariance, fused, '/pose/fused');
       }
 
       for (const { value } of messages('/imu/data')) {
@@ -154,6 +158,8 @@ for (const camera of [false, true])
         assert.equal(sample.imu_age, 0);
         assert.equal(value.header.frame_id, 'imu_link');
         assert.equal(value.orientation_covariance[0], -1);
+        for (const covariance of [value.angular_velocity_covariance, value.linear_acceleration_covariance])
+          covariance.forEach((variance, i) => assert.equal(variance > 0, i % 4 === 0));
         const of = ({ x, y, z }) => [x, y, z];
         of(value.angular_velocity).forEach((rate, i) => near(rate, sample.gyro_radps[i], 'gyro'));
         of(value.linear_acceleration).forEach((force, i) => near(force, sample.accel_mps2[i], 'accelerometer'));
