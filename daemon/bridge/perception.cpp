@@ -260,6 +260,8 @@ void Perception::write(Snapshot& snapshot, HostNs now) const {
   snapshot.has_sample = has_sample_;
   snapshot.age_us = (now - sample_.measured_ns) / kNsPerUs;
   snapshot.estimates = estimates();
+  snapshot.odometry_pose_covariance = odometry_.pose_covariance();
+  snapshot.odometry_twist_covariance = odometry_.twist_covariance();
   snapshot.filter = filter_.figures(now);
   terrain_contacts_.set_attitude(snapshot.estimates);
   snapshot.world = world_pose();

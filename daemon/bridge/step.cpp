@@ -269,7 +269,7 @@ void Step::State::drive_by_hand(HostNs now, double dt_s) {
   const control::HandCommand wanted = hand_drive.update(
       {.pose = pose,
        .measured_yaw_rate_radps = perception.speeds().steering.yaw_rate_radps,
-       .position_sd_m = std::sqrt(std::max(figures.variance_x_m2, figures.variance_y_m2)),
+       .position_sd_m = std::sqrt(std::max(figures.covariance.xx, figures.covariance.yy)),
        .limits = drive_of(parameters, 0.0).limits,
        .braking_mps2 = parameters.drive.max_track_mps2},
       parameters.control, now, std::min(dt_s, kLongestSeenS));

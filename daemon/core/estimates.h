@@ -87,13 +87,25 @@ constexpr PerSource<Pose> poses_of(const PerSource<Estimate>& estimates) {
   return poses;
 }
 
+/// Covariance of x [m], y [m] and yaw [rad], or of their rates: the upper triangle of a symmetric,
+/// positive semidefinite matrix.
+struct PlanarCovariance {
+  double xx = 0.0;
+  double xy = 0.0;
+  double x_yaw = 0.0;
+  double yy = 0.0;
+  double y_yaw = 0.0;
+  double yaw_yaw = 0.0;
+};
+
+/// Stands for the variance of what is not estimated, as usual in ROS.
+inline constexpr double kUnknownVariance = 1e6;
+
 /// What the filter of the fused estimate says besides its pose and twist.
 struct FilterFigures {
-  double variance_x_m2 = 0.0;  ///< diagonal of the covariance, including the error common to all
-                               ///< images
-  double variance_y_m2 = 0.0;
-  double variance_yaw_rad2 = 0.0;
-  double slip_left = 0.0;  ///< estimated
+  PlanarCovariance covariance{};  ///< of the pose, in the world frame, with the error common to all
+                                  ///< images
+  double slip_left = 0.0;         ///< estimated
   double slip_right = 0.0;
   double gyro_bias_radps = 0.0;
   double nis = 0.0;       ///< normalized innovation squared of the last camera sample, 3 degrees

@@ -80,7 +80,10 @@ struct Snapshot {
   bool has_sample = false;
   std::int64_t age_us = 0;  ///< now - when the newest sample was measured
   PerSource<Estimate> estimates{};
-  FilterFigures filter{};  ///< of the fused estimate
+  PlanarCovariance odometry_pose_covariance{};   ///< of odometry's pose, in the world frame
+  PlanarCovariance odometry_twist_covariance{};  ///< of its twist, in the body frame: mean over the
+                                                 ///< last sample interval
+  FilterFigures filter{};                        ///< of the fused estimate
   /// The steering pose in the course's world. Where ramps and blocks are virtual, the robot on them
   /// is slower than the one on the floor: x and y lag behind. Elsewhere it equals the steering
   /// pose.

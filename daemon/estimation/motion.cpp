@@ -40,6 +40,24 @@ void forget_place(FilterState& state, double sd_m, double sd_rad) {
   p(kYaw, kYaw) += square(sd_rad);
 }
 
+/// Variance of where an interval ends, along and across its direction, beside what bias and slip
+/// explain.
+struct ShiftVariance {
+  double along_m2, across_m2;
+};
+ShiftVariance shift_variance(const FilterParameters& noise, const Twist& twist,
+                             const Motion& motion) {
+  const double distance_m = std::abs(twist.vx_mps) * motion.dt_s;
+  const double by_turning =
+      square(noise.turn_sd_m_rtrad) * std::abs(twist.yaw_rate_radps * motion.dt_s);
+  return {square(motion.ground.hold_slip ? noise.obstacle_sd_m_rtm : noise.along_sd_m_rtm) *
+                  distance_m +
+              by_turning +
+              square(kTiltSdMRtrad) * std::max(motion.ground.tilt_radps - kTippingRadps, 0.0) *
+                  motion.dt_s,
+          square(noise.across_sd_m_rtm) * distance_m + by_turning};
+}
+
 using PoseRows = Eigen::Matrix<double, kYaw + 1, kStates>;
 
 /// F P F^T. `pose` are the first rows of F; of the others the bias follows the temperature, a part
@@ -100,6 +118,50 @@ Twist MotionModel::twist(const StateVector& mean, const Motion& motion) const {
       twist.vx_mps * std::tan(model::slip_angle_rad(tracks_, turn, twist.yaw_rate_radps)) -
       turn.x_icr_m * twist.yaw_rate_radps;
   return twist;
+}
+
+PlanarCovariance MotionModel::twist_covariance(const FilterState& state,
+                                               const Motion& motion) const {
+  const double dt = motion.dt_s;
+  const Twist twist = this->twist(state.mean, motion);
+  const model::Turn turn = turn_of(motion);
+  const auto [left, right] = expected_speeds(motion.tracks, motion.ground);
+
+  // Of forward speed and yaw rate by the state, as in twist().
+  Eigen::Matrix<double, 2, kStates> by_state = Eigen::Matrix<double, 2, kStates>::Zero();
+  by_state(0, kCommonSlip) = -(right + left) / 2.0 * (1.0 - turn.slip);
+  by_state(0, kSlipDifference) = (right - left) / 2.0 * (1.0 - turn.slip);
+  // A track's speed begins and ends between two edges.
+  const double edges_mps2 = square(noise_.edge_m / dt) / 6.0;
+  const double rate = std::abs(twist.yaw_rate_radps);
+  double rate_variance = 0.0;
+  if (motion.gyro) {
+    by_state(1, kBias) = -1.0;
+    rate_variance = square(noise_.gyro_sd_rad_rts) / dt + square(noise_.gyro_scale_sd * rate);
+  } else {
+    const double gain = (1.0 + state.mean[kTurnGain]) / turn.wheelbase_m;
+    const TrackSpeeds ground = over_ground(state.mean, motion);
+    by_state(1, kCommonSlip) = -(right - left) * gain;
+    by_state(1, kSlipDifference) = (right + left) * gain;
+    by_state(1, kTurnGain) = (ground.right_mps - ground.left_mps) / turn.wheelbase_m;
+    rate_variance = square(noise_.track_error_radps + noise_.track_error_share * rate) +
+                    2.0 * edges_mps2 * square(gain);
+  }
+  Eigen::Matrix2d by = by_state * state.covariance * by_state.transpose();
+  by(0, 0) += edges_mps2 / 2.0;
+  by(1, 1) += rate_variance;
+
+  // Sideways: what twist() makes of the two.
+  const double of_speed = std::tan(model::slip_angle_rad(tracks_, turn, twist.yaw_rate_radps));
+  const double of_rate = -turn.x_icr_m;
+  const auto [along, across] = shift_variance(noise_, twist, motion);
+  return {.xx = by(0, 0) + along / square(dt),
+          .xy = of_speed * by(0, 0) + of_rate * by(0, 1),
+          .x_yaw = by(0, 1),
+          .yy = square(of_speed) * by(0, 0) + 2.0 * of_speed * of_rate * by(0, 1) +
+                square(of_rate) * by(1, 1) + across / square(dt),
+          .y_yaw = of_speed * by(0, 1) + of_rate * by(1, 1),
+          .yaw_yaw = by(1, 1)};
 }
 
 double MotionModel::innovation_radps(const StateVector& mean, const Residual& residual) const {
@@ -169,14 +231,7 @@ void MotionModel::predict(FilterState& state, const Motion& motion) const {
     by_rate(kTurnGain, (ground.right_mps - ground.left_mps) / shape.wheelbase_m);
   }
 
-  const double distance_m = std::abs(twist.vx_mps) * dt;
-  const double by_turning = square(noise_.turn_sd_m_rtrad) * std::abs(turn);
-  const double along =
-      square(motion.ground.hold_slip ? noise_.obstacle_sd_m_rtm : noise_.along_sd_m_rtm) *
-          distance_m +
-      by_turning +
-      square(kTiltSdMRtrad) * std::max(motion.ground.tilt_radps - kTippingRadps, 0.0) * dt;
-  const double across = square(noise_.across_sd_m_rtm) * distance_m + by_turning;
+  const auto [along, across] = shift_variance(noise_, twist, motion);
   const double rate = std::abs(twist.yaw_rate_radps);
   const double yaw =
       motion.gyro ? (square(noise_.gyro_sd_rad_rts) +

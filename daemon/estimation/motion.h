@@ -2,6 +2,7 @@
 // One sample interval as the estimators take it, the prediction of a state over it, and the
 // measurements at its end.
 
+#include "core/estimates.h"
 #include "core/pose.h"
 #include "core/time.h"
 #include "estimation/kalman.h"
@@ -73,6 +74,9 @@ class MotionModel {
   model::Slip slip(const StateVector& mean, const Motion& motion) const;
   /// Twist according to state and motion.
   Twist twist(const StateVector& mean, const Motion& motion) const;
+  /// Covariance of twist(), in the body frame, for an interval that is not empty: by the state, the
+  /// encoders' edges, the gyro and the shift that the filter expects.
+  PlanarCovariance twist_covariance(const FilterState& state, const Motion& motion) const;
   /// Yaw rate by the tracks over their speed, of a residual: -1 to 1, right and left turn on the
   /// spot.
   double turn_ratio(const StateVector& mean, const Residual& residual) const;

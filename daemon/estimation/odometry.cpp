@@ -209,4 +209,19 @@ Pose Odometry::pose() const {
           .yaw_rad = state_.mean[kYaw]};
 }
 
+PlanarCovariance Odometry::pose_covariance() const {
+  const StateMatrix& p = state_.covariance;
+  return {.xx = p(kX, kX),
+          .xy = p(kX, kY),
+          .x_yaw = p(kX, kYaw),
+          .yy = p(kY, kY),
+          .y_yaw = p(kY, kYaw),
+          .yaw_yaw = p(kYaw, kYaw)};
+}
+
+PlanarCovariance Odometry::twist_covariance() const {
+  if (motion_.dt_s > 0.0) return model_.twist_covariance(state_, motion_);
+  return {.xx = kUnknownVariance, .yy = kUnknownVariance, .yaw_yaw = kUnknownVariance};
+}
+
 }  // namespace tp100::estimation

@@ -83,6 +83,10 @@ class Odometry {
   /// z, roll and pitch are the ground's.
   Pose pose() const;
   const Twist& twist() const { return twist_; }
+  /// In the world frame.
+  PlanarCovariance pose_covariance() const;
+  /// In the body frame; of a twist that no interval has shown yet, kUnknownVariance.
+  PlanarCovariance twist_covariance() const;
   model::Slip slip() const { return model_.slip(state_.mean, motion_); }
   const FilterState& state() const { return state_; }
   const MotionModel& model() const { return model_; }

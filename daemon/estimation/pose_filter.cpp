@@ -187,10 +187,11 @@ double PoseFilter::camera_age_s(HostNs now) const {
 
 FilterFigures PoseFilter::figures(HostNs now) const {
   const double shared_m2 = camera_known_ ? square(shared_sd_m_) : 0.0;
+  PlanarCovariance covariance = odometry_.pose_covariance();
+  covariance.xx += shared_m2;
+  covariance.yy += shared_m2;
   const model::Slip slip = odometry_.slip();
-  return {.variance_x_m2 = state().covariance(kX, kX) + shared_m2,
-          .variance_y_m2 = state().covariance(kY, kY) + shared_m2,
-          .variance_yaw_rad2 = state().covariance(kYaw, kYaw),
+  return {.covariance = covariance,
           .slip_left = slip.left,
           .slip_right = slip.right,
           .gyro_bias_radps = state().mean[kBias],

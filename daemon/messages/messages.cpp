@@ -29,9 +29,9 @@ void write_motion(text::JsonWriter& json, const Estimate& estimate) {
 }
 
 void write_filter(text::JsonWriter& json, const FilterFigures& filter) {
-  json.field("sd_x_m", std::sqrt(filter.variance_x_m2))
-      .field("sd_y_m", std::sqrt(filter.variance_y_m2))
-      .field("sd_yaw_rad", std::sqrt(filter.variance_yaw_rad2));
+  json.field("sd_x_m", std::sqrt(filter.covariance.xx))
+      .field("sd_y_m", std::sqrt(filter.covariance.yy))
+      .field("sd_yaw_rad", std::sqrt(filter.covariance.yaw_yaw));
   if (filter.camera_age_us >= 0) json.field("camera_age_us", filter.camera_age_us);
   json.field("camera_used", filter.camera_used)
       .field("camera_rejected", filter.camera_rejected)

@@ -125,13 +125,22 @@ void visit_fields(Visitor& v, T& command) {
   v("expiry_us", expiry);
 }
 
+template <class Visitor, MaybeConst<PlanarCovariance> T>
+void visit_fields(Visitor& v, T& covariance) {
+  auto& [xx, xy, x_yaw, yy, y_yaw, yaw_yaw] = covariance;
+  v("xx", xx);
+  v("xy", xy);
+  v("x_yaw", x_yaw);
+  v("yy", yy);
+  v("y_yaw", y_yaw);
+  v("yaw_yaw", yaw_yaw);
+}
+
 template <class Visitor, MaybeConst<FilterFigures> T>
 void visit_fields(Visitor& v, T& filter) {
-  auto& [variance_x, variance_y, variance_yaw, slip_left, slip_right, gyro_bias, nis, nis_mean,
-         nis_count, camera_age, camera_used, camera_rejected, recoveries] = filter;
-  v("variance_x_m2", variance_x);
-  v("variance_y_m2", variance_y);
-  v("variance_yaw_rad2", variance_yaw);
+  auto& [covariance, slip_left, slip_right, gyro_bias, nis, nis_mean, nis_count, camera_age,
+         camera_used, camera_rejected, recoveries] = filter;
+  v("covariance", covariance);
   v("slip_left", slip_left);
   v("slip_right", slip_right);
   v("gyro_bias_radps", gyro_bias);
@@ -157,11 +166,11 @@ void visit_fields(Visitor& v, T& terrain_contact) {
 
 template <class Visitor, MaybeConst<Snapshot> T>
 void visit_fields(Visitor& v, T& snapshot) {
-  auto& [now, sample, has_sample, age, estimates, filter, world, terrain_contact, left, right,
-         slip_left, slip_right, gyro_bias, imu_roll, imu_pitch, imu_slope, imu_obstacle, command,
-         commanded_left, commanded_right, cross_track, heading_error, progress, recovering,
-         steering, run_state, start_refusal, drive_refusal, at_fence, pause_left, faults] =
-      snapshot;
+  auto& [now, sample, has_sample, age, estimates, odometry_pose, odometry_twist, filter, world,
+         terrain_contact, left, right, slip_left, slip_right, gyro_bias, imu_roll, imu_pitch,
+         imu_slope, imu_obstacle, command, commanded_left, commanded_right, cross_track,
+         heading_error, progress, recovering, steering, run_state, start_refusal, drive_refusal,
+         at_fence, pause_left, faults] = snapshot;
   v("now_ns", now);
   v("sample", sample);
   v("has_sample", has_sample);
@@ -171,6 +180,8 @@ void visit_fields(Visitor& v, T& snapshot) {
     v(name, estimates[source].pose);
     v(name, estimates[source].twist);
   }
+  v("odometry_pose_covariance", odometry_pose);
+  v("odometry_twist_covariance", odometry_twist);
   v("filter", filter);
   v("world", world);
   v("terrain_contact", terrain_contact);

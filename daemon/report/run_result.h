@@ -23,8 +23,8 @@ struct PoseSd {
 };
 
 inline PoseSd pose_sd(const FilterFigures& filter) {
-  return {std::sqrt(filter.variance_x_m2), std::sqrt(filter.variance_y_m2),
-          std::sqrt(filter.variance_yaw_rad2)};
+  return {std::sqrt(filter.covariance.xx), std::sqrt(filter.covariance.yy),
+          std::sqrt(filter.covariance.yaw_yaw)};
 }
 
 /// One instant of a run; all poses belong to the same time. World frame; yaw may exceed [-pi, pi].

@@ -17,6 +17,11 @@ namespace {
 constexpr const char* kOdom = "odom";
 
 constexpr HostNs kSlowPeriodNs = kNsPerS;  // of battery and state
+// Noise densities of the MPU6050 (data sheet rev 3.4, 6.1 and 6.2) through the low pass that the
+// firmware sets (42 and 44 Hz, of first order). [(rad/s)^2, (m/s^2)^2]
+const double kGyroVariance = square(0.005 * kRadPerDeg) * 42.0 * kPi / 2.0;
+const double kAccelVariance = square(400e-6 * 9.80665) * 44.0 * kPi / 2.0;
+
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 
 builtin_interfaces::Time time_of(std::uint64_t unix_ns) {
@@ -42,30 +47,36 @@ geometry_msgs::TransformStamped transform_of(const std_msgs::Header& header, con
                         .rotation = rotation_of(pose)}};
 }
 
-/// Of x, y, z and the rotations about x, y, z; what the filter does not estimate stays 0.
-std::array<double, 36> covariance_of(const FilterFigures& filter) {
+/// Of x, y, z and the rotations about x, y, z, or of their rates.
+std::array<double, 36> covariance_of(const PlanarCovariance& planar) {
   std::array<double, 36> covariance{};
-  covariance[0] = filter.variance_x_m2;
-  covariance[7] = filter.variance_y_m2;
-  covariance[35] = filter.variance_yaw_rad2;
+  constexpr std::size_t kX = 0, kY = 1, kYaw = 5;
+  const auto put = [&](std::size_t row, std::size_t column, double value) {
+    covariance[6 * row + column] = covariance[6 * column + row] = value;
+  };
+  put(kX, kX, planar.xx);
+  put(kX, kY, planar.xy);
+  put(kX, kYaw, planar.x_yaw);
+  put(kY, kY, planar.yy);
+  put(kY, kYaw, planar.y_yaw);
+  put(kYaw, kYaw, planar.yaw_yaw);
+  for (std::size_t other = kY + 1; other < kYaw; ++other) put(other, other, kUnknownVariance);
   return covariance;
 }
 
-/// Without a camera both estimates are of the same filter, which publishes its covariance.
-bool odometry_is_fused(const Snapshot& snapshot) {
-  const Pose& odometry = snapshot.estimates[PoseSource::kOdometry].pose;
-  const Pose& fused = snapshot.estimates[PoseSource::kFused].pose;
-  return snapshot.filter.camera_age_us < 0 && odometry.x_m == fused.x_m &&
-         odometry.y_m == fused.y_m && odometry.yaw_rad == fused.yaw_rad;
+/// Of three independent axes.
+std::array<double, 9> covariance_of(double variance) {
+  return {variance, 0.0, 0.0, 0.0, variance, 0.0, 0.0, 0.0, variance};
 }
 
 nav_msgs::Odometry odometry_of(const std_msgs::Header& header, const Snapshot& snapshot) {
   const Estimate& estimate = snapshot.estimates[PoseSource::kOdometry];
   nav_msgs::Odometry odometry{.header = header, .child_frame_id = kBaseLink};
   odometry.pose.pose = pose_of(estimate.pose);
-  if (odometry_is_fused(snapshot)) odometry.pose.covariance = covariance_of(snapshot.filter);
+  odometry.pose.covariance = covariance_of(snapshot.odometry_pose_covariance);
   odometry.twist.twist.linear = {.x = estimate.twist.vx_mps, .y = estimate.twist.vy_mps};
   odometry.twist.twist.angular.z = estimate.twist.yaw_rate_radps;
+  odometry.twist.covariance = covariance_of(snapshot.odometry_twist_covariance);
   return odometry;
 }
 
@@ -87,8 +98,10 @@ sensor_msgs::Imu imu_of(const std_msgs::Header& header, const Sample& sample) {
   imu.orientation_covariance[0] = -1.0;  // no orientation
   imu.angular_velocity = {
       .x = sample.gyro_radps[0], .y = sample.gyro_radps[1], .z = sample.gyro_radps[2]};
+  imu.angular_velocity_covariance = covariance_of(kGyroVariance);
   imu.linear_acceleration = {
       .x = sample.accel_mps2[0], .y = sample.accel_mps2[1], .z = sample.accel_mps2[2]};
+  imu.linear_acceleration_covariance = covariance_of(kAccelVariance);
   return imu;
 }
 
@@ -282,7 +295,7 @@ void TopicMessages::take(const StepRecord& record, const Send& send) {
          serialized(geometry_msgs::PoseWithCovarianceStamped{
              .header = map,
              .pose = {.pose = pose_of(snapshot.estimates[PoseSource::kFused].pose),
-                      .covariance = covariance_of(snapshot.filter)}}));
+                      .covariance = covariance_of(snapshot.filter.covariance)}}));
     send(Topic::kJointStates, serialized(joints_of(base, snapshot, run_context.robot)));
     if (now >= battery_due_ns_) {
       battery_due_ns_ = now + kSlowPeriodNs;

@@ -64,7 +64,7 @@ TEST_F(CameraStepTest, TheFusedPoseFollowsTheCameraAndAllocatesNothing) {
   EXPECT_GT(snapshot().filter.camera_used, 300u);
   EXPECT_EQ(snapshot().filter.camera_rejected, 0u);
   EXPECT_LT(snapshot().filter.camera_age_us, 120'000);
-  EXPECT_LT(snapshot().filter.variance_x_m2, 4e-6);
+  EXPECT_LT(snapshot().filter.covariance.xx, 4e-6);
 }
 
 TEST_F(CameraStepTest, WhoIsMovedIsFoundByTheCameraAndByNobodyElse) {

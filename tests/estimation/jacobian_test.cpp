@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <random>
 
@@ -133,6 +134,48 @@ TEST_F(Jacobian, OfThePredictionIsThatOfTheExactArc) {
               << error;
         }
       }
+    }
+  }
+}
+
+Eigen::Matrix3d matrix_of(const PlanarCovariance& planar) {
+  Eigen::Matrix3d matrix;
+  matrix << planar.xx, planar.xy, planar.x_yaw,  //
+      planar.xy, planar.yy, planar.y_yaw,        //
+      planar.x_yaw, planar.y_yaw, planar.yaw_yaw;
+  return matrix;
+}
+
+TEST_F(Jacobian, OfTheTwistsCovarianceIsThatOfTheTwist) {
+  for (const bool gyro : {true, false}) {
+    for (int round = 0; round < 2000; ++round) {
+      FilterState state{this->state(), StateMatrix::Zero()};
+      const Motion motion = this->motion(gyro);
+      const Twist twist = model_.twist(state.mean, motion);
+      if (std::abs(std::abs(twist.yaw_rate_radps) - 0.05) < 0.02) continue;
+      const auto by_state = differences(
+          [&](const StateVector& at) {
+            const Twist moved = model_.twist(at, motion);
+            return Eigen::Vector3d(moved.vx_mps, moved.vy_mps, moved.yaw_rate_radps);
+          },
+          state.mean);
+      const Eigen::Matrix3d noise = matrix_of(model_.twist_covariance(state, motion));
+      const StateMatrix root = StateMatrix::Random() * 0.05;
+      state.covariance = root * root.transpose();
+      const Eigen::Matrix3d all = matrix_of(model_.twist_covariance(state, motion));
+      const Eigen::Matrix3d error =
+          all - noise - by_state * state.covariance * by_state.transpose();
+      ASSERT_LT(error.cwiseAbs().maxCoeff(), 1e-9) << round << ", gyro " << gyro << "\n" << error;
+      ASSERT_GT(Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(noise).eigenvalues().minCoeff(),
+                -1e-15)
+          << round << "\n"
+          << noise;
+      if (!gyro) continue;
+      const double rate = twist.yaw_rate_radps;
+      ASSERT_NEAR(
+          noise(2, 2),
+          square(noise_.gyro_sd_rad_rts) / motion.dt_s + square(noise_.gyro_scale_sd * rate),
+          1e-12);
     }
   }
 }

@@ -57,6 +57,41 @@ TEST_F(OdometryTest, AQuarterCircleEndsWhereGeometrySays) {
   EXPECT_NEAR(odometry.pose().yaw_rad, kPi / 2, 2e-3);
 }
 
+// The pose's covariance is of the world's axes, the twist's of the body's.
+TEST_F(OdometryTest, ARobotThatStartsTurnedHasItsPosesCovarianceTurnedAndTheSameOfItsTwist) {
+  const auto driven = [this](double yaw_rad) {
+    Odometry odometry(tracks_, noise_);
+    odometry.begin({.yaw_rad = yaw_rad});
+    drive(odometry, 0.1, 0.0, 0.02, 5.0);
+    drive(odometry, 0.1, 0.2, 0.02, 1.0);
+    return odometry;
+  };
+  const Odometry ahead = driven(0.0), left = driven(kPi / 2.0);
+  const PlanarCovariance pose = ahead.pose_covariance(), turned = left.pose_covariance();
+  // A robot does not know its direction: the place spreads across it.
+  ASSERT_GT(pose.yy, 2.0 * pose.xx);
+  ASSERT_GT(pose.y_yaw * pose.y_yaw, 0.1 * pose.yy * pose.yaw_yaw);
+  EXPECT_NEAR(turned.xx, pose.yy, 1e-12);
+  EXPECT_NEAR(turned.yy, pose.xx, 1e-12);
+  EXPECT_NEAR(turned.xy, -pose.xy, 1e-12);
+  EXPECT_NEAR(turned.x_yaw, -pose.y_yaw, 1e-12);
+  EXPECT_NEAR(turned.y_yaw, pose.x_yaw, 1e-12);
+  EXPECT_NEAR(turned.yaw_yaw, pose.yaw_yaw, 1e-12);
+  const PlanarCovariance twist = ahead.twist_covariance(), same = left.twist_covariance();
+  EXPECT_NEAR(same.xx, twist.xx, 1e-15);
+  EXPECT_NEAR(same.xy, twist.xy, 1e-15);
+  EXPECT_NEAR(same.yy, twist.yy, 1e-15);
+  EXPECT_NEAR(same.yaw_yaw, twist.yaw_yaw, 1e-15);
+}
+
+TEST_F(OdometryTest, ATwistThatNoIntervalHasShownIsUnknown) {
+  Odometry odometry(tracks_, noise_);
+  EXPECT_EQ(odometry.twist_covariance().xx, kUnknownVariance);
+  drive(odometry, 0.1, 0.0, 0.0, 0.1);
+  EXPECT_LT(odometry.twist_covariance().xx, square(0.02));
+  EXPECT_LT(odometry.twist_covariance().yaw_yaw, square(0.1));
+}
+
 TEST_F(OdometryTest, WithoutAGyroItIsTheExtendedModel) {
   // Turns of every shape, each with its own wheelbase.
   tracks_.slip_left = 0.3;

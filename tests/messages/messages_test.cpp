@@ -45,7 +45,7 @@ TEST_F(MessagesTest, WithoutASampleTheAgeIsUnknown) {
 }
 
 TEST_F(MessagesTest, NumbersThatAreNoneStayOutOfTheJson) {
-  record_.snapshot.filter.variance_x_m2 = -1.0;
+  record_.snapshot.filter.covariance.xx = -1.0;
   record_.snapshot.estimates[PoseSource::kModel].pose.x_m = std::numeric_limits<double>::infinity();
   const Json json = Json::parse(messages_.estimate(record_, std::nullopt));
   EXPECT_FALSE(json["fused"].contains("sd_x_m"));

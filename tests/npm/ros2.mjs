@@ -1,4 +1,5 @@
 // ROS 2's messages as other authors' packages know them: their definitions and their reader of CDR.
+import assert from 'node:assert/strict';
 import { load } from './packages.mjs';
 
 const { ros2jazzy } = load('@foxglove/rosmsg-msgs-common');
@@ -64,4 +65,27 @@ export function difference(actual, expected, tolerance) {
     if (found !== undefined) return `.${name}${found}`;
   }
   return undefined;
+}
+
+/** Variances of x, y and yaw in a covariance of ROS. Its other elements are what a planar estimate has: x, y and yaw are
+ * correlated as they may be (the matrix is symmetric and positive semidefinite), and z, roll and pitch are unknown. */
+export function planarVariances(covariance) {
+  const at = (row, column) => covariance[6 * row + column], planar = [0, 1, 5];
+  for (let row = 0; row < 6; ++row)
+    for (let column = 0; column < 6; ++column) {
+      assert.equal(at(row, column), at(column, row));
+      if (!planar.includes(row) || !planar.includes(column)) assert.equal(at(row, column), row === column ? 1e6 : 0);
+    }
+  // By Cholesky; rounding may take as much as a share of the variance.
+  const factor = planar.map(() => [0, 0, 0]);
+  planar.forEach((row, i) => planar.slice(0, i + 1).forEach((column, j) => {
+    const rest = at(row, column) - factor[i].slice(0, j).reduce((sum, value, k) => sum + value * factor[j][k], 0);
+    if (i !== j) {
+      factor[i][j] = factor[j][j] > 0 ? rest / factor[j][j] : 0;
+      return;
+    }
+    assert.ok(rest >= -1e-12 * at(row, row), `not positive semidefinite: ${[...covariance]}`);
+    factor[i][i] = Math.sqrt(Math.max(0, rest));
+  }));
+  return planar.map((i) => at(i, i));
 }

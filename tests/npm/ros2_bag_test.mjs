@@ -7,7 +7,7 @@ import { join } from 'node:path';
 import test from 'node:test';
 import { readMcap } from './mcap_file.mjs';
 import { load } from './packages.mjs';
-import { angles, decode, definitionsOf, difference, elsewhere, nanoseconds, quaternion } from './ros2.mjs';
+import { angles, decode, definitionsOf, difference, elsewhere, nanoseconds, planarVariances, quaternion } from './ros2.mjs';
 
 const { parse } = load('@foxglove/rosmsg');
 const { parse: parseYaml } = load('yaml');
@@ -17,9 +17,9 @@ const near = (actual, expected, what, tolerance = 1e-6) =>
   assert.ok(Math.abs(actual - expected) <= tolerance, `${what}: ${actual}, expected ${expected}`);
 const wrapped = (angle) => Math.atan2(Math.sin(angle), Math.cos(angle));
 
-function nearDiagonal(covariance, { sd_x_m: x, sd_y_m: y, sd_yaw_rad: yaw }, what) {
-  const expected = new Map([[0, x * x], [7, y * y], [35, yaw * yaw]]);
-  covariance.forEach((value, i) => near(value, expected.get(i) ?? 0, `${what} covariance ${i}`, 1e-9));
+function nearDeviations(covariance, { sd_x_m: x, sd_y_m: y, sd_yaw_rad: yaw }, what) {
+  const expected = [x * x, y * y, yaw * yaw];
+  planarVariances(covariance).forEach((value, i) => near(value, expected[i], `${what} variance ${i}`, 1e-9));
 }
 
 /** Keys with numbers of a robot's file, by section. */
@@ -138,13 +138,11 @@ function expectedBag(json, radius, perMetre) {
     const transform = (header, child_frame_id, { position: translation, orientation: rotation }) =>
       ({ header, child_frame_id, transform: { translation, rotation } });
     add('/tf', { transforms: [transform(in_('map'), 'odom', poseOf(frame)), transform(in_('odom'), 'base_link', poseOf(odometry))] });
-    const covariance = zeros(36);
-    [covariance[0], covariance[7], covariance[35]] = [fused.sd_x_m ** 2, fused.sd_y_m ** 2, fused.sd_yaw_rad ** 2];
-    add('/pose/fused', { header: in_('map'), pose: { pose: poseOf(fused), covariance } });
+    add('/pose/fused', { header: in_('map'), pose: { pose: poseOf(fused), covariance: elsewhere } });
     if (sample.imu_age === 0)
       add('/imu/data', { header: in_('imu_link'), orientation: { x: 0, y: 0, z: 0, w: 1 }, orientation_covariance: [-1, ...zeros(8)],
-        angular_velocity: vector(sample.gyro_radps), angular_velocity_covariance: zeros(9),
-        linear_acceleration: vector(sample.accel_mps2), linear_acceleration_covariance: zeros(9) });
+        angular_velocity: vector(sample.gyro_radps), angular_velocity_covariance: elsewhere,
+        linear_acceleration: vector(sample.accel_mps2), linear_acceleration_covariance: elsewhere });
     add('/joint_states', { header: in_('base_link'), name: ['left_sprocket_joint', 'right_sprocket_joint'],
       position: [sample.left_counts, sample.right_counts].map((counts) => counts / perMetre / radius),
       velocity: [tracks.left_mps, tracks.right_mps].map((speed) => speed / radius), effort: [] });
@@ -244,17 +242,26 @@ for (const { what, options, robot = 'end-loaded', status = 0 } of runs)
 
     const estimates = new Map(json('/estimate').map(({ logTime, value }) => [logTime, value]));
     const camera = options.includes('--camera');
-    let known = 0;
+    let spread = 0, correlated = 0, turning = 0;
     for (const { logTime, value } of messages('/odom')) {
       const { fused } = estimates.get(logTime);
-      // Known where odometry and the fused estimate are one; with a camera they are not.
-      if (value.pose.covariance[35] !== 0) {
-        ++known;
-        nearDiagonal(value.pose.covariance, fused, '/odom');
-        assert.equal(fused.camera_age_us, undefined);
-      }
+      // Without a camera it is the fused estimate's. With one, only that knows where it is all the time.
+      if (!camera) nearDeviations(value.pose.covariance, fused, '/odom');
+      const [x, y, yaw] = planarVariances(value.pose.covariance);
+      spread = Math.max(spread, Math.sqrt(x + y) / Math.hypot(fused.sd_x_m, fused.sd_y_m));
+      correlated = Math.max(correlated, Math.abs(value.pose.covariance[11]) / Math.sqrt(y * yaw));
+      const [forward, , rate] = planarVariances(value.twist.covariance);
+      assert.ok(forward > 0 && rate > 0);
+      if (rate < 1e6) turning = Math.max(turning, Math.sqrt(rate));
     }
-    assert.ok(camera ? known < 200 : known > 1000, `${known} covariances`);
+    assert.ok(camera ? spread > 3 : spread < 1.001, `odometry's place against the fused one's: ${spread}`);
+    assert.ok(correlated > 0.5 && correlated <= 1, `correlation of y and yaw: ${correlated}`);
+    assert.ok(turning < 0.1, `yaw rate: ${turning}`);
+    for (const { logTime, value } of messages('/pose/fused'))
+      nearDeviations(value.pose.covariance, estimates.get(logTime).fused, '/pose/fused');
+    for (const { value } of messages('/imu/data'))
+      for (const covariance of [value.angular_velocity_covariance, value.linear_acceleration_covariance])
+        covariance.forEach((variance, i) => assert.equal(variance > 0, i % 4 === 0));
     // Without a camera the odometry's frame is the map's.
     const shift = Math.max(...messages('/tf').map(({ value }) => Math.hypot(value.transforms[0].transform.translation.x,
       value.transforms[0].transform.translation.y)));

@@ -126,8 +126,8 @@ TEST_P(Restart, LosesNothingAndRepeatsBitForBit) {
       EXPECT_EQ(now.cross_track_m, before.cross_track_m);
       EXPECT_NEAR(now.gyro_bias_radps, before.gyro_bias_radps, 1e-4);
       EXPECT_NEAR(now.imu_pitch_rad, before.imu_pitch_rad, 2e-3);
-      EXPECT_NEAR(now.filter.variance_x_m2, before.filter.variance_x_m2,
-                  0.1 * before.filter.variance_x_m2);
+      EXPECT_NEAR(now.filter.covariance.xx, before.filter.covariance.xx,
+                  0.1 * before.filter.covariance.xx);
     }
     running += now.run_state == RunState::kRunning ? 1 : 0;
     finished +=

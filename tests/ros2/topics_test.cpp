@@ -3,10 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstring>
 #include <map>
 #include <regex>
+#include <utility>
 
+#include "core/arithmetic.h"
 #include "core/error.h"
 #include "course/bundled_files.h"
 #include "ros2/participant.h"
@@ -131,25 +134,58 @@ TEST_F(TopicMessagesTest, TheStateHasTheLastAnswerAndComesWithEachNewOne) {
   EXPECT_TRUE(has("/goal_pose refused: why"));
 }
 
-// `/odom`: header (4 + 8 + "odom"), child ("base_link"), then the pose from byte 40 and its
-// covariance from byte 96.
-TEST_F(TopicMessagesTest, TheOdometrysCovarianceIsTheFiltersWhereBothAreOne) {
-  const auto fused_at = [](double x_m, std::int64_t camera_age_us) {
-    return [=](StepRecord& record) {
-      add_sample(record);
-      record.snapshot.estimates[PoseSource::kOdometry].pose.x_m = 1.5;
-      record.snapshot.estimates[PoseSource::kFused].pose.x_m = x_m;
-      record.snapshot.filter.variance_x_m2 = 0.25;
-      record.snapshot.filter.camera_age_us = camera_age_us;
-    };
+/// A covariance of ROS from this number of a message on.
+using Matrix = std::array<double, 36>;
+Matrix ros(const PlanarCovariance& planar) {
+  Matrix matrix{};
+  matrix[0] = planar.xx;
+  matrix[1] = matrix[6] = planar.xy;
+  matrix[5] = matrix[30] = planar.x_yaw;
+  matrix[7] = planar.yy;
+  matrix[11] = matrix[31] = planar.y_yaw;
+  matrix[35] = planar.yaw_yaw;
+  matrix[14] = matrix[21] = matrix[28] = 1e6;
+  return matrix;
+}
+
+// `/odom`: header (4 + 8 + "odom"), child ("base_link"), then the pose from byte 44 on, its
+// covariance from byte 100, the twist from byte 388 and its covariance from byte 436.
+TEST_F(TopicMessagesTest, CovariancesAreTheEstimatorsAndZRollAndPitchAreUnknown) {
+  const PlanarCovariance pose{1.0, 0.2, 0.3, 2.0, 0.4, 3.0}, twist{4.0, 0.5, 0.6, 5.0, 0.7, 6.0},
+      fused{7.0, 0.8, 0.9, 8.0, 1.1, 9.0};
+  step([&](StepRecord& record) {
+    add_sample(record);
+    record.snapshot.estimates[PoseSource::kOdometry].pose.x_m = 1.5;
+    record.snapshot.estimates[PoseSource::kOdometry].twist.vx_mps = 2.5;
+    record.snapshot.odometry_pose_covariance = pose;
+    record.snapshot.odometry_twist_covariance = twist;
+    record.snapshot.filter.covariance = fused;
+  });
+  const auto matrix = [this](Topic topic, std::size_t at) {
+    Matrix found{};
+    for (double& value : found) value = number(topic, std::exchange(at, at + sizeof value));
+    return found;
   };
-  step(fused_at(1.5, -1));
   ASSERT_EQ(number(Topic::kOdometry, 44), 1.5);
-  EXPECT_EQ(number(Topic::kOdometry, 100), 0.25);
-  // With a camera the filter's belongs to another pose.
-  step(fused_at(1.4, 20'000));
-  ASSERT_EQ(number(Topic::kOdometry, 44), 1.5);
-  EXPECT_EQ(number(Topic::kOdometry, 100), 0.0);
+  EXPECT_EQ(matrix(Topic::kOdometry, 100), ros(pose));
+  ASSERT_EQ(number(Topic::kOdometry, 388), 2.5);
+  EXPECT_EQ(matrix(Topic::kOdometry, 436), ros(twist));
+  // Header (4 + 8 + "map"), then the pose from byte 20 on.
+  EXPECT_EQ(matrix(Topic::kFusedPose, 76), ros(fused));
+}
+
+// Header (4 + 8 + "imu_link"), orientation from byte 28 on, its covariance, then rates with
+// theirs and accelerations with theirs.
+TEST_F(TopicMessagesTest, TheImuHasTheNoiseOfItsDataSheetAndNoOrientation) {
+  step(add_sample);
+  EXPECT_EQ(number(Topic::kImu, 60), -1.0);
+  constexpr std::size_t kRates = 60 + 72 + 24, kAccelerations = kRates + 72 + 24;
+  for (std::size_t i = 0; i < 9; ++i) {
+    const bool own = i % 4 == 0;
+    EXPECT_NEAR(std::sqrt(number(Topic::kImu, kRates + 8 * i)), own ? 0.04 * kRadPerDeg : 0.0,
+                5e-5);
+    EXPECT_NEAR(std::sqrt(number(Topic::kImu, kAccelerations + 8 * i)), own ? 0.0326 : 0.0, 1e-4);
+  }
 }
 
 TEST_F(TopicMessagesTest, OnlyVirtualTimeHasAClock) {
