@@ -17,9 +17,8 @@ namespace {
 
 using model::kTrackParameters;
 
-// Seeds of the drives of one robot lie apart, so that no two share their noise; and far from those
-// of the courses that tell the truth.
-constexpr std::uint64_t kManoeuvreStride = 1'000'003, kTruthSeeds = 500'000'000;
+// Seeds of the drives of one robot lie apart, so that no two share their noise.
+constexpr std::uint64_t kManoeuvreStride = 1'000'003;
 
 /// All robots of the command.
 std::vector<Loaded> robots_of(const CalibrateCommand& command) {
@@ -47,10 +46,10 @@ struct Held {
   double percent() const { return all == 0 ? 0.0 : 100.0 * inside / all; }
 };
 
-/// Whether the true motion shows the parameter: the calibration courses of some sampled robots have
-/// no tight turns.
+/// Whether there is an interval, and a truth: else the drives did not show the parameter.
 bool shown(const AutoCalibration& of, model::TrackParameter parameter) {
-  return std::isfinite(of.calibration.truth.*parameter);
+  return of.calibration.found.extended[parameter].found &&
+         std::isfinite(of.calibration.truth.*parameter);
 }
 
 void print(const AutoCalibration& of, const std::string& robot, const Held& held) {
@@ -92,6 +91,7 @@ AutoCalibration calibrate_by_itself(const Loaded& loaded, const course::TextFile
                        run.cause + ")");
     identify::RecordedDrive drive = sink.drive();
     drive.name = manoeuvre->name;
+    result.calibration.drives.push_back({drive, sink.truth()});
     next.take(std::move(drive));
     robot.model = next.tracks();
     result.manoeuvres.push_back(manoeuvre->name);
@@ -100,8 +100,7 @@ AutoCalibration calibrate_by_itself(const Loaded& loaded, const course::TextFile
                  identify::progress_line(result.progress).c_str());
   }
   result.calibration.found = identify::identify(next.drives(), prior);
-  result.calibration.truth =
-      effective_motion(calibration_drives(loaded, 1, seed + kTruthSeeds), loaded.robot.emulated);
+  result.calibration.truth = effective_motion(result.calibration.drives, loaded.robot.emulated);
   return result;
 }
 

@@ -16,8 +16,7 @@ namespace tp100::sim {
 
 /// What one robot found out by itself.
 struct AutoCalibration {
-  Calibration
-      calibration{};  ///< `truth` is that of the calibration courses, which it did not drive
+  Calibration calibration{};
   identify::AutoProgress progress{};
   std::vector<std::string> manoeuvres;  ///< in driving order
 };

@@ -28,11 +28,6 @@ constexpr double kWheelbaseWithin = 0.02;
 // Seeds of the drives of one calibration lie apart, so that no two share their noise.
 constexpr std::uint64_t kSeedStride = 1'000'003;
 
-// The order of identify::calibration_courses.
-constexpr std::array<DriveKind, 7> kDriveKinds = {
-    DriveKind::kStraight, DriveKind::kWide, DriveKind::kWide, DriveKind::kTight,
-    DriveKind::kTight,    DriveKind::kSpin, DriveKind::kSpin};
-
 void write_drives(const std::string& folder, const std::vector<CalibrationDrive>& drives) {
   text::make_folder(folder);
   for (const CalibrationDrive& drive : drives)
@@ -71,9 +66,7 @@ std::vector<CalibrationDrive> calibration_drives(const Loaded& loaded, int repea
                                                  std::uint64_t seed) {
   std::vector<CalibrationDrive> drives;
   const course::Robot unknown = without_model(loaded.robot);
-  const std::vector<std::string> courses = identify::calibration_courses(loaded.robot.shape);
-  for (std::size_t i = 0; i < kDriveKinds.size(); ++i) {
-    const std::string& name = courses.at(i);
+  for (const std::string& name : identify::calibration_courses(loaded.robot.shape)) {
     const course::Course course = load_course(name);
     for (int repeat = 1; repeat <= repeats; ++repeat) {
       identify::DriveSink sink;
@@ -91,7 +84,7 @@ std::vector<CalibrationDrive> calibration_drives(const Loaded& loaded, int repea
       identify::RecordedDrive drive = sink.drive();
       drive.name = name + "-" + loaded.robot.name + "-" + std::to_string(seed) + "-" +
                    std::to_string(repeat);
-      drives.push_back({kDriveKinds[i], std::move(drive), sink.truth()});
+      drives.push_back({std::move(drive), sink.truth()});
     }
   }
   return drives;

@@ -1,7 +1,9 @@
 #include "sim/study/effective_motion.h"
 
-#include <array>
+#include <Eigen/Core>
+#include <Eigen/LU>
 #include <cmath>
+#include <limits>
 
 #include "model/track_model.h"
 #include "wire/messages.h"
@@ -9,16 +11,26 @@
 namespace tp100::sim {
 namespace {
 
-/// Sums of one drive.
-struct Travel {
-  double ahead_m = 0.0, left_m = 0.0;  // along and across the heading of the moment
-  double turned_rad = 0.0;
-  double sideways_by_turn = 0.0, turn_by_turn = 0.0;  // for the turning centre
-  double left_track_m = 0.0, right_track_m = 0.0;
+// Long against the time between two encoder edges, short against a turn.
+constexpr double kIntervalS = 0.2;
+// Difference of the tracks' speeds relative to their mean, up to which driving counts as straight.
+constexpr double kStraightTurn = 0.05;
+// Yaw rate at which the slip angle is the one of turns.
+constexpr double kTurningRadps = 0.05;
+// Of all driving's weight: less of it is a few passing moments, and their value is noise.
+constexpr double kLeastShare = 0.003;
+
+/// What one sample adds.
+struct Step {
+  double dt_s;
+  double ahead_m, left_m, turned_rad;  // of the body, along and across the heading of the moment
+  double left_track_m, right_track_m;
 };
 
-Travel travel_of(const CalibrationDrive& drive, double counts_per_metre) {
-  Travel travel;
+using Steps = std::vector<Step>;
+
+Steps steps_of(const CalibrationDrive& drive, double counts_per_metre) {
+  Steps steps;
   const std::vector<Pose>& truth = drive.truth;
   const std::vector<identify::DriveSample>& samples = drive.drive.samples;
   for (std::size_t i = 1; i < truth.size(); ++i) {
@@ -26,21 +38,27 @@ Travel travel_of(const CalibrationDrive& drive, double counts_per_metre) {
     const Pose& b = truth[i];
     const double heading = (a.yaw_rad + b.yaw_rad) / 2.0;
     const double c = std::cos(heading), s = std::sin(heading);
-    const double dx = b.x_m - a.x_m, dy = b.y_m - a.y_m, turn = b.yaw_rad - a.yaw_rad;
-    const double left = -s * dx + c * dy;
-    const double dt_s = samples[i].t_s - samples[i - 1].t_s;
-    travel.ahead_m += c * dx + s * dy;
-    travel.left_m += left;
-    travel.turned_rad += turn;
-    travel.sideways_by_turn += left * turn / dt_s;
-    travel.turn_by_turn += turn * turn / dt_s;
+    const double dx = b.x_m - a.x_m, dy = b.y_m - a.y_m;
+    const auto metres = [&](std::int64_t identify::DriveSample::*counts) {
+      return static_cast<double>(samples[i].*counts - samples[i - 1].*counts) / counts_per_metre;
+    };
+    steps.push_back({samples[i].t_s - samples[i - 1].t_s, c * dx + s * dy, -s * dx + c * dy,
+                     b.yaw_rad - a.yaw_rad, metres(&identify::DriveSample::left_counts),
+                     metres(&identify::DriveSample::right_counts)});
   }
-  const auto metres = [counts_per_metre](std::int64_t counts) {
-    return static_cast<double>(counts) / counts_per_metre;
-  };
-  travel.left_track_m = metres(samples.back().left_counts - samples.front().left_counts);
-  travel.right_track_m = metres(samples.back().right_counts - samples.front().right_counts);
-  return travel;
+  return steps;
+}
+
+/// Calls `end` with the number of the step at which each interval ends.
+template <class End>
+void for_intervals(const Steps& steps, End end) {
+  double t_s = 0.0;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    t_s += steps[i].dt_s;
+    if (t_s < kIntervalS && i + 1 < steps.size()) continue;
+    end(i);
+    t_s = 0.0;
+  }
 }
 
 struct Ratio {
@@ -48,86 +66,134 @@ struct Ratio {
   double value() const { return above / below; }
 };
 
-/// All drives of one kind of turn.
-struct Turns {
-  Ratio wheelbase{}, centre{}, lost{};
-  model::TurnShape shape{};
+/// Slip ratios and slip angle of straight pieces.
+struct Straight {
+  Ratio left{}, right{}, angle{};
 
-  void add(const Travel& travel, double left_m, double right_m) {
-    const double side = travel.turned_rad > 0.0 ? 1.0 : -1.0;
-    wheelbase.above += side * (right_m - left_m);
-    wheelbase.below += std::abs(travel.turned_rad);
-    centre.above -= travel.sideways_by_turn;
-    centre.below += travel.turn_by_turn;
-    lost.above += side * ((left_m + right_m) / 2.0 - travel.ahead_m);
-    lost.below += (left_m + right_m) / 2.0;
-    shape = model::turn_shape(left_m, right_m);
+  void add(const Steps& steps, double gauge_m) {
+    Step sum{};
+    for_intervals(steps, [&, from = std::size_t{0}](std::size_t to) mutable {
+      sum = {};
+      for (; from <= to; ++from) {
+        sum.ahead_m += steps[from].ahead_m;
+        sum.left_m += steps[from].left_m;
+        sum.turned_rad += steps[from].turned_rad;
+        sum.left_track_m += steps[from].left_track_m;
+        sum.right_track_m += steps[from].right_track_m;
+      }
+      if (std::abs(sum.turned_rad) * gauge_m >= kStraightTurn * sum.ahead_m) return;
+      const double half_m = sum.turned_rad * gauge_m / 2.0;
+      left.above += sum.ahead_m - half_m;
+      left.below += sum.left_track_m;
+      right.above += sum.ahead_m + half_m;
+      right.below += sum.right_track_m;
+      angle.above += sum.left_m;
+      angle.below += sum.ahead_m;
+    });
   }
-  /// Loss and gain of arcs to both sides; the parameter is that of the widest turn at which `wide`
-  /// is 1.
-  double lost_of_full_turn() const { return lost.value() / std::abs(shape.wide); }
 };
 
-/// A value in wide turns, tight arcs and on the spot, from what drives of these shapes had of it.
-std::array<double, 3> apart(const std::array<double, 3>& measured, const model::TurnShape& wide,
-                            const model::TurnShape& tight) {
-  // Wide drives: (1 - a) w + a t; tight ones: (1 - b) (1 - c) w + b (1 - c) t + c s.
-  const double a = wide.arc, b = tight.arc, c = tight.spin;
-  const double of_arcs = (measured[1] - c * measured[2]) / (1.0 - c);
-  const double per_arc = (of_arcs - measured[0]) / (b - a);
-  const double value = measured[0] - a * per_arc;
-  return {value, value + per_arc, measured[2]};
-}
+/// Least squares of a quantity that is linear in some parameters.
+template <int kParameters>
+class Regression {
+ public:
+  using Vector = Eigen::Matrix<double, kParameters, 1>;
+
+  /// `most`: of `by`, if the interval showed only that parameter.
+  void add(const Vector& by, const Vector& most, double value) {
+    information_.noalias() += by * by.transpose();
+    score_ += value * by;
+    most_ += most.cwiseAbs2();
+  }
+  Vector solution() const {
+    Matrix information = information_;
+    // So that a parameter that never appears leaves the others determined.
+    information.diagonal() += kNothing * most_;
+    const Matrix covariance = information.inverse();
+    Vector found = covariance * score_;
+    for (Eigen::Index i = 0; i < kParameters; ++i)
+      if (!(1.0 / covariance(i, i) > kLeastShare * most_[i]))
+        found[i] = std::numeric_limits<double>::quiet_NaN();
+    return found;
+  }
+
+ private:
+  using Matrix = Eigen::Matrix<double, kParameters, kParameters>;
+  static constexpr double kNothing = 1e-9;
+
+  Matrix information_ = Matrix::Zero();
+  Vector score_ = Vector::Zero(), most_ = Vector::Zero();
+};
+
+/// Wheelbases and turning centres in wide turns, tight arcs and on the spot; loss of distance.
+struct Turns {
+  Regression<3> wheelbase{};
+  Regression<4> centre{};  // the last one is the slip angle's tangent
+  Regression<2> lost{};
+
+  void add(const Steps& steps, double slip_left, double slip_right) {
+    model::TurnMonitor monitor;
+    for_intervals(steps, [&, from = std::size_t{0}](std::size_t to) mutable {
+      double difference_m = 0.0, lost_m = 0.0, left_m = 0.0, ahead_m = 0.0;
+      double turned_rad = 0.0, took_s = 0.0, travel_m = 0.0;
+      Eigen::Vector3d by_turn = Eigen::Vector3d::Zero();
+      Eigen::Vector2d by_travel = Eigen::Vector2d::Zero();
+      for (; from <= to; ++from) {
+        const Step& step = steps[from];
+        const double left = step.left_track_m * (1.0 - slip_left);
+        const double right = step.right_track_m * (1.0 - slip_right);
+        const model::TurnShape shape =
+            monitor.update(left / step.dt_s, right / step.dt_s, step.dt_s);
+        const double mean = (left + right) / 2.0;
+        travel_m += (std::abs(left) + std::abs(right)) / 2.0;
+        difference_m += right - left;
+        lost_m += mean - step.ahead_m;
+        left_m += step.left_m;
+        ahead_m += step.ahead_m;
+        turned_rad += step.turned_rad;
+        took_s += step.dt_s;
+        by_turn += step.turned_rad * Eigen::Vector3d((1.0 - shape.arc) * (1.0 - shape.spin),
+                                                     shape.arc * (1.0 - shape.spin), shape.spin);
+        by_travel += mean * shape.wide * Eigen::Vector2d(1.0 - shape.tight, shape.tight);
+      }
+      wheelbase.add(by_turn, Eigen::Vector3d::Constant(turned_rad), difference_m);
+      lost.add(by_travel, Eigen::Vector2d::Constant(travel_m), lost_m);
+      if (std::abs(turned_rad) > kTurningRadps * took_s)
+        centre.add({-by_turn[0], -by_turn[1], -by_turn[2], ahead_m},
+                   {turned_rad, turned_rad, turned_rad, ahead_m}, left_m);
+    });
+  }
+};
 
 }  // namespace
 
 model::TrackParameters effective_motion(const std::vector<CalibrationDrive>& drives,
                                         const course::Emulated& robot) {
+  std::vector<Steps> all;
+  Straight straight;
+  for (const CalibrationDrive& drive : drives) {
+    all.push_back(steps_of(drive, robot.encoder.counts_per_metre));
+    straight.add(all.back(), robot.body.gauge_m);
+  }
   model::TrackParameters motion;
-  Ratio left, right, straight_angle, turning_angle;
-  for (const CalibrationDrive& drive : drives) {
-    if (drive.kind == DriveKind::kTight || drive.kind == DriveKind::kSpin) continue;
-    const Travel travel = travel_of(drive, robot.encoder.counts_per_metre);
-    Ratio& angle = drive.kind == DriveKind::kStraight ? straight_angle : turning_angle;
-    angle.above += travel.left_m;
-    angle.below += travel.ahead_m;
-    if (drive.kind != DriveKind::kStraight) continue;
-    const double half = travel.turned_rad * robot.body.gauge_m / 2.0;
-    left.above += travel.ahead_m - half;
-    left.below += travel.left_track_m;
-    right.above += travel.ahead_m + half;
-    right.below += travel.right_track_m;
-  }
-  motion.slip_left = 1.0 - left.value();
-  motion.slip_right = 1.0 - right.value();
-  motion.slip_angle_straight_rad = std::atan(straight_angle.value());
-  motion.slip_angle_turning_rad = std::atan(turning_angle.value());
+  motion.slip_left = 1.0 - straight.left.value();
+  motion.slip_right = 1.0 - straight.right.value();
+  motion.slip_angle_straight_rad = std::atan(straight.angle.value());
 
-  Turns wide, tight, spin;
-  for (const CalibrationDrive& drive : drives) {
-    if (drive.kind == DriveKind::kStraight) continue;
-    const Travel travel = travel_of(drive, robot.encoder.counts_per_metre);
-    const double left_m = travel.left_track_m * (1.0 - motion.slip_left);
-    const double right_m = travel.right_track_m * (1.0 - motion.slip_right);
-    (drive.kind == DriveKind::kWide    ? wide
-     : drive.kind == DriveKind::kTight ? tight
-                                       : spin)
-        .add(travel, left_m, right_m);
-  }
-  const auto [wheelbase, wheelbase_tight, wheelbase_spin] =
-      apart({wide.wheelbase.value(), tight.wheelbase.value(), spin.wheelbase.value()}, wide.shape,
-            tight.shape);
-  motion.wheelbase_m = wheelbase;
-  motion.wheelbase_tight_m = wheelbase_tight;
-  motion.wheelbase_spin_m = wheelbase_spin;
-  const auto [centre, centre_tight, centre_spin] = apart(
-      {wide.centre.value(), tight.centre.value(), spin.centre.value()}, wide.shape, tight.shape);
-  motion.x_icr_m = centre;
-  motion.x_icr_tight_shift_m = centre_tight - centre;
-  motion.x_icr_spin_shift_m = centre_spin - centre;
-  motion.turn_slip = wide.lost_of_full_turn();
-  const double share = tight.shape.tight;
-  motion.turn_slip_tight = (tight.lost_of_full_turn() - (1.0 - share) * motion.turn_slip) / share;
+  Turns turns;
+  for (const Steps& steps : all) turns.add(steps, motion.slip_left, motion.slip_right);
+  const Eigen::Vector3d wheelbase = turns.wheelbase.solution();
+  motion.wheelbase_m = wheelbase[0];
+  motion.wheelbase_tight_m = wheelbase[1];
+  motion.wheelbase_spin_m = wheelbase[2];
+  const Eigen::Vector4d centre = turns.centre.solution();
+  motion.x_icr_m = centre[0];
+  motion.x_icr_tight_shift_m = centre[1] - centre[0];
+  motion.x_icr_spin_shift_m = centre[2] - centre[0];
+  motion.slip_angle_turning_rad = std::atan(centre[3]);
+  const Eigen::Vector2d lost = turns.lost.solution();
+  motion.turn_slip = lost[0];
+  motion.turn_slip_tight = lost[1];
   // The sensor's own counts per deg/s at this range are 2^15 / 1000.
   constexpr double kSensorLsbPerDegps = 32.768;
   motion.gyro_scale = static_cast<double>(wire::kGyroLsbPerDegps) / kSensorLsbPerDegps /

@@ -1,7 +1,7 @@
 #pragma once
 // The real motion of a robot on its calibration drives, from the body's exact poses: the
-// independent reference for identify. Sums over whole drives, no model integrated, no camera, no
-// gyro.
+// independent reference for identify. Linear regression over short intervals, no model integrated,
+// no camera, no gyro.
 
 #include <vector>
 
@@ -12,27 +12,23 @@
 
 namespace tp100::sim {
 
-/// What a calibration drive is.
-enum class DriveKind { kStraight, kWide, kTight, kSpin };
-
 struct CalibrationDrive {
-  DriveKind kind;
   identify::RecordedDrive drive;
   std::vector<Pose> truth;  ///< exact poses at its samples; yaw unwrapped
 };
 
-/// The parameters that the motion shows, each over all drives of its kind. Track travel is that of
-/// the true encoders.
+/// The parameters that the motion shows, over all drives, whatever each is made of. Track travel is
+/// that of the true encoders, ground travel is that less the slip of straight driving, and the
+/// shape of the turn (model/track_model.h) is that of the ground travel.
 /// - Slip: straight, 1 - distance of the body above the track / travel of the track.
-/// - Slip angles: sideways distance against forward distance, straight and over arcs to both sides.
-/// - Wheelbase: arcs, difference of the tracks' travel, slip removed / turned angle; turning
-/// centre:
-///   -(speed sideways / yaw rate), least squares. Arcs that lie between the kinds of turn that the
-///   parameters belong to (model/track_model.h) are separated by how far between they lie.
-/// - Turn slip: forward distance that turning left costs and right gains, as a fraction of the
-///   tracks' distance, slip removed.
+/// - Slip angle straight: sideways distance against forward distance.
+/// - Wheelbases: difference of the tracks' ground travel against the turned angle.
+/// - Turning centre and slip angle turning: sideways distance against turned angle and forward
+///   distance.
+/// - Turn slip: forward distance that turning left costs and right gains, against the mean of the
+///   tracks' ground travel.
 /// - Gyro scale: of the emulated sensor.
-/// Needs drives of all kinds, turns to both sides.
+/// NaN is what the drives do not show.
 model::TrackParameters effective_motion(const std::vector<CalibrationDrive>& drives,
                                         const course::Emulated& robot);
 
