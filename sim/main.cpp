@@ -103,8 +103,10 @@ int run(int argc, char** argv) {
       ->type_name("NUMBER")
       ->capture_default_str();
   course_app
-      ->add_option("--out", course.out,
-                   "Folder for the files of each run: figures (JSON), poses and samples (CSV)")
+      ->add_option(
+          "--out", course.out,
+          "Folder for the files of each run: figures (JSON), poses and samples (CSV; in both "
+          "t_s is 0 where the run begins)")
       ->type_name("FOLDER");
   course_app
       ->add_option("--record", course.record,
