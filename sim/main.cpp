@@ -101,8 +101,10 @@ void add_course_command(CLI::App& app, Action& action) {
       ->type_name("NUMBER")
       ->capture_default_str();
   command
-      ->add_option("--out", course.out,
-                   "Folder for the files of each run: figures (JSON), poses and samples (CSV)")
+      ->add_option(
+          "--out", course.out,
+          "Folder for the files of each run: figures (JSON), poses and samples (CSV; in both "
+          "t_s is 0 where the run begins)")
       ->type_name("FOLDER");
   command
       ->add_option("--record", course.record,

@@ -23,6 +23,7 @@
 #include "text/atomic_file.h"
 #include "text/format.h"
 #include "text/toml_document.h"
+#include "text/toml_edit.h"
 
 namespace tp100::app {
 namespace {
@@ -182,6 +183,18 @@ std::optional<identify::RecordedDrive> drive_once(RunOptions run, const std::str
   return sink.drive();
 }
 
+/// A configuration file in `folder` that steers by the fused pose and else is `config`; returns its
+/// path.
+std::string with_fused_steering(const std::string& config, const std::string& folder) {
+  const std::string text = config.empty() ? std::string() : course::read_text_file(config).text;
+  const std::string path = folder + "/tp100.toml";
+  text::write_file(
+      path,
+      text::with_values_in_place(
+          text, config, {{"estimation.steering", std::string(to_string(PoseSource::kFused))}}));
+  return path;
+}
+
 void keep(const std::string& folder, const std::vector<identify::RecordedDrive>& drives) {
   text::write_file(folder + "/" + drives.back().name + "-samples.csv",
                    identify::write_drive(drives.back()));
@@ -232,6 +245,8 @@ GuidedDrives drive_by_itself(const GuidedOptions& options, const course::Robot& 
       identify::prior_of(robot, configuration.parameters.model.turning_threshold_radps), area,
       settings);
   RunOptions run = options.run;
+  // The camera knows where the robot is, whatever it slips.
+  if (settings.camera) run.config = with_fused_steering(run.config, options.folder);
   // The robot with the values found so far, so that it follows each path better.
   run.robot = options.folder + "/robot.toml";
   course::Robot so_far = robot;

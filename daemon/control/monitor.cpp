@@ -90,7 +90,7 @@ bool DutyMonitor::update(double duty, double track_mps, const Load& load, double
   obstacle_s_ = load.on_obstacle ? kObstacleS : std::max(0.0, obstacle_s_ - dt_s);
   slow_mps_ += (mps - slow_mps_) * std::min(1.0, dt_s / kSlowS);
   if (size <= motor_.dead_band || motor_.feed_forward <= 0.0) {
-    missing_m_ = std::max(0.0, missing_m_ - kMaxMps * dt_s);
+    missing_m_ = drained(missing_m_, kMaxMps * dt_s);
     return false;
   }
   const double above = size - motor_.dead_band;
@@ -101,10 +101,13 @@ bool DutyMonitor::update(double duty, double track_mps, const Load& load, double
                         kDutyPerSlopeRad * std::abs(load.pitch_rad) +
                         (obstacle_s_ > 0.0 ? kObstacleDuty : 0.0);
   const double unexplained = above - usual - margin;
-  missing_m_ =
-      std::max(0.0, missing_m_ + std::min(unexplained / motor_.feed_forward, kMaxMps) * dt_s);
+  const double missing_mps = std::min(unexplained / motor_.feed_forward, kMaxMps);
+  if (missing_mps < 0.0)
+    missing_m_ = drained(missing_m_, -missing_mps * dt_s);
+  else
+    missing_m_ += std::copysign(missing_mps, duty) * dt_s;
   learn(above, mps, turn_duty, load, dt_s);
-  return missing_m_ > kMissingM;
+  return std::abs(missing_m_) > kMissingM;
 }
 
 void DutyMonitor::learn(double above_dead_band, double track_mps, double turn_duty,

@@ -60,7 +60,7 @@ class DutyMonitor {
   double slow_mps_ = 0.0;
   double turning_ = 0.0;     ///< maximum of the last moments
   double obstacle_s_ = 0.0;  ///< until the last obstacle is forgotten
-  double missing_m_ = 0.0;
+  double missing_m_ = 0.0;   ///< forward positive, so that what dithers to and fro misses nothing
 };
 
 /// Rotation by the gyro minus rotation by the tracks, except what slip explains. No allocation;

@@ -286,6 +286,7 @@ void Reader::finish() {
     result.points.resize(kept);
     run_.moments.resize(kept);
   }
+  if (run_.runs > 0) result.began_ns = begin_ns_;
   result.duration_s = t_s(end_ns_);
   disturbances();
   judge();

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "core/estimates.h"
 #include "core/link_state.h"
 #include "core/pose.h"
+#include "core/time.h"
 #include "report/baselines.h"
 
 namespace tp100::report {
@@ -77,10 +79,11 @@ struct RunResult {
   std::string body;   ///< of an emulated robot: contact law; empty in recordings
   std::string floor;  ///< of an emulated robot: even or uneven; empty in recordings
   std::uint64_t seed = 0;
-  bool finished = false;    ///< the controller reached the end of the course
-  bool completed = false;   ///< ... and the true end lies within 15 cm of the path's
-  std::string cause;        ///< why it was not completed; empty otherwise
-  double duration_s = 0.0;  ///< virtual time of the run
+  bool finished = false;           ///< the controller reached the end of the course
+  bool completed = false;          ///< ... and the true end lies within 15 cm of the path's
+  std::string cause;               ///< why it was not completed; empty otherwise
+  std::optional<HostNs> began_ns;  ///< where t_s is 0; empty: the run never began
+  double duration_s = 0.0;         ///< virtual time of the run
   double realtime_factor = 0.0;
   bool has_camera = false;  ///< an overhead camera was in use; see has_estimate()
   std::vector<TrajectoryPoint> points;

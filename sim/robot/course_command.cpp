@@ -1,3 +1,4 @@
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -46,6 +47,14 @@ std::unique_ptr<ros2::Participant> participant_of(const CourseCommand& command) 
       config::Ros2Settings{.enabled = true, .interface = command.ros2}, "tp100_sim", published);
 }
 
+/// The drive of host times with its times counted from `began_ns`, exactly as the poses' are.
+identify::RecordedDrive counted_from(HostNs began_ns, identify::RecordedDrive drive) {
+  const auto shift = [began_ns](double& t_s) { t_s = to_s(std::llround(t_s * 1e9) - began_ns); };
+  for (identify::DriveSample& sample : drive.samples) shift(sample.t_s);
+  for (identify::SeenPose& seen : drive.camera) shift(seen.t_s);
+  return drive;
+}
+
 void write_results(const std::string& folder, const report::RunResult& result,
                    const std::string& json, const identify::RecordedDrive& drive) {
   text::make_folder(folder);
@@ -53,7 +62,8 @@ void write_results(const std::string& folder, const report::RunResult& result,
       folder + "/" + result.course + "-" + result.robot + "-" + std::to_string(result.seed);
   text::write_file(stem + ".json", json + "\n");
   text::write_file(stem + ".csv", report::poses_csv(result));
-  text::write_file(stem + "-samples.csv", identify::write_drive(drive));
+  text::write_file(stem + "-samples.csv",
+                   identify::write_drive(counted_from(result.began_ns.value_or(0), drive)));
 }
 
 }  // namespace
@@ -84,7 +94,8 @@ int run_course(const CourseCommand& command) {
     const std::uint64_t seed = command.options.seed + static_cast<std::uint64_t>(i);
     std::optional<LockstepRecorder> recorder;
     if (!command.record.empty()) recorder.emplace(command.record, loaded, seed);
-    identify::DriveSink drive;
+    // When the run begins is known only later.
+    identify::DriveSink drive(HostNs{0});
     messages::SinkList sinks;
     if (!command.out.empty()) sinks.add(drive);
     if (recorder) sinks.add(*recorder);

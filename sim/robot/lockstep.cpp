@@ -266,6 +266,7 @@ void Lockstep::step_host() {
   if (out.snapshot.run_state == RunState::kRunning) {
     if (begin_ns_ < 0) {
       begin_ns_ = now;
+      result_.began_ns = now;
       result_.baselines.gyro_bias_radps = measured_.bias_radps();
     }
     record(out.snapshot);
@@ -305,6 +306,7 @@ report::RunResult Lockstep::run() {
   const HostNs started_ns = robot_.now_ns();
   begin_ns_ = -1;
   delivered_ = 0;
+  result_.began_ns.reset();
   result_.points.clear();
   result_.disturbances.clear();
   result_.camera = {};

@@ -75,13 +75,15 @@ AutoCalibration calibrate_by_itself(const Loaded& loaded, const course::TextFile
   const identify::Prior prior =
       identify::prior_of(robot, loaded.configuration.parameters.model.turning_threshold_radps);
   identify::NextManoeuvre next(prior, area);
+  config::Configuration configuration = loaded.configuration;
+  configuration.parameters.steering = PoseSource::kFused;
   while (const auto manoeuvre = next.choose()) {
     const course::TextFile file = next.course_of(*manoeuvre);
     identify::DriveSink sink;
     const report::RunResult run =
         run_lockstep({.course = course::parse_course(file.text, file.path),
                       .robot = robot,
-                      .configuration = loaded.configuration,
+                      .configuration = configuration,
                       .board = loaded.board,
                       .camera = load_camera("overhead"),
                       .seed = seed + kManoeuvreStride * result.manoeuvres.size(),

@@ -130,6 +130,33 @@ TEST_F(EncoderMonitorTest, TheDutyTellsIfTheGyroIsNotInUse) {
   EXPECT_LT(after_s, 1.0);
 }
 
+TEST_F(EncoderMonitorTest, TheDutyTellsBackwardsToo) {
+  seen_.gyro_in_use = false;
+  drive(-0.0714);
+  sample_.left_duty = sample_.right_duty = -(0.08 + 3.1 * 0.0714);
+  const double after_s = noticed_after(3.0, kDuty, [](Observation& o, Sample& s) {
+    o.left_mps = o.commanded_left_mps = 0.0;
+    s.left_duty = -0.47;
+  });
+  EXPECT_GT(after_s, 0.5);
+  EXPECT_LT(after_s, 1.0);
+}
+
+// With 300 counts/m a track at rest swings about one edge: the robot answers each with duty the
+// other way, and the speed, which lags, has the sign of the duty before.
+TEST_F(EncoderMonitorTest, ATrackThatSwingsAboutOneEdgeMissesNothing) {
+  EXPECT_EQ(run(3.0), 0u);
+  drive(0.0);
+  for (int i = 0; i < 1200; ++i) {
+    const double side = i % 2 == 0 ? 1.0 : -1.0;
+    for (const double lagging_mps : {-0.047, -0.041, -0.036, -0.032, 0.056}) {
+      seen_.left_mps = seen_.right_mps = side * lagging_mps;
+      sample_.left_duty = sample_.right_duty = side * 0.333;
+      ASSERT_EQ(monitor_.update(seen_), 0u) << i;
+    }
+  }
+}
+
 TEST_F(EncoderMonitorTest, AShareOfTheEdgesOfBothTracksIsMissedByTheirDuty) {
   const double after_s = noticed_after(5.0, kDuty, [](Observation&, Sample& s) {
     s.left_duty = s.right_duty = 0.08 + 3.1 * 0.0714 / 0.7;
