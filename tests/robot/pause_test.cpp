@@ -2,10 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/replay.h"
-#include "dead_man.h"
-#include "fence_runs.h"
+#include "hand_driven.h"
 #include "record/recording.h"
 #include "sim/robot/lockstep_recorder.h"
 #include "support/temporary_folder.h"
