@@ -1,0 +1,87 @@
+#!/usr/bin/env python3
+"""without_dds.py BUILD: everything built anew without Cyclone DDS, beside BUILD, which has it: what it can and refuses."""
+import glob
+import json
+import os
+import sys
+import tempfile
+
+sys.path.append(os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "package"))
+import package_test  # noqa: E402
+from host import ROOT, check, package, run  # noqa: E402
+from verdict import run as attempt  # noqa: E402
+
+# At the depth of the presets' folders the compiler's cache has what these have compiled.
+WITHOUT = ROOT + "/build/without_dds"
+
+
+def cache_settings():
+    """The environment of the presets."""
+    with open(ROOT + "/CMakePresets.json", encoding="utf-8") as file:
+        base = json.load(file)["configurePresets"][0]["environment"]
+    return dict(os.environ, **{name: value.replace("${sourceDir}", ROOT) for name, value in base.items()})
+
+
+def build_anew(build):
+    with open(build + "/CMakeCache.txt", encoding="utf-8") as file:
+        camera = "ON" if "\nTP100_BUILD_CAMERA:BOOL=ON\n" in file.read() else "OFF"
+    run("cmake", "--preset", "dev", "-B", WITHOUT, "-DTP100_BUILD_ROS2=OFF", "-DTP100_BUILD_CAMERA=" + camera, cwd=ROOT)
+    run("cmake", "--build", WITHOUT, env=cache_settings())
+
+
+def tests(*chosen):
+    """Runs these tests of the build and returns their number."""
+    said = run("ctest", "--test-dir", WITHOUT, "--output-on-failure", "--parallel", str(os.cpu_count()), *chosen)
+    return int(said.rsplit(" tests failed out of ", 1)[1].split()[0])
+
+
+def no_dds_is_needed():
+    for program in ("tp100d", "tp100-sim"):
+        loaded = run("ldd", f"{WITHOUT}/bin/{program}")
+        check("libzstd" in loaded and "dds" not in loaded, f"{program} loads {loaded}")
+    package_test.make(WITHOUT)
+    depends = run("dpkg-deb", "-f", package(WITHOUT), "Depends")
+    check("libzstd1" in depends and "dds" not in depends, f"the package depends on {depends}")
+    print(f"the package depends on {depends.strip()}")
+
+
+def topics_are_refused(folder):
+    with open(folder + "/ros2.toml", "w", encoding="utf-8") as file:
+        file.write("[ros2]\nenabled = true\n")
+    for program, *words in (("tp100d", "run", "--config", folder + "/ros2.toml", "--port", folder + "/port"),
+                            ("tp100-sim", "course", "3", "--ros2"),
+                            ("tp100-sim", "robot", "--link", folder + "/port", "--ros2")):
+        status, said = attempt(f"{WITHOUT}/bin/{program}", *words, good=False)
+        check(status == 2 and len(said.splitlines()) == 1 and "built without Cyclone DDS; scripts/build release" in said,
+              f"{program} {' '.join(words)}: status {status}: {said}")
+
+
+def bags_are_the_same(build, folder):
+    run(build + "/bin/tp100-sim", "course", "3", "--record", folder + "/runs")
+    recording = glob.glob(folder + "/runs/*")[0]
+    bags = []
+    for name, programs in (("with", build), ("without", WITHOUT)):
+        run(programs + "/bin/tp100d", "export", recording, "--ros2", f"{folder}/{name}/bag")
+        bag = {}
+        for path in glob.glob(f"{folder}/{name}/bag/*"):
+            with open(path, "rb") as file:
+                bag[os.path.basename(path)] = file.read()
+        bags.append(bag)
+    check(sorted(bags[0]) == ["bag_0.mcap", "metadata.yaml"] and bags[0] == bags[1], "the bags differ")
+    print(f"bags of {len(bags[0]['bag_0.mcap'])} bytes are the same")
+
+
+def main(build):
+    build_anew(build)
+    unit = tests("--label-regex", "^unit$", "--label-exclude", "^(all|nightly|realtime)$")
+    check(unit > 1000, f"only {unit} unit tests ran")
+    print(f"{unit} unit tests passed")
+    check(tests("-R", r"^npm\.ros2_bag$") == 2, "npm.ros2_bag did not run after npm.install")
+    no_dds_is_needed()
+    with tempfile.TemporaryDirectory() as folder:
+        topics_are_refused(folder)
+        bags_are_the_same(build, folder)
+
+
+if __name__ == "__main__":
+    main(os.path.abspath(sys.argv[1]))
