@@ -132,7 +132,7 @@ struct Turns {
   Regression<2> lost{};
 
   void add(const Steps& steps, double slip_left, double slip_right) {
-    model::TurnMonitor monitor;
+    model::TurnShapeFilter filter;
     for_intervals(steps, [&, from = std::size_t{0}](std::size_t to) mutable {
       double difference_m = 0.0, lost_m = 0.0, left_m = 0.0, ahead_m = 0.0;
       double turned_rad = 0.0, took_s = 0.0, travel_m = 0.0;
@@ -143,7 +143,7 @@ struct Turns {
         const double left = step.left_track_m * (1.0 - slip_left);
         const double right = step.right_track_m * (1.0 - slip_right);
         const model::TurnShape shape =
-            monitor.update(left / step.dt_s, right / step.dt_s, step.dt_s);
+            filter.update(left / step.dt_s, right / step.dt_s, step.dt_s);
         const double mean = (left + right) / 2.0;
         travel_m += (std::abs(left) + std::abs(right)) / 2.0;
         difference_m += right - left;
