@@ -267,24 +267,38 @@ PoseErrors pose_errors(const std::vector<TrajectoryPoint>& points, const PoseOf&
   return pose_errors_between(points, {}, estimate);
 }
 
-PoseErrors pose_errors_between(const std::vector<TrajectoryPoint>& points,
+RestartedPoses restarted_poses(const std::vector<TrajectoryPoint>& points,
                                const std::vector<DisturbanceWindow>& disturbances,
                                const PoseOf& estimate) {
-  Tally tally;
+  RestartedPoses restarted;
+  restarted.poses.reserve(points.size());
   Transform2d transform;
   std::size_t next = 0;
-  for (const TrajectoryPoint& point : points) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const TrajectoryPoint& point = points[i];
     if (next < disturbances.size() && point.t_s > disturbances[next].begin_s &&
         point.t_s < disturbances[next].end_s) {
+      restarted.poses.emplace_back();
       continue;
     }
     // Also correct for a disturbance shorter than the time between two points.
     if (next < disturbances.size() && point.t_s >= disturbances[next].end_s) {
       while (next < disturbances.size() && point.t_s >= disturbances[next].end_s) ++next;
       transform = Transform2d::between(estimate(point), point.truth);
+      restarted.restarts.push_back(i);
     }
-    tally.add(point.truth, transform.of(estimate(point)));
+    restarted.poses.emplace_back(transform.of(estimate(point)));
   }
+  return restarted;
+}
+
+PoseErrors pose_errors_between(const std::vector<TrajectoryPoint>& points,
+                               const std::vector<DisturbanceWindow>& disturbances,
+                               const PoseOf& estimate) {
+  Tally tally;
+  const RestartedPoses restarted = restarted_poses(points, disturbances, estimate);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (restarted.poses[i]) tally.add(points[i].truth, *restarted.poses[i]);
   return tally.result();
 }
 

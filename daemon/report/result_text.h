@@ -34,6 +34,7 @@ std::optional<PublishedErrors> published_errors(std::string_view course);
 inline constexpr double kPublishedWheelbaseM = 0.2742;
 inline constexpr double kPublishedSlipLeft = 0.1;
 inline constexpr double kPublishedSlipRight = 0.1188;
-inline constexpr double kPublishedSlipAngleDeg = 0.404;
+inline constexpr double kPublishedSlipAngleDeg = 0.404;  ///< straight on
+inline constexpr double kPublishedSlipAngleTurningDeg = 0.0;
 
 }  // namespace tp100::report

@@ -72,6 +72,7 @@ RandomDrive drive_random(std::uint64_t seed) {
   for (const report::TrajectoryPoint& point : run.points)
     if (!point.recovering && !disturbed(run, point.t_s, kRecoveryS))
       drive.deviation_m = std::max(drive.deviation_m, distance_m(path, point));
+  drive.false_alarms = runs.front().figures.tracking.false_alarms;
   const double reported_m = runs.front().figures.tracking.max_cross_track_m;
   if (drive.deviation_m > kUnnoticedM)
     drive.unreported_m = std::max(0.0, drive.deviation_m - reported_m);
@@ -86,6 +87,7 @@ CourseStudy study_random(std::uint64_t first_seed, int count) {
   study.board = to_string(BoardKind::kNative);
   std::vector<double> deviations_cm;
   double unreported_cm = 0.0;
+  int false_alarms = 0;
   for (int i = 0; i < count; ++i) {
     const RandomDrive drive = drive_random(first_seed + static_cast<std::uint64_t>(i));
     const auto seed = static_cast<unsigned long long>(drive.seed);
@@ -97,17 +99,21 @@ CourseStudy study_random(std::uint64_t first_seed, int count) {
     study.completed += drive.completed;
     deviations_cm.push_back(100.0 * drive.deviation_m);
     unreported_cm = std::max(unreported_cm, 100.0 * drive.unreported_m);
-    if (!drive.completed || drive.unreported_m > 0.0)
-      std::fprintf(stderr, "random course %llu, %s: %s, %.1f cm off the path, %.1f cm unreported\n",
+    false_alarms += drive.false_alarms;
+    if (!drive.completed || drive.unreported_m > 0.0 || drive.false_alarms > 0)
+      std::fprintf(stderr,
+                   "random course %llu, %s: %s, %.1f cm off the path, %.1f cm unreported, "
+                   "%d false alarms\n",
                    seed, drive.robot.c_str(), drive.completed ? "completed" : drive.cause.c_str(),
-                   100.0 * drive.deviation_m, 100.0 * drive.unreported_m);
+                   100.0 * drive.deviation_m, 100.0 * drive.unreported_m, drive.false_alarms);
     if (study.runs % 50 == 0)
       std::fprintf(stderr, "%d of %d random courses, %d completed\n", i + 1, count,
                    study.completed);
   }
   study.judged = {
       {study.course, study.robot, "distance from the path", "cm", -1.0, spread(deviations_cm)},
-      judged_value(study, "largest part of it that no figure shows", "cm", 0.2, unreported_cm)};
+      judged_value(study, "largest part of it that no figure shows", "cm", 0.2, unreported_cm),
+      judged_value(study, kFalseAlarms, "", -1.0, false_alarms)};
   return study;
 }
 

@@ -16,6 +16,7 @@ struct RandomDrive {
   std::string refused;  ///< why it was not begun; empty: it was driven
   bool completed = false;
   std::string cause;          ///< why it was not completed
+  int false_alarms = 0;       ///< disturbances that were detected but did not occur
   double deviation_m = 0.0;   ///< largest distance of the true position from the path
   double unreported_m = 0.0;  ///< what the run's own largest cross-track error leaves out of it
 };

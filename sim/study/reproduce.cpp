@@ -97,6 +97,9 @@ void drive_paper(const ReproduceCommand& command, Reproduction& what) {
   for (const SlopeRow& row : slope_rows())
     what.slopes.push_back(
         measure_slope(what.reference.emulated.body, row.slope_deg * kRadPerDeg, kSlopeTrackMps));
+  what.turns = measure_turns(what.reference.emulated);
+  const course::Block block = load_course("3").terrain.blocks.front();
+  what.climb = check_climb_pitch(what.reference, block.height_m, block.depth_m, kSlopeTrackMps);
   for (const char* kind : kPaperCourses) {
     const course::Course course = load_course(kind);
     what.studies.push_back(

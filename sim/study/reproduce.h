@@ -1,12 +1,15 @@
 #pragma once
 // The whole experiment of the paper on the emulated robots: the runs and their results.
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "course/robot_file.h"
+#include "sim/study/body_turn.h"
 #include "sim/study/commands.h"
 #include "sim/study/real_study.h"
+#include "sim/study/state_study.h"
 #include "sim/study/study.h"
 
 namespace tp100::report {
@@ -35,7 +38,9 @@ int run_reproduce(const ReproduceCommand& command);
 /// Everything that was driven.
 struct Reproduction {
   course::Robot reference{};
-  std::vector<SlopeSlip> slopes;  ///< of the reference robot, one a row of slope_rows()
+  std::vector<SlopeSlip> slopes;    ///< of the reference robot, one a row of slope_rows()
+  std::vector<BodyTurn> turns;      ///< of the reference robot's body
+  std::optional<ClimbCheck> climb;  ///< of the reference robot over the block of course 3
   std::vector<CourseStudy> studies;
   std::vector<RealStudy> real;  ///< their figures with limits are in `studies`
   int runs = 0;
@@ -43,7 +48,8 @@ struct Reproduction {
   std::string date = {}, program = {};  ///< when and with what it was driven
 };
 
-/// Largest difference between measured slip and the paper's table.
+/// Largest difference between measured slip and the paper's table, and its limit.
+inline constexpr double kSlopeLimit = 0.02;
 double worst_slope_difference(const Reproduction& what);
 /// Whether every run was completed and every limit holds.
 bool all_hold(const Reproduction& what);
@@ -54,6 +60,11 @@ std::string reproduction_page(const Reproduction& what);
 std::string reproduction_json(const Reproduction& what);
 /// The table of limits and that of forms, for a terminal.
 std::string reproduction_table(const Reproduction& what);
+
+// The paper's tables and equations beside ours.
+
+/// Tables 1 to 4, eq 7 and eq 6 beside the emulated robot; each part if it was driven.
+void write_tables(report::HtmlPage& page, const Reproduction& what);
 
 // What each form of the model does on the same runs.
 

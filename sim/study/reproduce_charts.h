@@ -9,8 +9,13 @@
 namespace tp100::sim {
 
 /// Of the first run of a study: path, yaw, errors of the estimates over time, and on obstacles the
-/// climb angle. On a stand, where the body stays, without errors.
+/// climb angle. On a stand, where the body stays, without errors. With disturbances the model is
+/// shown as it is judged, restarted from the truth at the end of each.
 std::vector<std::string> run_charts(const CourseStudy& study);
+
+/// Pitch of the body, of the model and of eq 6 to the letter over travel, and where the model's
+/// phases begin.
+std::string climb_chart(const ClimbCheck& climb);
 
 /// Measured slip against slope beside the paper's, of the left and of the right track.
 std::vector<std::string> slope_charts(const Reproduction& what);

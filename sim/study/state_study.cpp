@@ -128,15 +128,45 @@ CourseStudy study_climb(const course::Robot& robot) {
   return study;
 }
 
+/// From the samples, without the level drive before and behind the block.
+void judge_phases(ClimbCheck& check) {
+  double squares = 0.0, phase_squares = 0.0, paper_squares = 0.0;
+  std::size_t count = 0, phase_count = 0;
+  for (const ClimbSample& sample : check.samples) {
+    const double off = sample.model_rad - sample.body_rad;
+    const double paper_off = sample.paper_rad - sample.body_rad;
+    const bool level = sample.phase == model::ClimbPhase::kApproach ||
+                       (sample.phase == model::ClimbPhase::kDown && std::abs(off) < 1e-3);
+    if (level) continue;
+    if (check.phases.empty() || check.phases.back().phase != sample.phase) {
+      check.phases.push_back({.phase = sample.phase, .from_m = sample.travel_m});
+      phase_squares = paper_squares = 0.0;
+      phase_count = 0;
+    }
+    check.pitch_max_rad = std::max(check.pitch_max_rad, std::abs(off));
+    squares += off * off;
+    phase_squares += off * off;
+    paper_squares += paper_off * paper_off;
+    ++count;
+    ++phase_count;
+    ClimbPhaseCheck& phase = check.phases.back();
+    phase.model_rms_rad = std::sqrt(phase_squares / static_cast<double>(phase_count));
+    phase.paper_rms_rad = std::sqrt(paper_squares / static_cast<double>(phase_count));
+  }
+  if (count > 0) check.pitch_rms_rad = std::sqrt(squares / static_cast<double>(count));
+}
+
 }  // namespace
 
 ClimbCheck check_climb_pitch(const course::Robot& robot, double height_m, double depth_m,
                              double track_mps) {
   const course::EmulatedBody values = with_traction(robot.emulated.body);
-  model::StepClimb climb(terrain::climb_geometry(robot.shape),
-                         {.height_m = height_m, .depth_m = depth_m}, model::RiserForm::kTrackHolds,
-                         model::TipStart::kLiftOff);
+  const model::ClimbGeometry geometry = terrain::climb_geometry(robot.shape);
+  const model::BlockShape shape = {.height_m = height_m, .depth_m = depth_m};
+  model::StepClimb climb(geometry, shape, model::RiserForm::kTrackHolds, model::TipStart::kLiftOff);
+  model::StepClimb paper(geometry, shape, model::RiserForm::kPaper, model::TipStart::kBalance);
   climb.reset(kRunUpM);
+  paper.reset(kRunUpM);
   course::Block block{};
   block.place.x_m = kRunUpM - climb.touch_x_m() + depth_m / 2.0;
   block.height_m = height_m;
@@ -151,20 +181,18 @@ ClimbCheck check_climb_pitch(const course::Robot& robot, double height_m, double
   const auto steps = static_cast<std::size_t>(distance_m / track_mps / dt_s);
   ClimbCheck check;
   check.height_m = height_m;
-  double squares = 0.0;
-  std::size_t count = 0;
+  check.depth_m = depth_m;
+  check.samples.reserve(steps);
   for (std::size_t i = 0; i < steps; ++i) {
     body.step(track_mps, track_mps);
     const model::ClimbState& state = climb.advance(track_mps * dt_s, dt_s);
-    const double off = state.pitch_rad - body.state().pose.pitch_rad;
-    const bool level = state.phase == model::ClimbPhase::kApproach ||
-                       (state.phase == model::ClimbPhase::kDown && std::abs(off) < 1e-3);
-    if (level) continue;
-    check.pitch_max_rad = std::max(check.pitch_max_rad, std::abs(off));
-    squares += off * off;
-    ++count;
+    check.samples.push_back({.travel_m = static_cast<double>(i + 1) * track_mps * dt_s - kRunUpM,
+                             .phase = state.phase,
+                             .body_rad = body.state().pose.pitch_rad,
+                             .model_rad = state.pitch_rad,
+                             .paper_rad = paper.advance(track_mps * dt_s, dt_s).pitch_rad});
   }
-  if (count > 0) check.pitch_rms_rad = std::sqrt(squares / static_cast<double>(count));
+  judge_phases(check);
   check.crossed = body.state().pose.x_m > block.place.x_m + depth_m / 2.0;
   return check;
 }

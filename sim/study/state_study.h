@@ -6,9 +6,25 @@
 #include <vector>
 
 #include "course/robot_file.h"
+#include "model/step_climb.h"
 #include "sim/study/study.h"
 
 namespace tp100::sim {
+
+/// One instant of a drive over a block. Pitch as in poses: nose-up is negative.
+struct ClimbSample {
+  double travel_m = 0.0;  ///< of the tracks, since they touched the block
+  model::ClimbPhase phase = model::ClimbPhase::kApproach;  ///< of the model
+  double body_rad = 0.0, model_rad = 0.0;
+  double paper_rad = 0.0;  ///< with eq 6 to the letter on the riser, tipping at the balance
+};
+
+/// A phase of the model on that drive, the approach left out.
+struct ClimbPhaseCheck {
+  model::ClimbPhase phase = model::ClimbPhase::kRiser;
+  double from_m = 0.0;                              ///< travel at which it begins
+  double model_rms_rad = 0.0, paper_rms_rad = 0.0;  ///< of their pitch minus the body's
+};
 
 /// Compares the step climb model with the emulated body under equal conditions, tracks that lose no
 /// speed and hardly creep: one drive straight over a block, from first touch until the body is
@@ -16,8 +32,10 @@ namespace tp100::sim {
 struct ClimbCheck {
   double pitch_rms_rad = 0.0;  ///< model's pitch minus the body's
   double pitch_max_rad = 0.0;
-  double height_m = 0.0;  ///< of the block
-  bool crossed = false;   ///< the body got over it
+  double height_m = 0.0, depth_m = 0.0;  ///< of the block
+  bool crossed = false;                  ///< the body got over it
+  std::vector<ClimbSample> samples;      ///< one a physics step, approach and level drive included
+  std::vector<ClimbPhaseCheck> phases;   ///< in their order
 };
 
 /// The body of `robot` without track deficit and with little creep, and the model as

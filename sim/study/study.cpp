@@ -266,6 +266,14 @@ Judged judged_value(const CourseStudy& study, std::string what, std::string unit
           std::move(unit), limit,       {value, value, static_cast<std::size_t>(study.runs)}};
 }
 
+Judged judged_false_alarms(const CourseStudy& study, const std::vector<TrialRun>& runs) {
+  int alarms = 0;
+  for (const TrialRun& run : runs) alarms += run.figures.tracking.false_alarms;
+  // On real obstacles there are some: a known fault, shown but not judged.
+  const double limit = study.setup == "terrain" ? -1.0 : 0.0;
+  return judged_value(study, kFalseAlarms, "", limit, alarms);
+}
+
 CourseStudy study(const Trial& trial, const std::string& kind, bool reference) {
   const std::vector<TrialRun> runs = run_trial(trial);
   CourseStudy result;
@@ -291,7 +299,10 @@ CourseStudy study(const Trial& trial, const std::string& kind, bool reference) {
     judge_odometry(judge, limits, result);
   }
   if (!stand) judge_fused(judge, limits, blind);
-  if (!blind) judge_tracking(judge, limits, result.uneven);
+  if (!blind) {
+    judge_tracking(judge, limits, result.uneven);
+    result.judged.push_back(judged_false_alarms(result, runs));
+  }
   result.mse_x_m2 = spread_of(
       runs, [](const TrialRun& r) { return r.figures.estimates[PoseSource::kModel]->mse_x_m2; });
   result.mse_y_m2 = spread_of(

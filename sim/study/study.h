@@ -95,6 +95,10 @@ CourseStudy study(const Trial& trial, const std::string& kind, bool reference);
 Judged judged_value(const CourseStudy& study, std::string what, std::string unit, double limit,
                     double value);
 
+/// Of all runs together, as a median would not show those of a few. None may be on a level floor.
+inline constexpr const char* kFalseAlarms = "tracking: false alarms, all runs";
+Judged judged_false_alarms(const CourseStudy& study, const std::vector<TrialRun>& runs);
+
 /// The errors of a form in a study; null: it has none.
 const report::PoseErrors* errors_of(const CourseStudy& study, std::string_view form);
 

@@ -1,13 +1,20 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
+#include <vector>
 
+#include "model/climb_curve.h"
 #include "report/metrics.h"
 #include "sim/robot/lockstep.h"
 #include "sim/robot/options.h"
+#include "sim/study/body_turn.h"
 #include "sim/study/covariance_study.h"
 #include "sim/study/state_study.h"
+#include "terrain/terrain_follower.h"
 
 namespace tp100::sim {
 namespace {
@@ -51,6 +58,60 @@ TEST(State, ABodyThatSlipsIsNotTheCaseWithoutSlip) {
   course::Robot other = robot;
   other.shape.axle_spacing_m *= 1.15;
   EXPECT_GT(check_climb_pitch(other, 0.037, 0.1, 0.1).pitch_rms_rad, 0.035);
+}
+
+TEST(Climb, PhasesBeginWhereTheModelSaysAndTheirErrorsAddUp) {
+  const course::Robot robot = load({}).robot;
+  const ClimbCheck check = check_climb_pitch(robot, 0.037, 0.1, 0.1);
+  using model::ClimbPhase;
+  std::vector<ClimbPhase> phases;
+  std::map<ClimbPhase, ClimbPhaseCheck> by_phase;
+  for (const ClimbPhaseCheck& one : check.phases) {
+    phases.push_back(one.phase);
+    by_phase[one.phase] = one;
+  }
+  EXPECT_THAT(phases,
+              testing::IsSupersetOf({ClimbPhase::kRiser, ClimbPhase::kWrap, ClimbPhase::kCross,
+                                     ClimbPhase::kTip, ClimbPhase::kFlat, ClimbPhase::kNose}));
+  EXPECT_TRUE(std::ranges::is_sorted(phases));
+  const model::ClimbCurve curve(terrain::climb_geometry(robot.shape),
+                                {.height_m = 0.037, .depth_m = 0.1}, model::RiserForm::kTrackHolds);
+  constexpr double kStepM = 0.0001;
+  EXPECT_NEAR(by_phase[ClimbPhase::kRiser].from_m, 0.0, 1.5 * kStepM);
+  EXPECT_NEAR(by_phase[ClimbPhase::kWrap].from_m, curve.marks().riser_end, 1.5 * kStepM);
+  EXPECT_NEAR(by_phase[ClimbPhase::kCross].from_m, curve.marks().wrap_end, 1.5 * kStepM);
+  double squares = 0.0, count = 0.0, largest = 0.0;
+  for (const ClimbSample& sample : check.samples) {
+    const double off = sample.model_rad - sample.body_rad;
+    // To the letter, until the axle is as high as the block.
+    if (sample.phase == ClimbPhase::kRiser && sample.travel_m < 0.0109) {
+      EXPECT_NEAR(sample.paper_rad, -std::asin(sample.travel_m / robot.shape.axle_spacing_m), 1e-9);
+      EXPECT_NEAR(sample.model_rad, -curve.riser(sample.travel_m).angle_rad, 1e-9);
+    }
+    if (sample.phase == ClimbPhase::kCross) {
+      squares += off * off;
+      ++count;
+    }
+    largest = std::max(largest, std::abs(off));
+  }
+  EXPECT_NEAR(by_phase[ClimbPhase::kCross].model_rms_rad, std::sqrt(squares / count), 1e-12);
+  EXPECT_NEAR(check.pitch_max_rad, largest, 1e-3);
+  EXPECT_GT(by_phase[ClimbPhase::kRiser].paper_rms_rad, by_phase[ClimbPhase::kRiser].model_rms_rad);
+}
+
+// By eq 7 a robot on four points with this axle spacing and gauge has 0.2691 m.
+TEST(BodyTurn, EndLoadedTracksTurnWithALongerWheelbaseThanEvenOnes) {
+  const auto turns = [](const char* robot) {
+    Options options;
+    options.robot = robot;
+    return measure_turns(load(options).robot.emulated);
+  };
+  const std::vector<BodyTurn> ends = turns("end-loaded"), even = turns("uniform");
+  ASSERT_EQ(ends.size(), 2u);
+  EXPECT_NEAR(ends[0].wheelbase_m, 0.274, 0.006);
+  EXPECT_NEAR(ends[1].wheelbase_m, 0.274, 0.004);
+  EXPECT_NEAR(even[0].wheelbase_m, 0.205, 0.006);
+  EXPECT_NEAR(even[1].wheelbase_m, 0.194, 0.004);
 }
 
 /// NIS of the camera over several runs together, and the confidence band for that many samples.
