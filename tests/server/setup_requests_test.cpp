@@ -33,7 +33,8 @@ TEST_F(RequestHandlerTest, AStartSaysWhereTheRobotStands) {
   StepRecord record = ready();
   record.snapshot.progress_m = 0.0;
   step(record);
-  EXPECT_THAT(message(R"({"from":"here"})"), HasSubstr("no run ended before the end of its course"));
+  EXPECT_THAT(message(R"({"from":"here"})"),
+              HasSubstr("no run ended before the end of its course"));
   record.snapshot.run_state = RunState::kAborted;
   record.snapshot.progress_m = 0.1;
   step(record);
