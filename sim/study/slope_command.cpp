@@ -19,16 +19,19 @@ namespace {
 constexpr double kRunInS = 0.5;
 constexpr double kMeasureS = 2.0;
 
+constexpr std::size_t kSlipRows = model::kSlipRows.size();
+
 /// The paper's rows, and one of 4 deg after the first.
-constexpr auto kRows = [] {
-  std::array<SlopeRow, model::kSlipRows.size() + 1> rows{};
-  for (std::size_t i = 0; i < model::kSlipRows.size(); ++i) {
+constexpr std::array<SlopeRow, kSlipRows + 1> rows_to_drive() {
+  std::array<SlopeRow, kSlipRows + 1> rows{};
+  for (std::size_t i = 0; i < kSlipRows; ++i) {
     const model::SlipRow& row = model::kSlipRows[i];
     rows[i == 0 ? 0 : i + 1] = {row.slope_deg, row.left, row.right};
   }
   rows[1].slope_deg = 4;
   return rows;
-}();
+}
+constexpr auto kRows = rows_to_drive();
 
 /// A ramp that the drive does not leave, and where it starts.
 course::Terrain slope_of(double slope_rad, double length_m) {
