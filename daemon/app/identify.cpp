@@ -187,7 +187,7 @@ std::optional<identify::RecordedDrive> drive_once(RunOptions run, const std::str
 /// path.
 std::string with_fused_steering(const std::string& config, const std::string& folder) {
   const std::string text = config.empty() ? std::string() : course::read_text_file(config).text;
-  const std::string path = folder + "/tp100.toml";
+  std::string path = folder + "/tp100.toml";
   text::write_file(
       path,
       text::with_values_in_place(
