@@ -95,7 +95,8 @@ TEST_F(Run, APortThatIsRefusedAgainAndAgainIsTakenOnceItIsFree) {
   robot_->plug_in();
   auto held = std::make_unique<link::Port>(link::open_port(port().string(), {}));
   EXPECT_EQ(run([&] {
-              // The daemon tries to open the port after 50, 150 and 350 ms.
+              EXPECT_TRUE(soon([&] { return log_so_far().find("port is busy") != std::string::npos; }));
+              // The daemon tries again after 50, 150 and 350 ms.
               std::this_thread::sleep_for(500ms);
               held.reset();
               eventually(commanded);

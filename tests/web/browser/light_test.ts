@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { alive, driveUntil, run, until } from './cockpit.ts';
 import { Setting } from './setting.ts';
 
-const setting = new Setting();
+const setting = new Setting({ smooth: true });
 
 interface Counted {
   images?: number;

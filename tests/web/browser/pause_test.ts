@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { Bus } from './bus.ts';
-import { alive, figure, goOn, picture, run, until } from './cockpit.ts';
+import { alive, figure, goOn, picture, press, run, until } from './cockpit.ts';
 import { Setting } from './setting.ts';
 
 describe('a run', () => {
@@ -31,7 +31,7 @@ describe('a run', () => {
       expect(await page.getAttribute('#pause', 'title')).toMatch(/the run ends in \d+ s/);
       await picture(page, 'paused');
       const stood = await figure(page, 'x');
-      await page.click('#pause');
+      await press(page, '#pause');
       await until(async () => aborted() || (await figure(page, 'x')) > stood + 0.1, 'it goes on', () => figure(page, 'x'));
       return !aborted();
     };

@@ -9,6 +9,8 @@ export interface Wishes {
   each?: boolean;
   /** Options for the browser. */
   flags?: string[];
+  /** Pages draw as often as they would for a person. */
+  smooth?: boolean;
   /** Options for the daemon. */
   options?: string[];
   /** More of its configuration file. */
@@ -20,10 +22,12 @@ export class Setting {
   private browser: Browser | undefined;
   private pair_: Pair | undefined;
   private readonly complaints: string[] = [];
+  private readonly smooth: boolean;
   /** Errors that the browser may report in a test that causes failures on purpose. */
   expected: RegExp | undefined;
 
-  constructor({ each = false, flags = [], options = [], configuration = '' }: Wishes = {}) {
+  constructor({ each = false, flags = [], smooth = false, options = [], configuration = '' }: Wishes = {}) {
+    this.smooth = smooth;
     const start = async (): Promise<void> => {
       this.pair_ = await Pair.start(options, undefined, configuration);
     };
@@ -58,6 +62,6 @@ export class Setting {
   /** Opens another page, which is closed after the test. */
   async open(size?: Size): Promise<Page> {
     if (this.browser === undefined) throw new Error('no browser: outside of a test');
-    return openPage(this.browser, this.pair.url, this.complaints, size);
+    return openPage(this.browser, this.pair.url, this.complaints, size, this.smooth);
   }
 }

@@ -18,7 +18,7 @@ const kSlower = 2.5;
 const kWindow_s = 2;
 const kWindows = 3;
 
-const setting = new Setting();
+const setting = new Setting({ smooth: true });
 
 interface Weight {
   heap_bytes: number;
