@@ -332,7 +332,8 @@ struct Participant::State {
     if (domain >= 0) dds_delete(domain);
     throw SetupError("[ros2]: cannot join domain " + std::to_string(number) + ": " +
                      (why.empty() ? dds_strretcode(-participant) : text::one_line(why)) +
-                     "; check ros2.interface and ros2.domain");
+                     "; check ros2.interface and ros2.domain, and for a service the drop-in of "
+                     "ROS2.md");
   }
   /// A topic of that type, and the type that it has in this domain.
   std::pair<dds_entity_t, const ddsi_sertype*> topic(const std::string& name,

@@ -47,13 +47,22 @@ def drive_as_user(machine):
     print(output)
 
 
+def ros2_drop_in():
+    """The lines of the drop-in that ROS2.md gives for a service, as printf takes them."""
+    with open(os.path.join(HERE, "..", "..", "daemon", "ros2", "ROS2.md"), encoding="utf-8") as file:
+        block = re.search(r"\*\*As a service\*\*.*?```ini\n\s*\[Service\]\n(.*?)\n\s*```", file.read(), re.S)
+    check(block is not None, "ROS2.md gives the service's drop-in")
+    return "\\n".join(line.strip() for line in block[1].splitlines())
+
+
 def serve(machine):
     """Checks the unit under systemd: ready, real-time, through a course, supervised, stopped. Returns the reason why
     the rights of its user, which come from limits without a capability, were not checked; empty if they were."""
     may_raise = subprocess.run(["prlimit", "--rtprio=90:90", "true"], stderr=subprocess.DEVNULL, check=False)
     machine.write("/etc/tp100/tp100.toml", 'course = "/srv/short.toml"\n[link]\nport = "/srv/robot"\n')
     with open(HERE + "/service.sh", encoding="utf-8") as file:
-        output = machine.boot(file.read().replace("@MAY_RAISE@", "yes" if may_raise.returncode == 0 else ""))
+        output = machine.boot(file.read().replace("@MAY_RAISE@", "yes" if may_raise.returncode == 0 else "")
+                              .replace("@ROS2_DROP_IN@", ros2_drop_in()))
     print(output)
     check("service: done" in output, "the service under systemd (above)")
     untried = re.findall(r"^service: not tried: (.*)", output, re.M)

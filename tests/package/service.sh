@@ -70,6 +70,24 @@ journalctl --no-pager -o cat -u $starved | grep -q 'stopped: .*; start it again'
 systemctl stop $starved
 rm -r /etc/tp100/starved.toml /run/systemd/system/$starved.service.d
 
+# ROS 2's topics need more than the unit allows; the drop-in of ROS2.md allows it, and not more is taken.
+topics=tp100d@topics
+printf '[link]\nport = "/srv/robot"\n[ros2]\nenabled = true\n' >/etc/tp100/topics.toml
+refused $topics
+journalctl --no-pager -o cat -u $topics | grep -F '[ros2]: cannot join domain 0'
+mkdir -p /run/systemd/system/$topics.service.d
+printf '[Service]\n@ROS2_DROP_IN@\n' >/run/systemd/system/$topics.service.d/ros2.conf
+systemctl daemon-reload
+systemctl start $topics
+# Whoever listens where a second participant of domain 0 does is told of it (RTPS 2.2, 9.6.1).
+announced() {
+  timeout 2 perl -MSocket -e 'socket(S, PF_INET, SOCK_DGRAM, 0) and bind(S, sockaddr_in(7412, INADDR_LOOPBACK)) and
+    recv(S, $message, 4, 0) // die; exit($message ne "RTPS")'
+}
+wait_for announced
+systemctl stop $topics
+rm -r /etc/tp100/topics.toml /run/systemd/system/$topics.service.d
+
 # An error in a file must be reported once, without a restart.
 echo 'robto = "uniform"' >/etc/tp100/wrong.toml
 refused tp100d@wrong
