@@ -1,13 +1,24 @@
 #pragma once
-// The wheelbase with which an emulated body really turns, to set beside eq 7 and what is
-// identified.
+// An emulated body at constant track speeds, from its exact motion: no encoder, no camera, no
+// model.
 
 #include <string>
 #include <vector>
 
+#include "core/pose.h"
 #include "course/robot_file.h"
+#include "sim/body/body.h"
 
 namespace tp100::sim {
+
+/// Mean motion of the reference point along the body's own x axis and about its z axis.
+struct MeanMotion {
+  double forward_mps = 0.0, yaw_rate_radps = 0.0;
+};
+
+/// Drives `body` at these track speeds: `run_in_s` until it is steady, then `measured_s` (> 0),
+/// over which its motion is averaged.
+MeanMotion mean_motion(Body& body, const TrackSpeeds& tracks, double run_in_s, double measured_s);
 
 /// A turn at constant track speeds.
 struct BodyTurn {
@@ -17,9 +28,9 @@ struct BodyTurn {
   double yaw_rate_radps = 0.0;
 };
 
-/// Drives the body straight on for its slip, then an arc and on the spot, each to both sides at the
-/// speeds of the courses, from its exact poses: no encoder, no camera, no model. L is the mean of
-/// both sides. Pure.
+/// The wheelbase with which the body really turns, to set beside eq 7 and what is identified.
+/// Drives it straight on for its slip, then an arc and on the spot, each to both sides at the
+/// speeds of the courses. L is the mean of both sides. Pure.
 std::vector<BodyTurn> measure_turns(const course::Emulated& robot);
 
 }  // namespace tp100::sim

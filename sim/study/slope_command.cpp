@@ -1,14 +1,17 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <optional>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "core/arithmetic.h"
 #include "model/track_model.h"
 #include "sim/body/ode_body.h"
 #include "sim/robot/options.h"
+#include "sim/study/body_turn.h"
 #include "sim/study/commands.h"
 #include "sim/study/study.h"
 #include "text/key.h"
@@ -18,20 +21,6 @@ namespace {
 
 constexpr double kRunInS = 0.5;
 constexpr double kMeasureS = 2.0;
-
-constexpr std::size_t kSlipRows = model::kSlipRows.size();
-
-/// The paper's rows, and one of 4 deg after the first.
-constexpr std::array<SlopeRow, kSlipRows + 1> rows_to_drive() {
-  std::array<SlopeRow, kSlipRows + 1> rows{};
-  for (std::size_t i = 0; i < kSlipRows; ++i) {
-    const model::SlipRow& row = model::kSlipRows[i];
-    rows[i == 0 ? 0 : i + 1] = {row.slope_deg, row.left, row.right};
-  }
-  rows[1].slope_deg = 4;
-  return rows;
-}
-constexpr auto kRows = rows_to_drive();
 
 /// A ramp that the drive does not leave, and where it starts.
 course::Terrain slope_of(double slope_rad, double length_m) {
@@ -46,19 +35,11 @@ course::Terrain slope_of(double slope_rad, double length_m) {
   return terrain;
 }
 
-/// How fast the body is over either track, along its own x axis.
-double forward_mps(const BodyState& state) {
-  const double cos_pitch = std::cos(state.pose.pitch_rad);
-  return state.velocity_mps[0] * std::cos(state.pose.yaw_rad) * cos_pitch +
-         state.velocity_mps[1] * std::sin(state.pose.yaw_rad) * cos_pitch -
-         state.velocity_mps[2] * std::sin(state.pose.pitch_rad);
-}
-
 double signed_deviation(double measured, const std::optional<double>& paper) {
   return paper ? measured - *paper : 0.0;
 }
 
-void print_table(const std::string& robot, const std::array<SlopeSlip, kRows.size()>& measured) {
+void print_table(const std::string& robot, const std::vector<SlopeSlip>& measured) {
   std::printf("Slip against slope at %.2f m/s of track, robot %s\n\n", kSlopeTrackMps,
               robot.c_str());
   std::printf(
@@ -66,8 +47,8 @@ void print_table(const std::string& robot, const std::array<SlopeSlip, kRows.siz
   std::printf(
       "  [deg]       left     right        left     right       left     right      [deg/s]\n");
   double worst = 0.0;
-  for (std::size_t i = 0; i < kRows.size(); ++i) {
-    const SlopeRow& row = kRows[i];
+  for (std::size_t i = 0; i < measured.size(); ++i) {
+    const SlopeRow& row = slope_rows()[i];
     const SlopeSlip& slip = measured[i];
     std::printf("  %5.0f  ", row.slope_deg);
     if (!slip.climbed) {
@@ -108,10 +89,10 @@ std::string json_of(const SlopeRow& row, const SlopeSlip& slip) {
          R"(,"paper_slip_right":)" + number(row.paper_right) + "}";
 }
 
-void print_json(const std::string& robot, const std::array<SlopeSlip, kRows.size()>& measured) {
+void print_json(const std::string& robot, const std::vector<SlopeSlip>& measured) {
   std::string rows;
-  for (std::size_t i = 0; i < kRows.size(); ++i)
-    rows += (i == 0 ? "" : ",") + json_of(kRows[i], measured[i]);
+  for (std::size_t i = 0; i < measured.size(); ++i)
+    rows += (i == 0 ? "" : ",") + json_of(slope_rows()[i], measured[i]);
   std::printf(R"({"robot":%s,"track_mps":%s,"slopes":[%s]})"
               "\n",
               text::toml_string(robot).c_str(), text::number_text(kSlopeTrackMps).c_str(),
@@ -120,7 +101,17 @@ void print_json(const std::string& robot, const std::array<SlopeSlip, kRows.size
 
 }  // namespace
 
-std::span<const SlopeRow> slope_rows() { return kRows; }
+std::span<const SlopeRow> slope_rows() {
+  static const std::vector<SlopeRow> rows = [] {
+    std::vector<SlopeRow> all;
+    all.reserve(model::kSlipRows.size() + 1);
+    for (const model::SlipRow& row : model::kSlipRows)
+      all.push_back({row.slope_deg, row.left, row.right});
+    all.insert(all.begin() + 1, {4.0, std::nullopt, std::nullopt});
+    return all;
+  }();
+  return rows;
+}
 
 SlopeSlip measure_slope(const course::EmulatedBody& values, double slope_rad, double track_mps) {
   const double start_m = 2.0 * values.length_m;
@@ -131,20 +122,10 @@ SlopeSlip measure_slope(const course::EmulatedBody& values, double slope_rad, do
                 .z_m = start_m * std::sin(slope_rad),
                 .pitch_rad = -slope_rad},
                false, terrain);
-  const int run_in = static_cast<int>(std::lround(kRunInS * 1e9 / kPhysicsStepNs));
-  const int measured = static_cast<int>(std::lround(kMeasureS * 1e9 / kPhysicsStepNs));
-  for (int i = 0; i < run_in; ++i) body.step(track_mps, track_mps);
-  double forward = 0.0, turned = 0.0;
-  for (int i = 0; i < measured; ++i) {
-    body.step(track_mps, track_mps);
-    forward += forward_mps(body.state());
-    turned += body.state().rate_radps[2];
-  }
-  forward /= measured;
-  turned /= measured;
-  const double half = turned * values.gauge_m / 2.0;
-  SlopeSlip slip{slope_rad, 1.0 - (forward - half) / track_mps, 1.0 - (forward + half) / track_mps,
-                 turned};
+  const MeanMotion motion = mean_motion(body, {track_mps, track_mps}, kRunInS, kMeasureS);
+  const double half_mps = motion.yaw_rate_radps * values.gauge_m / 2.0;
+  SlopeSlip slip{slope_rad, 1.0 - (motion.forward_mps - half_mps) / track_mps,
+                 1.0 - (motion.forward_mps + half_mps) / track_mps, motion.yaw_rate_radps};
   // Up the slope with the nose in front, and not merely grinding.
   slip.climbed = std::max(slip.left, slip.right) < 0.9 &&
                  std::abs(-body.state().pose.pitch_rad - slope_rad) < 5.0 * kRadPerDeg;
@@ -155,12 +136,12 @@ int run_slope(const SlopeCommand& command) {
   Options options;
   options.robot = command.robot;
   const course::Robot robot = load(options).robot;
-  std::array<SlopeSlip, kRows.size()> measured{};
+  std::vector<SlopeSlip> measured;
   bool all_climbed = true;
-  for (std::size_t i = 0; i < kRows.size(); ++i) {
-    measured[i] =
-        measure_slope(robot.emulated.body, kRows[i].slope_deg * kRadPerDeg, kSlopeTrackMps);
-    all_climbed = all_climbed && measured[i].climbed;
+  for (const SlopeRow& row : slope_rows()) {
+    measured.push_back(
+        measure_slope(robot.emulated.body, row.slope_deg * kRadPerDeg, kSlopeTrackMps));
+    all_climbed = all_climbed && measured.back().climbed;
   }
   command.json ? print_json(robot.name, measured) : print_table(robot.name, measured);
   return all_climbed ? 0 : 1;

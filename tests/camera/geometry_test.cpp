@@ -7,7 +7,7 @@
 
 #include "camera/observer.h"
 #include "core/arithmetic.h"
-#include "estimation/camera_update.h"
+#include "estimation/pose_filter.h"
 #include "marker_scene.h"
 #include "sim/sensors/overhead_camera.h"
 

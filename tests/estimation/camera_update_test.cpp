@@ -1,10 +1,9 @@
-#include "estimation/camera_update.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "core/arithmetic.h"
+#include "estimation/pose_filter.h"
 
 namespace tp100::estimation {
 namespace {

@@ -7,8 +7,8 @@
 #include <random>
 
 #include "core/arithmetic.h"
-#include "estimation/camera_update.h"
 #include "estimation/motion.h"
+#include "estimation/pose_filter.h"
 
 namespace tp100::estimation {
 namespace {

@@ -55,12 +55,12 @@ class FakeControls : public Controls {
   }
   std::string drive(const DriveRequest& request, HostNs now) override {
     const std::optional<VelocityInput> input = wheel.drive(request, now);
-    if (!input) return "this token does not drive";
+    if (!input) return "this token does not hold the wheel; take it";
     inputs.push_back(*input);
     return {};
   }
   std::string drive_release(const std::string& token, HostNs) override {
-    return wheel.release(token) ? "" : "this token does not drive";
+    return wheel.release(token) ? "" : "this token does not hold the wheel";
   }
   void drive_lost(const std::string& id, HostNs) override {
     if (wheel.lose(id)) ++drivers_lost;

@@ -137,7 +137,7 @@ const services = {
     driver = by; stop = { ...stop, latched: false, status: 'none' }; runBegan = t(); to('driving');
     return { token: 'mock' };
   },
-  drive: () => { if (driver === '') throw new Error('this token does not drive'); return { accepted: true }; },
+  drive: () => { if (driver === '') throw new Error('this token does not hold the wheel; take it'); return { accepted: true }; },
   drive_release: () => { runEnded = t(); to('idle'); return { accepted: true }; },
 };
 function record() {

@@ -20,7 +20,7 @@ const kTools: [tool: Tool, title: string][] = [
   ['ramp', 'Ramp'],
   ['block', 'Block'],
   ['surface', 'Surface'],
-  ['disturbance', 'Push'],
+  ['disturbance', 'Disturbance'],
   ['keep_out', 'Keep-out'],
 ];
 

@@ -1,5 +1,5 @@
-// A start after a run that ended on its way: does the robot stand at the course's start again, or
-// does it go on from where it is estimated to be? Nothing moves before one of them is chosen.
+// A start after a run that ended before the end of its course: does the robot stand at the course's start again, or does
+// it go on from where it is estimated to be? Nothing moves before one of them is chosen.
 import { degrees, fixed } from '../state/format.ts';
 import type { State } from '../state/messages.ts';
 import { h, setText } from './dom.ts';
@@ -57,6 +57,6 @@ export class StartQuestion {
     }
     const place = `x ${fixed(at.x_m, 2)} m, y ${fixed(at.y_m, 2)} m, yaw ${degrees(at.yaw_rad, 0)}\u00b0`;
     const along = `${fixed(state?.progress_m, 2)} of ${fixed(state?.length_m, 2)} m along the course`;
-    setText(this.text, `The last run ended on its way. The robot is estimated to be at ${place}, ${along}. Where is it now?`);
+    setText(this.text, `The last run ended before the end of its course. The robot is estimated to be at ${place}, ${along}. Where is it now?`);
   }
 }

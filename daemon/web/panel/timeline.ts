@@ -84,7 +84,7 @@ export class Timeline {
         if (stretch) mark(stretch[0], stretch[1], kind, `${kind}, ${fixed(1000 * piece.height_m, 0)} mm high`);
       }
     }
-    for (const disturbance of course.disturbances) mark(disturbance.at_m, disturbance.at_m + 0.01, 'disturbance', 'somebody pushes the robot');
+    for (const disturbance of course.disturbances) mark(disturbance.at_m, disturbance.at_m + 0.01, 'disturbance', 'disturbance');
   }
 }
 

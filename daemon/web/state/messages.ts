@@ -155,7 +155,7 @@ export interface State {
   /** The run pauses, and ends after this time. */
   pause_left_s?: number;
   can: { start: boolean; drive?: boolean; pause?: boolean; resume?: boolean; hold: boolean; stop: boolean; record: boolean };
-  /** Where the robot is estimated to be, if the last run ended on its way. */
+  /** Where the robot is estimated to be, if the last run ended before the end of its course. */
   go_on_from?: { x_m: number; y_m: number; yaw_rad: number };
   why_not_start: string;
   why_not_drive?: string;

@@ -71,7 +71,7 @@ describe('without a mouse', () => {
     await driveUntil(page, 'running');
     await page.keyboard.press('h');
     await until(async () => (await run(page)) === 'idle', 'it holds');
-    // After a run that ended on its way, a start asks where the robot stands, also by key.
+    // After a run that ended before the end of its course, a start asks where the robot stands, also by key.
     await page.keyboard.press('r');
     await page.waitForFunction(() => document.querySelector('#question-text')?.textContent.includes('along the course') === true);
     await page.keyboard.press('Tab');

@@ -185,12 +185,12 @@ describe('the driver', () => {
 
   it('loses the wheel with a refusal, the end of the drive or the connection, and says why', async () => {
     await driver.take();
-    answer = () => Promise.reject(new Error('this token does not drive'));
+    answer = () => Promise.reject(new Error('this token does not hold the wheel; take it'));
     driver.tick();
     await Promise.resolve();
     await Promise.resolve();
     expect(driver.drives).toBe(false);
-    expect(ended).toEqual(['this token does not drive']);
+    expect(ended).toEqual(['this token does not hold the wheel; take it']);
 
     answer = () => Promise.resolve({ token: 'u' });
     await driver.take();
