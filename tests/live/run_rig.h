@@ -45,12 +45,12 @@ class Run : public ::testing::Test {
 
   // Runs the command while `script` runs in parallel; afterwards SIGTERM ends the command.
   int run(const std::function<void()>& script = {}) {
+    testing::internal::CaptureStderr();
     std::thread beside([&] {
       if (!script) return;
       script();
       ::kill(::getpid(), SIGTERM);
     });
-    testing::internal::CaptureStderr();
     int status = -1;
     try {
       status = app::run_run(options_);
