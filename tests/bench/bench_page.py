@@ -19,7 +19,7 @@ from bench_table import Table, ratio, rounds, seconds
 
 VIEWERS = 4
 LAPS = 40  # more than it drives in that time
-BROWSER = os.environ.get("TP100_CHROMIUM", "/usr/bin/chromium")
+BROWSER = os.environ.get("TP100_CHROMIUM", "/usr/bin/chromium-headless-shell")
 
 
 class Build:

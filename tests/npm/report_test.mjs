@@ -7,7 +7,7 @@ import { join } from 'node:path';
 import test from 'node:test';
 
 const program = (name) => join(process.env.TP100_BIN, name);
-const chromium = process.env.TP100_CHROMIUM ?? '/usr/bin/chromium';
+const chromium = process.env.TP100_CHROMIUM ?? '/usr/bin/chromium-headless-shell';
 
 test('the report of an emulated run', async () => {
   const folder = await mkdtemp(join(tmpdir(), 'tp100-npm-'));

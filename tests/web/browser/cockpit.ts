@@ -6,7 +6,7 @@ import { fileURLToPath } from 'node:url';
 import { chromium, errors, type Browser, type Page } from 'playwright-core';
 import { bin } from './programs.ts';
 
-const kChromium = process.env.TP100_CHROMIUM ?? '/usr/bin/chromium';
+const kChromium = process.env.TP100_CHROMIUM ?? '/usr/bin/chromium-headless-shell';
 /** The version is pinned, so that every run draws with the same software. */
 const kFlags = [
   '--no-sandbox',

@@ -8,7 +8,7 @@ describe('notices', () => {
   it('name the port, open the others, can be closed, and never cover the view', async () => {
     const page = await setting.open();
     await driveUntil(page, 'running');
-    expect(await page.textContent('.badge')).toBe('emulated');
+    await until(async () => (await page.textContent('.badge')) === 'emulated', 'the kind of robot');
     await setting.pair.robot.end('SIGKILL');
     const rows = page.locator('#notice-list li');
     await until(async () => ((await rows.first().textContent()) ?? '').startsWith(`No robot on ${setting.pair.folder}/robot`), 'the port is named');

@@ -13,7 +13,7 @@ const kSoon_s = 0.02;
 const kSame_m = 1e-6;
 
 const folder = mkdtempSync(join(tmpdir(), 'tp100-replay-'));
-const setting = new Setting({ options: ['--record', folder] });
+const setting = new Setting({ smooth: true, options: ['--record', folder] });
 
 interface Moment {
   t_s: number;
