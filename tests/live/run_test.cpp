@@ -94,14 +94,15 @@ TEST_F(Run, APortThatIsRefusedAgainAndAgainIsTakenOnceItIsFree) {
   options_.wait = true;
   robot_->plug_in();
   auto held = std::make_unique<link::Port>(link::open_port(port().string(), {}));
-  EXPECT_EQ(run([&] {
-              EXPECT_TRUE(soon([&] { return log_so_far().find("port is busy") != std::string::npos; }));
-              // The daemon tries again after 50, 150 and 350 ms.
-              std::this_thread::sleep_for(500ms);
-              held.reset();
-              eventually(commanded);
-            }),
-            1);
+  EXPECT_EQ(
+      run([&] {
+        EXPECT_TRUE(soon([&] { return log_so_far().find("port is busy") != std::string::npos; }));
+        // The daemon tries again after 50, 150 and 350 ms.
+        std::this_thread::sleep_for(500ms);
+        held.reset();
+        eventually(commanded);
+      }),
+      1);
   EXPECT_THAT(log_, HasSubstr("port is busy"));
   EXPECT_EQ(log_.find("port is busy"), log_.rfind("port is busy"))
       << "the message must appear once: " << log_;
