@@ -44,7 +44,11 @@ async function driveCourse(page: Page, name: string): Promise<void> {
   const button = `[data-course="${name}"] .identify-drive`;
   await until(
     async () => {
-      if (((await page.getAttribute(`[data-course="${name}"]`, 'data-driven')) ?? '0') !== '0') return true;
+      if (((await page.getAttribute(`[data-course="${name}"]`, 'data-driven')) ?? '0') !== '0') {
+        // The list may show the drive only after the button was pressed again; the question holds up what follows.
+        if (await page.isVisible('#identify-cancel')) await page.click('#identify-cancel');
+        return true;
+      }
       if (await page.isVisible('#identify-start')) await page.click('#identify-start');
       else if (await page.isEnabled(button)) await page.click(button);
       return false;
