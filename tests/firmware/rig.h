@@ -151,7 +151,8 @@ class Rig : public test::ReceivedFrames {
     hal.right_counts = static_cast<std::int32_t>(std::floor(right_m_ * 11140.0));
     const double rate = (right_mps * 0.90 - left_mps * 0.84) / 0.274 + disturbance_radps;
     true_yaw_rad += rate * 1e-3;
-    hal.gyro_z = static_cast<std::int16_t>(std::lround(rate / double{test::kGyroRadpsPerLsb}));
+    hal.gyro_z =
+        static_cast<std::int16_t>(std::lround(rate / static_cast<double>(test::kGyroRadpsPerLsb)));
   }
 
   int since_command_ = 0;
