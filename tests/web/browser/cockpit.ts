@@ -4,6 +4,7 @@ import { mkdir } from 'node:fs/promises';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { chromium, errors, type Browser, type Page } from 'playwright-core';
+import { expect } from 'vitest';
 import { bin } from './programs.ts';
 
 const kChromium = process.env.TP100_CHROMIUM ?? '/usr/bin/chromium-headless-shell';
@@ -117,6 +118,12 @@ export async function driveUntil(page: Page, wanted: string): Promise<void> {
     `the run is ${wanted}`,
     () => page.textContent('#number-x'),
   );
+}
+
+/** Tries anew what a busy machine has ended: `attempt` then returns false. */
+export async function again(attempt: () => Promise<boolean>, what: string): Promise<void> {
+  let ended = 0;
+  while (!(await attempt())) expect(++ended, `${what} that a busy machine has ended`).toBeLessThan(4);
 }
 
 /** Saves a picture for people, beside the test's results. */

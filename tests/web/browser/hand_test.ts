@@ -2,7 +2,7 @@
 import type { Page } from 'playwright-core';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import { Bus } from './bus.ts';
-import { alive, picture, run, until, type Size } from './cockpit.ts';
+import { again, alive, picture, run, until, type Size } from './cockpit.ts';
 import { Setting } from './setting.ts';
 
 const setting = new Setting();
@@ -190,8 +190,7 @@ describe('driving by hand', () => {
         await page.mouse.up();
         return false;
       };
-      let tries = 0;
-      while (!(await pushed())) expect(++tries, 'drives that a busy machine has ended').toBeLessThan(4);
+      await again(pushed, 'drives');
       await picture(page, `hand-${name}`);
       const clipped = await page.evaluate(() => document.documentElement.scrollWidth > window.innerWidth);
       expect(clipped, 'nothing wider than the screen').toBe(false);

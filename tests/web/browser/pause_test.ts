@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { Bus } from './bus.ts';
-import { alive, figure, goOn, picture, press, run, until } from './cockpit.ts';
+import { again, alive, figure, goOn, picture, press, run, until } from './cockpit.ts';
 import { Setting } from './setting.ts';
 
 describe('a run', () => {
@@ -36,8 +36,7 @@ describe('a run', () => {
       return !aborted();
     };
     try {
-      let tries = 0;
-      while (!(await paused())) expect(++tries, 'runs that a busy machine has ended').toBeLessThan(4);
+      await again(paused, 'runs');
       await page.click('#pause');
       await until(() => bus.last('/state')?.pause_left_s !== undefined, 'it is paused again');
       await page.keyboard.press('Escape');
