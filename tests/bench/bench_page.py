@@ -65,7 +65,7 @@ class OpenPage:
     """The page in a browser, as a context; `shown` False opens none."""
 
     def __init__(self, shown, port, folder):
-        self.command = [BROWSER, "--headless=new", "--no-sandbox", "--disable-gpu", "--window-size=1440,900",
+        self.command = [BROWSER, "--headless", "--no-sandbox", "--disable-gpu", "--window-size=1440,900",
                         "--no-first-run", f"--user-data-dir={folder}/browser", "--remote-debugging-port=0",
                         f"http://127.0.0.1:{port}/"] if shown else None
 
