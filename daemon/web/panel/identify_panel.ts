@@ -4,7 +4,7 @@ import { calibrationCourses, drivesOf, measuredIn, measuredTable, space, type Id
 import type { RunEntry, RunsList } from '../state/runs.ts';
 import { facts, type CourseEntry, type SetupList } from '../state/setup.ts';
 import type { Store } from '../state/store.ts';
-import { h, setAttribute, setClass, setText } from './dom.ts';
+import { h, setClass, setText } from './dom.ts';
 import { FoundRobot } from './found_robot.ts';
 import { reason, type Call } from '../state/service.ts';
 import { asksForMotion } from '../state/messages.ts';
@@ -27,6 +27,8 @@ export class IdentifyPanel {
   private shown = '';
   private next_ms = 0;
   private busy = false;
+  /** Requests follow one another, so that an older answer never replaces a newer one. */
+  private order: Promise<void> = Promise.resolve();
   private pressed = 0;
   private mayAsk = false;
   private mayDrive = false;
@@ -80,7 +82,7 @@ export class IdentifyPanel {
     setText(this.evaluate, drives.length === 0 ? 'Evaluate' : `Evaluate ${drives.length} drive${drives.length === 1 ? '' : 's'}`);
     this.evaluate.disabled = this.busy || !this.mayAsk || drives.length === 0;
     for (const button of this.element.querySelectorAll<HTMLButtonElement>('.identify-drive')) button.disabled = this.busy || !this.mayDrive || button.dataset.fixed === 'true';
-    for (const input of this.list.querySelectorAll<HTMLInputElement>('input')) input.disabled = this.busy || !this.mayAsk;
+    for (const input of this.list.querySelectorAll<HTMLInputElement>('input')) input.disabled = !this.mayAsk;
     this.found.enable(!this.busy && this.mayDrive);
   }
 
@@ -94,23 +96,41 @@ export class IdentifyPanel {
     return calibrationCourses(this.setup).flatMap(({ name }) => drivesOf(this.runs, name, this.robot)).filter(({ run }) => !this.left.has(run));
   }
 
-  private async load(): Promise<void> {
-    try {
-      const [setup, runs] = await Promise.all(['/api/setup', '/api/runs'].map(async (path) => {
-        const response = await fetch(path, { cache: 'no-store' });
-        if (!response.ok) throw new Error(response.statusText);
-        return response.text();
-      }));
-      // A measurement is being typed: nothing changes under the hand.
-      if (`${setup}${runs}` === this.shown || (document.activeElement?.closest('.identify-measured') ?? null) !== null) return;
-      this.shown = `${setup}${runs}`;
-      this.setup = JSON.parse(setup ?? '') as SetupList;
-      this.runs = (JSON.parse(runs ?? '') as RunsList).runs;
-      this.list.replaceChildren(...calibrationCourses(this.setup).map((course) => this.course(course)));
-    } catch {
-      this.shown = '';
-      this.say('The lists of courses and runs are not available now.', true);
-    }
+  private inOrder(work: () => Promise<void>): Promise<void> {
+    this.order = this.order.then(work);
+    return this.order;
+  }
+
+  private load(): Promise<void> {
+    return this.inOrder(async () => {
+      try {
+        const [setup, runs] = await Promise.all(['/api/setup', '/api/runs'].map(async (path) => {
+          const response = await fetch(path, { cache: 'no-store' });
+          if (!response.ok) throw new Error(response.statusText);
+          return response.text();
+        }));
+        this.setup = JSON.parse(setup ?? '') as SetupList;
+        this.runs = (JSON.parse(runs ?? '') as RunsList).runs;
+        // A measurement is being typed: nothing changes under the hand.
+        if (`${setup}${runs}` === this.shown || (document.activeElement?.closest('.identify-measured') ?? null) !== null) return;
+        this.shown = `${setup}${runs}`;
+        this.list.replaceChildren(...calibrationCourses(this.setup).map((course) => this.course(course)));
+      } catch {
+        this.shown = '';
+        this.say('The lists of courses and runs are not available now.', true);
+      }
+    });
+  }
+
+  /** Writes a measurement down. One may be typed at any time, also while a course is driven. */
+  private keep(run: string, measured: Measured): Promise<void> {
+    return this.inOrder(async () => {
+      try {
+        await measure(this.reach, run, measured);
+      } catch (error: unknown) {
+        this.say(reason(error), true);
+      }
+    });
   }
 
   private course(course: CourseEntry): HTMLElement {
@@ -140,10 +160,8 @@ export class IdentifyPanel {
       element.addEventListener('change', () => {
         if (element.value === '') Reflect.deleteProperty(measured, name);
         else measured[name] = Number(element.value);
-        void this.act('', async () => {
-          await measure(this.reach, run.run, measured);
-          return '';
-        });
+        void this.keep(run.run, { ...measured });
+        void this.load();
       });
       return h('label', {}, `${label} `, element);
     };
@@ -174,6 +192,7 @@ export class IdentifyPanel {
   }
 
   private async identify(): Promise<string> {
+    await this.load();
     const drives = this.chosen();
     const answer = (await this.call('run_identify', { runs: drives.map(({ run }) => run).join(' '), measured: measuredTable(drives) })) as Identified;
     if (this.setup !== undefined) this.found.show(answer, this.setup);
@@ -185,17 +204,15 @@ export class IdentifyPanel {
     if (this.busy) return;
     this.busy = true;
     this.enable();
-    if (begin !== '') this.say(begin);
+    this.say(begin);
     try {
-      const end = await work();
-      if (end !== '') this.say(end);
+      this.say(await work());
     } catch (error: unknown) {
       this.say(reason(error), true);
     } finally {
       // What was done shows before the next thing may be.
       await this.load();
       this.busy = false;
-      setAttribute(this.element, 'data-acted', String(Number(this.element.dataset.acted ?? '0') + 1));
     }
   }
 

@@ -44,11 +44,7 @@ async function driveCourse(page: Page, name: string): Promise<void> {
   const button = `[data-course="${name}"] .identify-drive`;
   await until(
     async () => {
-      if (((await page.getAttribute(`[data-course="${name}"]`, 'data-driven')) ?? '0') !== '0') {
-        // The list may show the drive only after the button was pressed again; the question holds up what follows.
-        if (await page.isVisible('#identify-cancel')) await page.click('#identify-cancel');
-        return true;
-      }
+      if (((await page.getAttribute(`[data-course="${name}"]`, 'data-driven')) ?? '0') !== '0') return true;
       if (await page.isVisible('#identify-start')) await page.click('#identify-start');
       else if (await page.isEnabled(button)) await page.click(button);
       return false;
@@ -61,10 +57,8 @@ async function driveCourse(page: Page, name: string): Promise<void> {
 async function write(page: Page, name: string, what: string, value: string): Promise<void> {
   const input = `[data-course="${name}"] input[name="${what}"]`;
   await until(() => page.isEnabled(input), 'it may be written');
-  const acted = await page.getAttribute('.identify', 'data-acted');
   await page.fill(input, value);
   await page.press(input, 'Tab');
-  await until(async () => (await page.getAttribute('.identify', 'data-acted')) !== acted, 'it is kept');
 }
 
 describe.each(kScreens)('the identification at $width x $height', (size) => {
@@ -99,13 +93,19 @@ describe.each(kScreens)('the identification at $width x $height', (size) => {
 
     await driveCourse(page, 'ahead');
     await driveCourse(page, 'left');
-    // Less than the robot's file says.
+    // Less than the robot's file says. A measurement is also kept while a question is open.
+    await page.click('[data-course="ahead"] .identify-drive');
+    await until(() => page.isVisible('#identify-start'), 'the question');
     await write(page, 'ahead', 'distance_m', '0.28');
+    await page.click('#identify-cancel');
     await write(page, 'ahead', 'turned_deg', '0');
-    await write(page, 'left', 'turned_deg', '90');
     await until(async () => (await page.textContent('#identify-evaluate')) === 'Evaluate 2 drives' && (await page.isEnabled('#identify-evaluate')), 'two drives');
+    // Pressed at once, it evaluates what has just been typed.
+    await write(page, 'left', 'turned_deg', '90');
     await page.click('#identify-evaluate');
     await said(page, /2 drives are evaluated/);
+    const kept = page.locator('[data-course="left"] input[name="turned_deg"], [data-course="ahead"] input[name="distance_m"]');
+    await until(async () => (await kept.evaluateAll((all) => all.map((each) => (each as HTMLInputElement).value))).join() === '0.28,90', 'the measurements');
     expect(await page.getAttribute('.identify-found [data-name="slip_left"]', 'data-found')).toBe('true');
     expect(Number(await page.textContent('.identify-found [data-name="slip_left"] ins'))).toBeGreaterThan(0.17);
     expect(Number(await page.textContent('.identify-found [data-name="slip_left"] del'))).toBeCloseTo(0.16, 2);
