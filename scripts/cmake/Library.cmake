@@ -60,13 +60,18 @@ function(tp100_library folder)
 endfunction()
 
 # tp100_test(NAME SOURCES ... DEPENDS folders... [LABELS ...] [LIBRARIES ...] [LONG <regex>]
-#            [ALL <regex>] [NIGHTLY <regex>])
+#            [ALL <regex>] [NIGHTLY <regex>] [COMPUTE <regex>])
 # Of the labels "realtime" says that a test waits more than it computes: many run at once, and nothing that computes beside
 # them; "threads" that it starts threads, or programs of ours that do: under the thread sanitizer only those are built
 # and run, the others have nothing that it could find. LONG, ALL and NIGHTLY match how names of tests (Suite.Name)
-# begin: LONG ones are started first, ALL and NIGHTLY ones are left to scripts/test --all and --nightly.
+# begin: LONG ones are started first, ALL and NIGHTLY ones are left to scripts/test --all and --nightly. COMPUTE ones of a
+# program with "threads" compute for long in threads that its other tests start too: under the thread sanitizer nightly.
 function(tp100_test name)
-  cmake_parse_arguments(TEST "" "LONG;ALL;NIGHTLY" "SOURCES;DEPENDS;LABELS;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(TEST "" "LONG;ALL;NIGHTLY;COMPUTE" "SOURCES;DEPENDS;LABELS;LIBRARIES" ${ARGN})
+  if(TP100_SANITIZE STREQUAL "thread" AND TEST_COMPUTE)
+    list(APPEND TEST_NIGHTLY ${TEST_COMPUTE})
+    list(JOIN TEST_NIGHTLY "|" TEST_NIGHTLY)
+  endif()
   list(TRANSFORM TEST_DEPENDS REPLACE / _)
   list(TRANSFORM TEST_DEPENDS PREPEND tp100_)
   add_executable(${name} ${TEST_SOURCES})
