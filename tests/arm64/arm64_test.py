@@ -105,6 +105,20 @@ def replay(build):
             check(verdict in output, f"{name}: not {verdict}: {output}")
 
 
+def ros2(build):
+    """Another implementation of DDS, run by this machine, receives every message that daemon and emulated course send."""
+    for sim, name in ((build + "/bin/", "another implementation receives every message of a run"),
+                      (EMULATED, "a course in virtual time")):
+        with tempfile.TemporaryDirectory() as folder:
+            for program, where in (("tp100d", EMULATED), ("tp100-sim", sim), ("ros2_peer", build + "/bin/")):
+                os.symlink(where + program, f"{folder}/{program}")
+            output = run(ROOT + "/tests/ros2/in_network", "node", "--test-name-pattern=" + name,
+                         ROOT + "/tests/npm/ros2_live_test.mjs",
+                         env=dict(os.environ, TP100_BIN=folder, TP100_NPM=build + "/npm"))
+        print(output)
+        check("# pass 1\n" in output, f"{name}: not run")
+
+
 class Emulation:
     """The kernel runs programs of ARM by qemu-user as long as this exists."""
 
@@ -180,7 +194,7 @@ def container(build):
         emulation.close()
 
 
-STEPS = {step.__name__: step for step in (make, unit, courses, replay, install, container)}
+STEPS = {step.__name__: step for step in (make, unit, courses, replay, ros2, install, container)}
 
 if __name__ == "__main__":
     if len(sys.argv) != 3 or sys.argv[1] not in STEPS:
