@@ -35,9 +35,9 @@ struct LawOutput {
   double yaw_rate_radps = 0.0;  ///< feed-forward
 };
 
-/// Pure: the same errors give the same steering. Any finite errors give finite steering, a desired
-/// yaw within max_approach_rad (and what the path turns up to the look-ahead) of the tangent. No
-/// allocation; safe in the real-time thread.
+/// Pure: the same errors give the same steering. Any finite errors give finite steering whose
+/// direction of motion, yaw_rad + crab_rad, is within max_approach_rad (and what the path turns up
+/// to the look-ahead) of the tangent. No allocation; safe in the real-time thread.
 class Law {
  public:
   virtual ~Law() = default;

@@ -112,7 +112,7 @@ class JumpMonitor {
 /// Inputs of the monitor in one step. SI units.
 struct Observation {
   const Sample* sample = nullptr;  ///< newest sample; never null while a run is on
-  Pose pose{};                     ///< steering pose
+  Pose pose{};                     ///< steering pose in the course's world
   double left_mps = 0.0;           ///< measured track speeds
   double right_mps = 0.0;
   double encoder_yaw_rate_radps = 0.0;  ///< eq 5, by this robot's values

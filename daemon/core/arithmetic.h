@@ -19,6 +19,9 @@ inline double square(double value) { return value * value; }
 /// In 95 of 100 cases a normally distributed value is within this many standard deviations.
 inline constexpr double kNormal95 = 1.96;
 
+/// Acceleration of the accelerometer's "g". [m/s^2]
+inline constexpr double kStandardGravityMps2 = 9.80665;
+
 // Angles in radians.
 
 inline constexpr double kPi = std::numbers::pi;

@@ -103,7 +103,7 @@ struct Snapshot {
   /// limit.
   double commanded_left_mps = 0.0;
   double commanded_right_mps = 0.0;
-  double cross_track_m = 0.0;      ///< steering pose against the path, left positive
+  double cross_track_m = 0.0;      ///< steering pose in the world against the path, left positive
   double heading_error_rad = 0.0;  ///< desired - actual
   double progress_m = 0.0;         ///< along the path
   bool recovering = false;         ///< a disturbance was noticed; not back on the path yet
@@ -139,7 +139,8 @@ struct StepInputs {
 };
 
 /// Inputs and results of one step. Replaying the inputs in order through a step with the same
-/// parameters and course gives the same results bit for bit (same build).
+/// parameters and course gives the same results bit for bit (on which processors:
+/// record/RECORDINGS.md).
 struct StepRecord {
   HostNs now_ns = 0;
   std::uint64_t step = 0;  ///< counts the steps since the start; a gap is a dropped record

@@ -21,8 +21,7 @@ constexpr double kFirstS = 0.2;
 // Near the vertical the heading is undefined.
 constexpr double kMinCosPitch = 0.2;
 
-constexpr double kGravityMps2 = 9.80665;
-constexpr AttitudeFilter::Vector kUpright{0.0, 0.0, kGravityMps2};
+constexpr AttitudeFilter::Vector kUpright{0.0, 0.0, kStandardGravityMps2};
 
 double norm(const AttitudeFilter::Vector& a) { return magnitude(a[0], a[1], a[2]); }
 
@@ -80,7 +79,9 @@ void AttitudeFilter::update(const Vector& gyro_radps, const Vector& accel_mps2, 
   pitch_rad_ += pitch_rate_radps_ * dt_s;
   Vector force = accel_mps2;
   for (std::size_t i = 0; i < 3; ++i) force[i] -= accel_offset_[i];
-  if (std::abs(norm(force) - kGravityMps2) > parameters_.steady_share * kGravityMps2) return;
+  if (std::abs(norm(force) - kStandardGravityMps2) >
+      parameters_.steady_share * kStandardGravityMps2)
+    return;
   const double share = dt_s / (parameters_.gravity_s + dt_s);
   roll_rad_ += (roll_of(force) - roll_rad_) * share;
   pitch_rad_ += (pitch_of(force) - pitch_rad_) * share;

@@ -9,9 +9,8 @@
 namespace tp100::link {
 namespace {
 
-constexpr double kStandardGravity = 9.80665;
 const double kGyroRadpsPerLsb = kRadPerDeg / static_cast<double>(wire::kGyroLsbPerDegps);
-const double kAccelMps2PerLsb = kStandardGravity / static_cast<double>(wire::kAccelLsbPerG);
+const double kAccelMps2PerLsb = kStandardGravityMps2 / static_cast<double>(wire::kAccelLsbPerG);
 // A sample cannot have been measured after it was read; this tolerance allows for the clock
 // relation.
 constexpr HostNs kFutureNs = 50 * kNsPerMs;

@@ -76,7 +76,7 @@ std::string black_box_directory(const config::RecordSettings& settings) {
   return home.empty() ? home : home + "/.local/state/tp100";
 }
 
-bool is_latched_or_event(Channel channel) {
+bool is_recorded(Channel channel) {
   return is_event_channel(channel) || channel == Channel::kLink || channel == Channel::kLoop ||
          channel == Channel::kState || channel == Channel::kParameter;
 }
@@ -109,7 +109,7 @@ void LiveRecording::change_setup(std::shared_ptr<const config::LoadedRun> run, s
   recorder_.forget(next);
   run_ = std::move(run);
   // They name the old course.
-  latched_.clear();
+  last_.clear();
 }
 
 record::Recorder::Make LiveRecording::make(const std::string& directory, const std::string& name,
@@ -147,7 +147,7 @@ std::uint64_t LiveRecording::start(const std::string& name, const Answer& answer
                                {{"program", "tp100d run"}}, settings_.quota_mb),
                           answer);
   if (number == 0) return 0;
-  for (const auto& [channel, json] : latched_) recorder_.message(channel, now, json);
+  for (const auto& [channel, json] : last_) recorder_.message(channel, now, json);
   return number;
 }
 
@@ -215,9 +215,9 @@ void LiveRecording::take_truth(HostNs at, const Pose& truth) { recorder_.take_tr
 
 void LiveRecording::on_message(messages::Channel channel, std::uint64_t unix_ns,
                                std::string_view json) {
-  if (!is_latched_or_event(channel)) return;
+  if (!is_recorded(channel)) return;
   const std::lock_guard lock(mutex_);
-  if (!is_event_channel(channel)) latched_[channel] = json;
+  if (!is_event_channel(channel)) last_[channel] = json;
   recorder_.message(channel, clock_.host_ns(unix_ns), json);
 }
 

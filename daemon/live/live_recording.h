@@ -80,13 +80,13 @@ class LiveRecording : public messages::Sink {
   const std::shared_ptr<Note> note_ = std::make_shared<Note>();
   std::mutex mutex_;  // guards what follows
   std::shared_ptr<const config::LoadedRun> run_;
-  std::map<messages::Channel, std::string> latched_;  // the last message of each latched channel
+  std::map<messages::Channel, std::string> last_;  // message of each recorded channel of a state
   record::Recorder recorder_;
 };
 
-/// Whether messages of that channel cannot be derived from the steps, so that they must be recorded
-/// when they are published.
-bool is_latched_or_event(messages::Channel channel);
+/// Whether messages of that channel are recorded when they are published, because they cannot be
+/// derived from the steps.
+bool is_recorded(messages::Channel channel);
 
 /// Makes DIRECTORY/YYYYMMDD-HHMMSS-NAME in local time, with -2, -3, ... after NAME if that folder
 /// already exists. Throws SetupError.

@@ -4,10 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "core/arithmetic.h"
+
 namespace tp100::model {
 namespace {
 
-constexpr double kGravityMps2 = 9.80665;
 constexpr double kFallStepS = 2.5e-4;
 constexpr double kMaxFallSteps = 2000.0;
 constexpr int kContactHalvings = 40;
@@ -118,7 +119,7 @@ bool StepClimb::lifts_off(double travel_m, double speed) const {
   const double q = curve_.past_near_edge_m(travel_m);
   const double ahead = q * std::cos(at.angle_rad) - height * std::sin(at.angle_rad);
   const double inertia = gyration_squared_m2_ + q * q + height * height;
-  return kGravityMps2 * ahead +
+  return kStandardGravityMps2 * ahead +
              speed * speed * (2.0 * q * at.rate_radpm + inertia * curve_.cross_bend(travel_m)) >=
          0.0;
 }
@@ -148,7 +149,7 @@ StepClimb::Fall StepClimb::fallen(const Fall& from, double arm, double speed, do
   const auto slope = [&](const Fall& y, double at) {
     const double q = arm + speed * at;
     const double ahead = q * std::cos(y.angle) - height * std::sin(y.angle);
-    return Fall{y.rate, -(kGravityMps2 * ahead + 2.0 * q * speed * y.rate) /
+    return Fall{y.rate, -(kStandardGravityMps2 * ahead + 2.0 * q * speed * y.rate) /
                             (gyration_squared_m2_ + q * q + height * height)};
   };
   const auto moved = [&](const Fall& k, double h) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "core/arithmetic.h"
 #include "core/faults.h"
 #include "messages/status_messages.h"
 #include "ros2/message_types.h"
@@ -20,7 +21,7 @@ constexpr HostNs kSlowPeriodNs = kNsPerS;  // of battery and state
 // Noise densities of the MPU6050 (data sheet rev 3.4, 6.1 and 6.2) through the low pass that the
 // firmware sets (42 and 44 Hz, of first order). [(rad/s)^2, (m/s^2)^2]
 const double kGyroVariance = square(0.005 * kRadPerDeg) * 42.0 * kPi / 2.0;
-const double kAccelVariance = square(400e-6 * 9.80665) * 44.0 * kPi / 2.0;
+const double kAccelVariance = square(400e-6 * kStandardGravityMps2) * 44.0 * kPi / 2.0;
 
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 

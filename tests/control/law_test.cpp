@@ -4,33 +4,29 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "lagging_robot.h"
 
 namespace tp100::control {
 namespace {
 
-class EveryLaw : public testing::TestWithParam<LawName> {
+class EveryLaw : public testing::TestWithParam<EnumName<LawName>> {
  protected:
   Parameters parameters() const {
     Parameters parameters;
-    parameters.law = GetParam();
+    parameters.law = GetParam().value;
     return parameters;
   }
 };
 
-std::string name_of(const testing::TestParamInfo<LawName>& param) {
-  switch (param.param) {
-    case LawName::kStanley:
-      return "Stanley";
-    case LawName::kPurePursuit:
-      return "PurePursuit";
-    case LawName::kLqr:
-      break;
-  }
-  return "Lqr";
+std::string name_of(const testing::TestParamInfo<EnumName<LawName>>& param) {
+  std::string name = param.param.name;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
 }
 
 TEST_P(EveryLaw, OnAStraightPathAsksForNothingWhenThereIsNoError) {
@@ -93,7 +89,8 @@ TEST_P(EveryLaw, StaysBoundedForAnyErrors) {
     for (const double heading : {-kPi, -1.5, 0.0, 0.4, kPi}) {
       for (const double speed : {0.0, 0.02, 0.1, 1.0, 5.0}) {
         for (const double curvature : {-20.0, 0.0, 3.0}) {
-          for (const double rate : {-10.0, 0.0, 10.0}) {
+          for (const auto& [rate, crab] : std::initializer_list<std::pair<double, double>>{
+                   {-10.0, 0.1}, {0.0, 0.0}, {0.0, -0.3}, {10.0, 0.3}}) {
             const double along = law->look_ahead_m(speed);
             ASSERT_TRUE(std::isfinite(along));
             ASSERT_GE(along, 0.0);
@@ -103,9 +100,10 @@ TEST_P(EveryLaw, StaysBoundedForAnyErrors) {
                             .yaw_rate_radps = rate,
                             .speed_mps = speed,
                             .curvature_1pm = curvature,
+                            .crab_rad = crab,
                             .ahead = {.along_m = along, .curvature_1pm = curvature}});
-            ASSERT_LE(std::abs(steering.yaw_rad), values.max_approach_rad + 1e-9)
-                << e << ' ' << heading << ' ' << speed << ' ' << rate;
+            ASSERT_LE(std::abs(steering.yaw_rad + crab), values.max_approach_rad + 1e-9)
+                << e << ' ' << heading << ' ' << speed << ' ' << rate << ' ' << crab;
             ASSERT_TRUE(std::isfinite(steering.yaw_rate_radps));
           }
         }
@@ -185,9 +183,7 @@ TEST_P(EveryLaw, CutsCornersByLessThanFourMillimetres) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Laws, EveryLaw,
-                         testing::Values(LawName::kStanley, LawName::kPurePursuit, LawName::kLqr),
-                         name_of);
+INSTANTIATE_TEST_SUITE_P(Laws, EveryLaw, testing::ValuesIn(kLawNames), name_of);
 
 // In continuous time without lag the equation has this solution: k_e = sqrt(q_e / r), k_psi =
 // sqrt((q_psi + 2 v sqrt(q_e r)) / r).

@@ -170,9 +170,9 @@ TEST(Tracker, AWholeTurnMoreOfThePosesYawChangesNothing) {
   const course::Course course = make_course(
       {course::Line{0.3}, course::Arc{0.3, 4.0}, course::Pivot{-2.0}, course::Line{0.3}});
   const course::Path path(course);
-  for (const LawName law : {LawName::kStanley, LawName::kPurePursuit, LawName::kLqr}) {
+  for (const auto& [law, name] : kLawNames) {
     for (const double turns : {-2.0, 1.0}) {
-      SCOPED_TRACE(testing::Message() << static_cast<int>(law) << " " << turns);
+      SCOPED_TRACE(testing::Message() << name << " " << turns);
       Parameters parameters;
       parameters.law = law;
       Tracker plain(parameters, path, {.speed_mps = course.speed_mps});

@@ -33,7 +33,7 @@ const kFigures: Figure[] = [
   },
   {
     id: 'heading-error',
-    label: 'heading',
+    label: 'heading error',
     unit: '°',
     topic: '/estimate',
     text: (store) => degrees(store.get('/estimate')?.heading_error_rad, 1),

@@ -49,7 +49,7 @@
     "against the command",                                                                       \
     "check gyro sign and tracks; identify the robot")                                            \
   X(20, tilt, "roll or pitch exceeds control.max_tilt_deg", "set the robot upright")             \
-  X(21, fence, "the reference point left the arena of the course",                               \
+  X(21, fence, "the reference point left the fence of the course",                               \
     "put the robot back to the start")                                                           \
   X(22, time_limit, "the run took longer than control.time_limit_factor allows",                 \
     "check for a slipping track and a low battery")                                              \
