@@ -42,7 +42,7 @@ struct ExternalTerrain {
 /// thread.
 class TerrainContacts {
  public:
-  /// `course` may be null: a plane without end.
+  /// `course` may be null: an unbounded plane.
   TerrainContacts(const Parameters& parameters, const course::Course* course);
   TerrainContacts(const TerrainContacts&) = delete;
   TerrainContacts& operator=(const TerrainContacts&) = delete;
@@ -51,18 +51,18 @@ class TerrainContacts {
   void steer_by(PoseSource steering) { steering_ = steering; }
   /// A run begins: the virtual robot stands where the real one does.
   void restart();
-  /// Robot and virtual robot are on level ground: resume() with transform() changes nothing, but
-  /// for the surface under the robot.
+  /// Robot and virtual robot are on level ground: resume() with transform() changes nothing except
+  /// the surface under the robot.
   bool level() const;
-  /// From the robot's floor into the course's world.
+  /// Transform from the robot's floor into the course's world.
   const Transform2d& transform() const { return transform_; }
   void resume(const Transform2d& transform) {
     restart();
     transform_ = transform;
   }
   void advance(const TerrainInput& in);
-  /// The external world decides: the virtual robot has its attitude and, if given, its pose. Call
-  /// it before advance().
+  /// Gives the virtual robot the external world's attitude and, if there is one, its pose. Call it
+  /// before advance().
   void set_external_terrain(const ExternalTerrain& external);
 
   /// The incline of the interval that advance() has just covered.
@@ -94,7 +94,7 @@ class TerrainContacts {
   PerSource<terrain::TerrainFollower> followers_;
   terrain::TerrainFollower virtual_;
   std::optional<double> mapped_pitch_rad_{};
-  Transform2d transform_{};  ///< of the virtual robot against the real one
+  Transform2d transform_{};  ///< from the real robot to the virtual one
   bool transform_received_ = false;
   std::optional<terrain::ContactState> external_{};
 };

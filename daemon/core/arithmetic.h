@@ -3,7 +3,7 @@
 // products and square roots are rounded alike everywhere (IEEE 754; the build neither fuses nor
 // vectorises them). The C library's functions are rounded by its version and by whether the
 // processor fuses multiplication and addition (FMA); with FMA those that are used here give equal
-// bits on x86-64 and 64-bit ARM, but for std::hypot and std::cbrt, which are therefore not used.
+// bits on x86-64 and 64-bit ARM, except std::hypot and std::cbrt, which are therefore not used.
 
 #include <cmath>
 #include <numbers>

@@ -15,8 +15,8 @@ using wire::Fault;
 using wire::fault_bit;
 using wire::FaultMask;
 
-/// Faults that a robot can latch. The daemon latches some of them too, e.g. a STOP; the others it
-/// latches alone.
+/// The robot's faults, bits 0 to 15. The daemon also latches STOP and those that it sees in samples
+/// during a run; bits 16 to 31 are faults of the daemon alone.
 inline constexpr FaultMask kRobotFaults = 0xFFFFU;
 /// The robot's faults that this version knows.
 inline constexpr FaultMask kKnownRobotFaults = 0
