@@ -44,7 +44,7 @@ struct EmulatedBody {
   double track_deficit_right = 0.160;
 };
 
-/// Law of the contact between tracks and ground: which body the emulated robot has (sim/body).
+/// Law of the contact between tracks and ground; it selects the emulated robot's body (sim/body).
 enum class ContactLaw {
   kOde,    ///< rigid-body contacts, on every terrain
   kShear,  ///< shear stress that builds up under each shoe, on level ground
@@ -153,7 +153,7 @@ struct Robot {
   std::string name;  ///< file stem, e.g. "end-loaded"
   std::string description;
   model::TrackParameters model{};
-  /// Fitted simpler forms of the model, which reports judge beside it; nothing: not fitted.
+  /// Fitted simpler forms of the model, which reports compare with it; nothing: not fitted.
   model::PerBaseline<std::optional<model::TrackParameters>> baselines{};
   /// Where values of `model` came from, by key: a comment "# From ..." in the file.
   std::map<std::string, std::string, std::less<>> origins;

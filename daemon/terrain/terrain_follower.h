@@ -47,7 +47,7 @@ class TerrainFollower {
   /// only; whether the course may be driven at all is decided by require_climbable.
   TerrainFollower(const World& world, const course::ShapeValues& shape);
 
-  /// The robot was moved: it is on none of the obstacles.
+  /// The robot was moved: it is not on any obstacle.
   void restart();
 
   /// One interval of `dt_s` that begins at `pose` with `distance_m` along the ground, without slip.
