@@ -37,8 +37,8 @@ class RunRecordings {
   std::shared_ptr<Note> note_ = std::make_shared<Note>();
 };
 
-/// Records record.black_box_s around a fault that occurs while nothing is recorded, one second of
-/// them after it.
+/// Records record.black_box_s around a fault that occurs while nothing is recorded; the last second
+/// of them follows the fault.
 class BlackBox : public messages::Sink {
  public:
   /// Most files that one run of the program keeps. The newest replaces the oldest, so that a fault

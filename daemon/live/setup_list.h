@@ -14,8 +14,8 @@ inline constexpr std::size_t kMaxOutline = 200;
 /// Throws SetupError if the course, the robot and the set-up of this run do not fit together.
 void require_fit(const config::RunSetup& run);
 
-/// All files with what a viewer shows of them, and whether each fits the rest of `run`, which is in
-/// force. Waits for the disk.
+/// All files with what a viewer shows of them, and whether each fits the rest of `run`, the present
+/// one. Waits for the disk.
 std::string setup_list(const config::SetupFiles& files, const config::LoadedRun& run);
 
 /// What is wrong with a file that may be only a draft, as JSON (CHANNELS.md, file_check): its first

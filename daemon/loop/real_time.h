@@ -18,8 +18,8 @@ struct ProcessRequest {
   bool lock_memory = true;
   bool hold_cpu_latency = true;  ///< keep the processor out of deep sleep: halves the wake-up time
   /// Schedule the kernel's unbound workers before ordinary programs (nice -20), if CAP_SYS_NICE
-  /// permits it; else nothing is said. They carry the bytes of every tty, ptys too, to its reader:
-  /// beside a browser they waited for 200 ms and more, which ends a run.
+  /// permits it; a refusal is not reported. They carry the bytes of every tty, also of a pty, to
+  /// its reader: beside a browser they waited for 200 ms and more, which ends a run.
   bool raise_kernel_workers = true;
 };
 
