@@ -12,7 +12,7 @@ namespace tp100::report {
 /// `text` with HTML's and SVG's five special characters escaped.
 std::string escaped(const std::string& text);
 
-/// How a cell is shown. What it means is in its text or its column as well.
+/// How a cell is shown. Its text or its column expresses the same.
 enum class Mark { kNone, kMissed, kBetter };
 
 /// One cell of a table.
