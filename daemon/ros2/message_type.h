@@ -123,7 +123,7 @@ class CdrReader {
   bool ok_ = true;
 };
 
-/// The message in these bytes; nothing: they are none of that type, whole, and little-endian.
+/// The message in these bytes; nothing unless they are a complete one of that type, little-endian.
 template <class Message>
 std::optional<Message> deserialized(std::span<const std::uint8_t> bytes) {
   constexpr std::size_t kHeader = 4, kPadding = 3;

@@ -48,16 +48,17 @@ struct HttpAnswer {
 
   /// Whether read() has the body.
   bool on_disk() const { return file || zip; }
-  /// Reads the next bytes of a body on the disk, which it waits for, and returns how many; 0: call
-  /// it again. Nothing: the body cannot be completed.
+  /// Reads the next bytes of a body on the disk, waiting for it, and returns how many; 0: call it
+  /// again. Nothing: the body cannot be completed.
   std::optional<std::size_t> read(std::span<char> into);
 };
 
 /// Returns the content of /api/setup, /courses/NAME.toml and /robots/NAME.toml, or nothing. It may
-/// wait for the disk, in another thread than the server's.
+/// wait for the disk, and is called in another thread than the server's.
 using SetupContent = std::function<std::optional<std::string>(std::string_view path)>;
 
-/// The list of runs as JSON. It may wait for the disk, in another thread than the server's.
+/// The list of runs as JSON. It may wait for the disk, and is called in another thread than the
+/// server's.
 using RunList = std::function<std::string()>;
 
 /// Sources of the content.

@@ -1,6 +1,6 @@
 #pragma once
-// The services of the protocol, and the arguments of their requests: what is wrong with them. Pure.
-// Treats them as hostile.
+// The services of the protocol, and checks of the arguments of their requests, which are treated as
+// hostile. Pure.
 
 #include <cstdint>
 #include <optional>
@@ -47,10 +47,10 @@ enum class Service : std::uint32_t {
 /// All of them, in the enum's order.
 const std::vector<ServiceText>& services();
 
-// Each returns why the arguments are refused, in one line; empty: they are not.
+// Each returns why the arguments are refused, in one line; empty: they are accepted.
 /// Whether the service knows their names.
 std::string unknown_argument(Service service, const Arguments& arguments);
-/// Of start; `here`: where the last run ended.
+/// Of start; `here`: start where the last run ended.
 std::string read_start(const Arguments& arguments, bool& here);
 /// Of record_start; it may stay empty.
 std::string read_record_name(const Arguments& arguments, std::string& name);
@@ -63,7 +63,7 @@ std::string read_file(const Arguments& arguments, SetupFile& file);
 /// Of run_note, run_delete, run_report, run_compare and run_identify.
 std::string read_run(Service service, const Arguments& arguments, RunRequest& request);
 
-/// Of parameters_save: names of `known` that may be saved, each with a value that it takes.
+/// Of parameters_save: names of `known` that may be saved, each with an allowed value.
 std::string read_parameters(const Arguments& arguments,
                             const std::vector<messages::ParameterText>& known,
                             ParameterSave& asked);
