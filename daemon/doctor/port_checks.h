@@ -28,7 +28,7 @@ struct ChosenPort {
 ChosenPort choose_port(const System& system, const std::string& port,
                        const std::vector<link::PortInfo>& ports, const std::string& open = {});
 
-/// udev's name for a device that survives replugging; empty if it has none.
+/// The name that udev gives a device and that survives replugging; empty if it has none.
 std::string stable_name(const System& system, const std::string& device);
 
 /// The program that has `device` open, as far as permissions show. Name: holder.
@@ -50,7 +50,7 @@ Account this_account();
 Findings permission_findings(const System& system, const std::string& device,
                              const Account& account, bool usable);
 
-// ModemManager sends AT commands to every new port that it takes for a modem: they reach the
+// ModemManager sends AT commands to every new port that it believes to be a modem: they reach the
 // bootloader and the firmware.
 
 /// Whether it runs, and whether a udev rule excludes `device`. Name: modem-manager.

@@ -1,6 +1,6 @@
 #pragma once
-// What doctor has to know of a robot, from the session that the running daemon has with it: the
-// port is never opened a second time. Pure; one thread.
+// Collects what doctor needs to know of a robot from the session that the running daemon has with
+// it: the port is never opened a second time. Pure; one thread.
 
 #include <cstddef>
 #include <cstdint>
