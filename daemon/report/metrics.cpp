@@ -375,7 +375,7 @@ RunFigures figures(const RunResult& run, const course::Course& course) {
                                    : pose_errors(run.points, estimate);
   }
   for (std::size_t i = 0; i < model::kBaselines.size(); ++i) {
-    // On a stand the truth is what the estimates say.
+    // On a stand the truth is an estimate itself.
     if (!run.baselines.forms[i] || run.setup == "stand") continue;
     const std::vector<Pose> poses =
         baseline_poses(run, model::kBaselines[i], *run.baselines.forms[i]);
