@@ -228,7 +228,7 @@ struct RecoverOptions {
   std::string out;  ///< empty: beside it, with -recovered before .mcap
 };
 
-/// What was saved.
+/// Result of a recovery.
 struct Recovered {
   std::string path;
   std::uint64_t messages = 0;

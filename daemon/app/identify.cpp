@@ -81,7 +81,7 @@ std::string today() {
   return text.data();
 }
 
-/// What the drives are identified against.
+/// Robot and configuration with which the drives are identified.
 struct Assumed {
   course::TextFile robot;
   config::Configuration configuration;
@@ -122,7 +122,7 @@ class Base {
   Assumed assumed_;
 };
 
-/// The name of the run's folder, or of a file of another name.
+/// The name of the run's folder, or of the file if it is not called run.mcap.
 std::string run_name(const std::string& path) {
   const std::filesystem::path file =
       std::filesystem::absolute(record::recording_file(path)).lexically_normal();

@@ -193,7 +193,8 @@ Replayed replay_steps(const Recording& recording, const bridge::Parameters& para
     }
     result.last_ns = recorded.now_ns;
     if (verify || recorded.inputs.restart.empty()) return step(recorded.inputs, recorded.now_ns);
-    // With other parameters only the beginning is as recorded, and the parameters are not.
+    // With other parameters only the state at the beginning is the recorded one, without its
+    // parameters.
     StepInputs inputs = recorded.inputs;
     inputs.restart[0].parameters.clear();
     if (result.steps > 0) inputs.restart.clear();

@@ -97,7 +97,7 @@ void require_consistent(const Parameters& parameters, const course::Course* cour
 control::DriveModel drive_of(const Parameters& parameters, double speed_mps);
 /// The course's fence; without a course, a rectangle without bounds.
 course::Fence fence_of(const course::Course* course);
-/// What the monitor compares the robot with; `course` may be null.
+/// The robot's values for the monitor; `course` may be null.
 control::MonitoredRobot monitored_robot(const Parameters& parameters, const course::Course* course);
 
 // Changes while the step runs.

@@ -116,10 +116,10 @@ class Perception {
   const Speeds& speeds() const { return speeds_; }
   /// False on a stand, where the body does not turn.
   bool gyro_steers() const { return parameters_.setup != Setup::kStand; }
-  /// Of the gyro's z axis; 0 until it is known.
+  /// Bias of the gyro's z axis; 0 until it is known.
   double gyro_bias_radps() const { return standstill_.bias_radps(); }
   bool gyro_bias_known() const { return standstill_.bias_known(); }
-  /// Of the real body.
+  /// Pitch of the real body.
   double pitch_rad() const { return attitude_.pitch_rad(); }
   /// On a real ramp or block (not a virtual one), by the map.
   bool on_obstacle() const;
@@ -128,7 +128,7 @@ class Perception {
   /// How often the camera contradicted the filter so much that the filter was reset.
   std::uint32_t contradictions() const { return filter_.recoveries(); }
 
-  /// Of the fused estimate.
+  /// Figures of the fused estimate.
   FilterFigures filter_figures(HostNs now) const { return filter_.figures(now); }
 
   /// Writes samples, poses, terrain and attitude at host time `now`.

@@ -69,7 +69,7 @@ class TerrainContacts {
   const model::Incline& incline(PoseSource source) const {
     return followers_[source].state().incline;
   }
-  /// The same as an estimator takes it.
+  /// The same incline, with height, attitude and slip, in the form that the estimators take.
   estimation::Ground ground(PoseSource source) const;
 
   /// Sets height, pitch and roll of each pose: those of its own terrain follower, or of the virtual

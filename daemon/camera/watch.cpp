@@ -198,7 +198,7 @@ std::string MarkerTracking::counts() const {
   return text;
 }
 
-/// Why there is no floor, after that text, or nothing.
+/// `before` and why there is no floor; empty if there is one.
 std::string MarkerTracking::floor_problem(const char* before) const {
   if (!observer_ || observer_->floor().plane()) return {};
   return before + observer_->floor().problem();

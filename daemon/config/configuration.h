@@ -104,7 +104,7 @@ struct Ros2Settings {
 /// Everything that a file can set. Privileges refused by the system are reported, but not fatal.
 struct Configuration {
   std::string robot = "end-loaded";  ///< bundled name or file
-  std::string course;   ///< bundled name or file; empty: none, the robot stays at standstill
+  std::string course;                ///< bundled name or file; empty: none, driving by hand only
   std::string library;  ///< folder with the user's own courses and robots; empty: the default
   LinkSettings link{};
   LoopConfiguration loop{};

@@ -31,12 +31,12 @@ enum class RobotRequest : std::uint8_t { kNone, kArm, kDisarm, kStop };
 
 /// Outcome of the last arm or disarm request.
 enum class RequestAnswer : std::uint8_t {
-  kNone,          ///< nothing yet, or nothing was asked
+  kNone,          ///< no answer yet, or no request
   kAcknowledged,  ///< the robot accepted it
   kFailed,        ///< the robot refused it, or did not acknowledge it in time
 };
 
-/// What an operator (keyboard, page, --go, signal) asks of the bridge.
+/// An operator's request to the bridge (by keyboard, page, --go or signal).
 enum class OperatorRequest : std::uint8_t {
   kStart,   ///< arm and begin the course; the robot stands at its start
   kHold,    ///< disarm, keep the session

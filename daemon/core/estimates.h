@@ -36,7 +36,7 @@ constexpr std::string_view to_string(PoseSource source) {
   return name_in(kPoseSourceNames, source);
 }
 
-/// What a source is made from, for tables.
+/// The inputs of a source, for tables.
 constexpr std::string_view inputs_of(PoseSource source) {
   switch (source) {
     case PoseSource::kModel:
@@ -101,7 +101,7 @@ struct PlanarCovariance {
 /// Stands for the variance of what is not estimated, as usual in ROS.
 inline constexpr double kUnknownVariance = 1e6;
 
-/// What the filter of the fused estimate says besides its pose and twist.
+/// Results of the filter of the fused estimate besides its pose and twist.
 struct FilterFigures {
   PlanarCovariance covariance{};  ///< of the pose, in the world frame, with the error common to all
                                   ///< images

@@ -38,8 +38,8 @@ constexpr bool armed(RunState state) {
 /// Armed or about to be: nothing else can begin.
 constexpr bool under_way(RunState state) { return state == RunState::kArming || armed(state); }
 
-/// Whether the last run ended before the end of its course, so that it can go on from where the
-/// estimates say that the robot is. `progress_m`, `length_m`: along the course.
+/// Whether the last run ended before the end of its course, so that it can be continued from the
+/// robot's estimated pose. `progress_m`, `length_m`: along the course.
 constexpr bool may_go_on(RunState state, double progress_m, double length_m) {
   return (state == RunState::kIdle || state == RunState::kAborted) && progress_m > 0.0 &&
          progress_m < length_m;

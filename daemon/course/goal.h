@@ -27,7 +27,7 @@ inline constexpr const char* kGoalCourse = "goal";
 /// TOML.
 TextFile course_to(const TextFile& course, const Goal& goal);
 
-/// What replaces the rest of a course file.
+/// The content that replaces the rest of a course file.
 struct OtherPath {
   std::string name;         ///< of the course
   std::string description;  ///< one line

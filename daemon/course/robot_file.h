@@ -70,8 +70,8 @@ inline constexpr std::array<EnumName<Floor>, 2> kFloorNames = {{
 }};
 constexpr const char* to_string(Floor floor) { return name_in(kFloorNames, floor); }
 
-/// What a seed draws of floor and robot where the floor is uneven. The values are ours: no
-/// measurement of such a floor is known to us.
+/// What a seed draws of floor and robot where the floor is uneven. The values are our own: we know
+/// of no measurement of such a floor.
 struct EmulatedVariation {
   double friction_sd = 0.08;    ///< over the floor, in parts of the friction
   double slip_sd = 0.01;        ///< over the floor, added to the track deficit; `ode` only

@@ -1,5 +1,6 @@
 #pragma once
-// What keeps a port from being used: which port is meant, permission, other programs, USB.
+// Checks of what can keep a port from being used: the choice of the port, permission, other
+// programs, USB.
 
 #include <sys/types.h>
 
@@ -42,7 +43,7 @@ struct Account {
   std::vector<gid_t> groups;  ///< of this session, including the primary one
 };
 
-/// Of this process.
+/// The account of this process.
 Account this_account();
 
 /// Whether the account may read and write `device`. `usable` is the result of System::usable; mode

@@ -1,5 +1,5 @@
 #pragma once
-// What the IMU shows of the body: roll and pitch from gyro and accelerometer (the gyro over short
+// The body's attitude from the IMU: roll and pitch from gyro and accelerometer (the gyro over short
 // times, gravity over long ones), and from the pitch alone, without map or camera, the slope and
 // the class of the obstacle under the robot.
 

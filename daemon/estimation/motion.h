@@ -1,5 +1,5 @@
 #pragma once
-// One sample interval as the estimators take it, the prediction of a state over it, and the
+// One sample interval as the input of the estimators, the prediction of a state over it, and the
 // measurements at its end.
 
 #include "core/estimates.h"
@@ -38,7 +38,7 @@ inline TrackSpeeds expected_speeds(const TrackSpeeds& tracks, const Ground& grou
   return {tracks.left_mps * (1.0 - ground.slip.left), tracks.right_mps * (1.0 - ground.slip.right)};
 }
 
-/// One interval, and the measurements that its end carries.
+/// One interval, and the measurements at its end.
 struct Motion {
   HostNs end_ns = 0;
   double dt_s = 0.0;

@@ -31,8 +31,8 @@ class SlipWalk {
   explicit SlipWalk(const LogLikelihoods& logs);
   const LogLikelihoods& log_likelihoods() const { return logs_; }
 
-  /// From one window to the next of `distance_m` each, the slip difference seen changed by
-  /// `change`, of which measurement noise explains `noise_sd` (> 0).
+  /// From one window to the next of `distance_m` each, the measured slip difference changed by
+  /// `change`, with measurement noise of `noise_sd` (> 0).
   void add(double change, double noise_sd, double distance_m);
   /// Root mean square of the step over all candidates. [1 / sqrt(m)]
   double step_rtm() const { return step_rtm_; }
@@ -44,7 +44,7 @@ class SlipWalk {
   double step_rtm_ = 0.0;
 };
 
-/// One sample interval, as bridge::SampleIntervals finds it.
+/// One sample interval, from bridge::SampleIntervals.
 struct FilterInput {
   HostNs end_ns = 0;  ///< when its last sample was measured, host's clock
   double dt_s = 0.0;  ///< device time

@@ -1,7 +1,7 @@
 #pragma once
 // One detection of an overhead camera as a datagram: the only definition of it, for tp100-camera
-// and the emulated camera, which send it, and for tp100d, which takes it. It stands beside the
-// frame codec because it is the same work: bytes to samples. No OpenCV, no socket, no clock.
+// and the emulated camera, which send it, and for tp100d, which takes it. It is beside the frame
+// codec because both turn bytes into samples. No OpenCV, no socket, no clock.
 //
 // A datagram is one JSON object of at most kMaxCameraDatagram bytes, UTF-8, no line end needed:
 //

@@ -25,7 +25,7 @@ struct SessionSettings {
   wire::Parameters parameters{};       ///< nonce and token are filled in by the session
   std::uint32_t baud = wire::kBaud;    ///< for wire times; 0: bytes take no time
   HostNs timeout_ns = 500 * kNsPerMs;  ///< no good frame for this long: link lost
-  /// No frame, or no answer, for this long after the port was opened: warn, and go on.
+  /// No frame, or no answer, for this long after the port was opened: warn, and continue.
   HostNs first_frame_timeout_ns = 5 * kNsPerS;
   HostNs clock_answer_ns = ClockSync::kAnswerNs;  ///< later answers to clock requests are not used
 };

@@ -1,6 +1,6 @@
 #pragma once
-// What a session reports to the operator; the session itself never logs. Plain data of fixed size:
-// it passes through the real-time thread's rings.
+// The events that a session reports to the operator; the session itself never logs. Plain data of
+// fixed size: it passes through the real-time thread's rings.
 
 #include <array>
 #include <cstddef>

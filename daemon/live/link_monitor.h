@@ -1,6 +1,6 @@
 #pragma once
-// Detects trouble on a link that stays up: frames that are corrupted, repeated or late. Reports it
-// as messages for the log and for viewers. No clock, no port.
+// Detects trouble on a link that is up: frames that are corrupted, repeated or late. Reports it as
+// messages for the log and for viewers. No clock, no port.
 
 #include <array>
 #include <cstdint>

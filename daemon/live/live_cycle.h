@@ -16,7 +16,7 @@
 
 namespace tp100::live {
 
-/// What a session reported.
+/// An event of a session.
 struct SessionReport {
   link::SessionEvent event{};
   wire::Hello hello{};  ///< as far as received
@@ -88,7 +88,7 @@ class LiveCycle : public loop::LoopClient {
   /// Gives the port back like a silent one, unless the robot is armed; then nothing happens.
   /// Afterwards only a person can start; nothing starts by itself. Any thread.
   void give_up_port() { give_up_port_.store(true, std::memory_order_release); }
-  /// As of the last step. Any thread.
+  /// The run state as of the last step. Any thread.
   RunState run_state() const { return shown_run_state_.load(std::memory_order_acquire); }
   /// Passes a change to the loop, which makes it when the robot stands still, unless a run begins
   /// first. The loop owns it until setup_done() returns it; only then pass the next one.

@@ -23,7 +23,7 @@ namespace tp100::live {
 /// $XDG_STATE_HOME/tp100 or ~/.local/state/tp100; empty if there is no home directory.
 std::string black_box_directory(const config::RecordSettings& settings);
 
-/// How long a recording of a run or a black box goes on after the run or the fault.
+/// How long a recording of a run or a black box continues after the run or the fault.
 inline constexpr HostNs kTailNs = kNsPerS;
 
 class LiveRecording : public messages::Sink {

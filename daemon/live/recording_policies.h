@@ -1,5 +1,5 @@
 #pragma once
-// When a running bridge records without being asked: each run, and the seconds around a fault.
+// Automatic recordings of a running bridge: each run, and the seconds around a fault.
 
 #include <deque>
 #include <memory>

@@ -77,7 +77,7 @@ void Ros2Requests::note(Note kind, HostNs now, const std::string& text) {
 }
 
 void Ros2Requests::refuse(ros2::Input input, HostNs now, const std::string& why) {
-  // By input.
+  // The kind of note for each input.
   constexpr std::array<Note, ros2::kInputCount> kNotes = {
       kVelocityRefused, kVelocityRefused, kDriveRefused, kPoseRefused,
       kGoalRefused,     kCourseRefused,   kStopped};

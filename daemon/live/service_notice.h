@@ -17,7 +17,7 @@ struct ServiceSettings {
   HostNs watchdog_ns = 0;  ///< longest time between two watchdog messages; 0: no limit
 };
 
-/// From NOTIFY_SOCKET, WATCHDOG_USEC and WATCHDOG_PID of the environment.
+/// Reads NOTIFY_SOCKET, WATCHDOG_USEC and WATCHDOG_PID of the environment.
 ServiceSettings service_settings();
 
 class ServiceNotice {

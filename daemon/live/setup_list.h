@@ -18,7 +18,7 @@ void require_fit(const config::RunSetup& run);
 /// one. Waits for the disk.
 std::string setup_list(const config::SetupFiles& files, const config::LoadedRun& run);
 
-/// What is wrong with a file that may be only a draft, as JSON (CHANNELS.md, file_check): its first
+/// Checks a file that may be only a draft; the result is JSON (CHANNELS.md, file_check): its first
 /// error with its place, else whether it fits the rest of `run`, and a course's length and time.
 /// Reads nothing.
 std::string checked_file(const config::LoadedRun& run, course::Bundled kind,

@@ -1,8 +1,8 @@
 #pragma once
 // The second thread of `tp100d run`: ports, log, operator, signals, figures. Exchanges data with
-// the real-time thread through its rings only. It takes STOP from the operator and feeds the
-// watchdog: until the robot is disarmed it never waits for a disk, nor for a lock that is held by a
-// thread waiting for one.
+// the real-time thread through its rings only. Because it accepts STOP from the operator and feeds
+// the watchdog, it waits, until the robot is disarmed, neither for a disk nor for a lock that is
+// held by a thread waiting for one.
 
 #include <memory>
 #include <optional>

@@ -85,7 +85,7 @@ class LoopClient {
   /// Bytes to write, in order.
   virtual std::span<const std::uint8_t> output() = 0;
   virtual void written(std::size_t n) = 0;
-  /// The port did not accept the bytes in time.
+  /// The port did not accept the bytes in time: they are to be dropped.
   virtual void drop_output() = 0;
 
   /// True while bytes should be read as soon as they arrive, because their time of arrival matters.

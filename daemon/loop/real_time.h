@@ -13,7 +13,7 @@ struct Privilege {
   std::string fix;  ///< how to get it; empty if granted
 };
 
-/// For the whole process.
+/// Privileges for the whole process.
 struct ProcessRequest {
   bool lock_memory = true;
   bool hold_cpu_latency = true;  ///< keep the processor out of deep sleep: halves the wake-up time
@@ -23,7 +23,7 @@ struct ProcessRequest {
   bool raise_kernel_workers = true;
 };
 
-/// For one thread.
+/// Privileges for one thread.
 struct ThreadRequest {
   int priority = 80;  ///< SCHED_FIFO; 0: ordinary scheduling
   int cpu = -1;       ///< -1: any
@@ -48,7 +48,7 @@ class RealTimeProcess {
   bool workers_raised_ = false;
 };
 
-/// For the calling thread; also sets its timer slack to 1 ns and touches its stack.
+/// Requests them for the calling thread; also sets its timer slack to 1 ns and touches its stack.
 std::vector<Privilege> apply_to_this_thread(const ThreadRequest& request);
 
 }  // namespace tp100::loop

@@ -44,7 +44,7 @@ void to_json(Json& json, const Durations& durations) {
 
 /// Adds a duration, unless it is negative, not a number or longer than 30 years.
 void add_us(Histogram& histogram, double us);
-/// Those of a histogram of nanoseconds.
+/// The durations of a histogram of nanoseconds.
 Durations durations_of(const Histogram& histogram);
 
 /// Upper edges of the lateness histogram [us]; an additional last bin counts everything above.
@@ -106,7 +106,7 @@ struct StopFigures {
   double acknowledged_ms = 0.0;
 };
 
-/// Who drives by hand.
+/// The client that drives by hand.
 struct DriverFigures {
   std::string by;        ///< empty: nobody
   bool fresh = false;    ///< the driver's input is fresh

@@ -172,9 +172,10 @@ bool turns_at(const course::Path& path, double progress_m) {
   });
 }
 
-/// Of the points [begin, end), all while the robot turns at one place: some are compared with the
-/// path before it, one with the place itself, the others with the path after it. Which one is
-/// chosen as for the Frechet distance: so that the largest distance is smallest.
+/// Adds the deviations of the points [begin, end), at all of which the robot turns at one place:
+/// some are compared with the path before it, one with the place itself, the others with the path
+/// after it. That one is chosen as for the Frechet distance: so that the largest distance is
+/// smallest.
 void add_turn(const course::Path& path, const TrajectoryPoint* begin, const TrajectoryPoint* end,
               std::vector<Deviation>& deviations) {
   const double at_m = begin->progress_m;

@@ -116,8 +116,8 @@ PoseErrors pose_errors_between(const std::vector<TrajectoryPoint>& points,
                                const std::vector<DisturbanceWindow>& disturbances,
                                const PoseOf& estimate);
 
-/// What pose_errors_between() judges: a pose for each point, none within a disturbance, and the
-/// points at which it was reset.
+/// The poses that pose_errors_between() compares with the truth: one for each point, none within a
+/// disturbance, and the points at which it was reset.
 struct RestartedPoses {
   std::vector<std::optional<Pose>> poses;
   std::vector<std::size_t> restarts;

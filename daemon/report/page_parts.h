@@ -1,5 +1,5 @@
 #pragma once
-// What the page of one run and that of several have in common: texts and rows of tables.
+// Parts that the page of one run and that of several have in common: texts and rows of tables.
 
 #include <cstdint>
 #include <optional>
@@ -13,9 +13,9 @@
 
 namespace tp100::report {
 
-/// With so many decimals; "-" if it is not finite.
+/// `value` with `count` decimals; "-" if it is not finite.
 std::string decimals(double value, int count);
-/// On one line of bounded length.
+/// `text` on one line of bounded length.
 std::string plain(const std::string& text);
 /// Course, robot, set-up.
 std::string title_of(const RecordedRun& run);

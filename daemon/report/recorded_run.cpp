@@ -78,7 +78,7 @@ class Reader {
   double step_jitter_us_ = 0.0;
   double cross_track_squares_ = 0.0;
   std::uint64_t estimated_steps_ = 0;
-  // Of the newest sample seen, and of the last point.
+  // Times of the newest sample seen, and of the last point.
   DeviceUs device_us_ = -1;
   HostNs point_ns_ = std::numeric_limits<HostNs>::min();
   double behind_x_m_ = 0.0, behind_y_m_ = 0.0;

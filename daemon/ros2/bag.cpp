@@ -91,7 +91,7 @@ class Bag {
               quoted(qos_text(channel.text.qos)) +
               "\n      message_count: " + std::to_string(channel.messages) + "\n";
     }
-    // The same facts of the bag and of its only file.
+    // The facts that the bag and its only file have in common.
     const auto facts = [&](const std::string& indent) {
       return indent + "starting_time:\n" + indent +
              "  nanoseconds_since_epoch: " + std::to_string(begin_ns) + "\n" + indent +

@@ -16,7 +16,7 @@
 
 namespace tp100::ros2 {
 
-/// What other programs are told about a message type.
+/// The description of a message type for other programs.
 struct MessageType {
   std::string_view name;      ///< as ROS 2 prints it: nav_msgs/msg/Odometry
   std::string_view dds_name;  ///< the same for DDS: nav_msgs::msg::dds_::Odometry_

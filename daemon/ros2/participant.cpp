@@ -237,7 +237,7 @@ struct QosOf {
   dds_qos_t* dds;
 };
 
-/// One topic's publisher.
+/// The publisher of one topic.
 struct Writer {
   dds_entity_t entity = 0;
   const ddsi_sertype* type = nullptr;
@@ -246,7 +246,7 @@ struct Writer {
   void write(Bytes cdr) const { dds_writecdr(entity, new CdrData(type, SDK_DATA, std::move(cdr))); }
 };
 
-/// One topic's reader.
+/// The subscription to one topic.
 struct Reader {
   Input input{};
   dds_entity_t entity = 0;

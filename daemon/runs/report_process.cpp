@@ -22,8 +22,8 @@ namespace {
 constexpr std::size_t kMaxKept = 4096;
 constexpr std::size_t kMaxLine = 300;
 
-/// How the program begins: standard error into `errors`, standard output into a file, no other
-/// files, no blocked signals.
+/// The state in which the program begins: standard error into `errors`, standard output into a
+/// file, no other files, no blocked signals.
 class Beginning {
  public:
   Beginning(int errors, const std::string& output) {

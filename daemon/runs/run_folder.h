@@ -18,7 +18,7 @@ inline constexpr std::size_t kMaxFileName = 128;
 /// first.
 bool is_run_name(std::string_view name);
 
-/// What a file of a run is, by the end of its name.
+/// The type of a file of a run, by the end of its name.
 struct RunFileType {
   std::string_view end;  ///< ".mcap"
   std::string_view kind;

@@ -19,7 +19,7 @@ struct RunNote {
   bool empty() const { return name.empty() && note.empty() && tags.empty() && !keep; }
 };
 
-/// What changes; the rest stays.
+/// A change of a note: absent fields stay as they are.
 struct RunNoteChange {
   std::optional<std::string> name{}, note{}, tags{};
   std::optional<bool> keep{};

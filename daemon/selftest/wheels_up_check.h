@@ -17,7 +17,7 @@
 
 namespace tp100::selftest {
 
-/// Why something is refused while a check is on.
+/// Reason of refusals while a check is under way.
 inline constexpr const char* kTracksRun = "a check of the tracks is under way; wait for its end";
 
 class WheelsUpCheck : public doctor::Operator {

@@ -42,7 +42,7 @@ struct ParameterSave {
   bool check = false;  ///< only reports what would change; writes nothing
 };
 
-/// What is examined at a time, in the order of `tp100d doctor`.
+/// The part that is examined at a time, in the order of `tp100d doctor`.
 enum class DoctorPart { kPort, kRobot, kMachine };
 
 /// A viewer's sign of life in the check of the tracks.
@@ -73,12 +73,12 @@ class Controls {
   virtual ~Controls() = default;
 
   // Each returns why it is impossible, in one line; empty: accepted.
-  /// At the course's start.
+  /// Starts a run at the course's start.
   virtual std::string start() = 0;
-  /// Where the last run ended.
+  /// Starts a run where the last one ended.
   virtual std::string go_on() = 0;
   virtual std::string hold() = 0;
-  /// Of a run on the course.
+  /// Pauses or resumes a run on the course.
   virtual std::string pause() = 0;
   virtual std::string resume() = 0;
   /// Cannot be refused.
@@ -136,7 +136,7 @@ class Controls {
   virtual messages::LoopFigures loop() = 0;
   virtual messages::PortFigures port() = 0;
   virtual messages::RecordingFigures recording() = 0;
-  /// What a start requires now.
+  /// The consent that a start requires now.
   virtual StartConsent start_consent() = 0;
 };
 

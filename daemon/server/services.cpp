@@ -323,7 +323,7 @@ std::string read_parameters(const Arguments& arguments,
 
 namespace {
 
-/// Of run_identify.
+/// Reads the arguments of run_identify.
 std::string read_drives(const Arguments& arguments, RunRequest& request) {
   request.what = RunRequest::What::kIdentify;
   request.measured = text_of(arguments, "measured").value_or("");

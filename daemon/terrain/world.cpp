@@ -137,7 +137,7 @@ void Profile::lift(const Places& places, ObstacleClass what, std::span<double> w
                    std::span<ObstacleClass> ground) const {
   const double radius = places.radius_m;
   const double last = static_cast<double>(wheel.size()) - 1.0;
-  // Each corner and each edge is below a few neighbouring positions only.
+  // Each corner and each edge lies below only a few neighbouring positions.
   const auto each = [&](double from_m, double to_m, const auto& height_at) {
     const double from = std::max(std::ceil((from_m - places.first_m) / places.step_m), 0.0);
     const double to = std::min(std::floor((to_m - places.first_m) / places.step_m), last);

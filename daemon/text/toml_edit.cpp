@@ -42,7 +42,7 @@ class Editor {
     } else if (table->is_inline()) {
       fail(holder, "is written on one line");
     } else {
-      // A table without a header of its own has dotted keys.
+      // The keys of a table without a header of its own are dotted.
       const bool headed =
           table == &root_ || text_.compare(offset(table->source().begin), 1, "[") == 0;
       added_[end_of(*table)] += std::string(headed ? key : name) + line;
