@@ -245,7 +245,7 @@ GuidedDrives drive_by_itself(const GuidedOptions& options, const course::Robot& 
       identify::prior_of(robot, configuration.parameters.model.turning_threshold_radps), area,
       settings);
   RunOptions run = options.run;
-  // The camera knows where the robot is, whatever it slips.
+  // With a camera the fused pose is right whatever the robot's slip is.
   if (settings.camera) run.config = with_fused_steering(run.config, options.folder);
   // The robot with the values found so far, so that it follows each path better.
   run.robot = options.folder + "/robot.toml";

@@ -37,8 +37,8 @@ struct ExternalTerrain {
 /// On `terrain` each pose follows the obstacles with the IMU's attitude. On `flat` and `stand`
 /// the real robot stays level: the poses are its poses on the floor, and one more robot, the
 /// virtual one, follows the obstacles with the same tracks. It falls behind the real one by what
-/// slope, slip on the slope and climbing cost; turns are common to both. An external world can say
-/// how the virtual robot stands, and where. No allocation after construction; safe in the real-time
+/// slope, slip on the slope and climbing cost; turns are common to both. An external world can set
+/// the virtual robot's attitude and pose. No allocation after construction; safe in the real-time
 /// thread.
 class TerrainContacts {
  public:

@@ -21,7 +21,7 @@ const Marker* find(std::span<const Marker> markers, int id) {
   const Marker* found = nullptr;
   for (const Marker& marker : markers) {
     if (marker.id != id) continue;
-    // If it is found twice, one of the two is not ours.
+    // If it is found twice, one of the two is somebody else's.
     if (found != nullptr) return nullptr;
     found = &marker;
   }

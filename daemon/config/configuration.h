@@ -98,7 +98,7 @@ struct ServerConfiguration {
 struct Ros2Settings {
   bool enabled = false;
   int domain = -1;               ///< -1: ROS_DOMAIN_ID, or 0 without it
-  std::string interface = "lo";  ///< empty: as CYCLONEDDS_URI says, or Cyclone DDS's own choice
+  std::string interface = "lo";  ///< empty: by CYCLONEDDS_URI, or Cyclone DDS's own choice
 };
 
 /// Everything that a file can set. Privileges refused by the system are reported, but not fatal.

@@ -39,10 +39,10 @@ class PivotProfile {
 
 /// If the turning centre lies `x_icr_m` ahead, a rotation moves the reference point sideways: at a
 /// right angle it ends 1.41 |x_icr_m| beside the corner. The turning centre itself moves like a
-/// wheel, only along the heading. It is therefore led around the corner: on an arc from the first
-/// line towards the second one, and on the spot where it meets that line; if it lies behind the
-/// reference point, the same backwards. Of all such trajectories this one keeps the reference point
-/// nearest to the path: within 0.22 |x_icr_m| at a right angle.
+/// wheel, only along the heading. It is therefore guided around the corner: on an arc from the
+/// first line towards the second one, with a turn on the spot where it meets that line; if it lies
+/// behind the reference point, the same in reverse order. Of all such trajectories this one keeps
+/// the reference point nearest to the path: within 0.22 |x_icr_m| at a right angle.
 /// Disturbances of the turn, such as a slipping track, are corrected as far as tracks can, which is
 /// along the heading: the robot is to end the turn on the next line.
 /// SI units. No allocation. Only the constructor takes long, because it searches.

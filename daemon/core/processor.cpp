@@ -2,7 +2,7 @@
 
 #include <gnu/libc-version.h>
 #ifdef __x86_64__
-// The header names C's own type, which only GCC knows in C++.
+// The header uses C's own type, which only GCC accepts in C++.
 #define _Bool bool  // NOLINT(bugprone-reserved-identifier)
 #include <sys/platform/x86.h>
 #undef _Bool

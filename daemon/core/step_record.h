@@ -85,8 +85,8 @@ struct Snapshot {
                                                  ///< last sample interval
   FilterFigures filter{};                        ///< of the fused estimate
   /// The steering pose in the course's world. Where ramps and blocks are virtual, the robot on them
-  /// is slower than the one on the floor: x and y lag behind. Elsewhere it equals the steering
-  /// pose.
+  /// is slower than the one on the floor: x and y lag behind. An external world may own this pose.
+  /// Otherwise it equals the steering pose.
   Pose world{};
   TerrainContact terrain_contact{};
   double left_mps = 0.0;  ///< track speeds over the last sample interval

@@ -1,5 +1,5 @@
 #pragma once
-// What the daemon knows of a robot besides its model: measured sizes, wiring and drive.
+// The daemon's data of a robot besides its model: measured sizes, wiring and drive.
 
 namespace tp100::course {
 

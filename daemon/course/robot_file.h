@@ -36,7 +36,7 @@ struct EmulatedBody {
   double com_left_m = 0.0;
   double mid_lift_m = 0.0003;  ///< mid stations above the end stations: 0.3 mm loads the ends only
   double friction = 0.9;
-  double slick_m = 0.0;       ///< stretch of each track that is worn smooth; it comes round again
+  double slick_m = 0.0;  ///< length of each track that is worn smooth, on the ground once a turn
   double slick_factor = 0.5;  ///< on the friction of that stretch
   double creep_left = 0.148;  ///< contact creep, slip per unit of traction / weight
   double creep_right = 0.148;
@@ -75,7 +75,7 @@ constexpr const char* to_string(Floor floor) { return name_in(kFloorNames, floor
 struct EmulatedVariation {
   double friction_sd = 0.08;    ///< over the floor, in parts of the friction
   double slip_sd = 0.01;        ///< over the floor, added to the track deficit; `ode` only
-  double correlation_m = 0.3;   ///< distance within which the floor is much the same
+  double correlation_m = 0.3;   ///< distance within which the floor hardly changes
   double tile_m = 0.0;          ///< side of square tiles that differ from each other; 0: none
   double tension_sd = 0.005;    ///< of each track deficit, from run to run; `ode` only
   double payload_sd_m = 0.002;  ///< of the centre of mass, forward and to the left

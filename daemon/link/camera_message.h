@@ -19,8 +19,7 @@
 //   stamp_us  integer  0 to 2^53, when the image was taken (the middle of its exposure) on that
 //                      clock. Microseconds, so that readers with doubles lose nothing
 //   age_us    integer  0 to 10^7, from that instant to the sending, on the same clock. A receiver
-//                      on another machine knows from it when the image was taken but for the time
-//                      on the way
+//                      on another machine subtracts it, so that only the transit time is unknown
 //   marker    integer  0 to 10^6, id of the marker
 //   x_m, y_m  number   -1000 to 1000, middle of the marker in the world frame (REP-103: z up), seen
 //                      in the plane at the marker's height over a flat floor: see CameraSample

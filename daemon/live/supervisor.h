@@ -34,7 +34,7 @@ struct SupervisorSettings {
   bool ran_before = false;  ///< as in StartFacts
   std::optional<double> duration_s;
   std::string stats_path;
-  std::string course;  ///< names for log and figures; an empty course is none
+  std::string course;  ///< names for log and figures; empty: no course
   std::string robot;
   std::string setup;
   bool verbose = false;  ///< log the loop's timing once a second

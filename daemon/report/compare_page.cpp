@@ -11,7 +11,7 @@
 namespace tp100::report {
 namespace {
 
-/// The runs and what they are judged by, one each.
+/// The runs and the errors of each.
 struct Compared {
   const std::vector<ComparedRun>& runs;
   const std::vector<std::optional<RunFigures>>& judged;
@@ -129,7 +129,7 @@ Rows difference_rows(const Compared& all) {
   return rows;
 }
 
-/// Runs that differ from the base run in what was driven: their differences say little.
+/// Names of the runs whose course or set-up differs from that of the base run.
 std::string unlike_base(const Compared& all) {
   std::string names;
   for (const ComparedRun& one : all.runs)

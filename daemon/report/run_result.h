@@ -33,8 +33,8 @@ inline PoseSd pose_sd(const FilterFigures& filter) {
 struct TrajectoryPoint {
   double t_s = 0.0;  ///< from the start of the run
   Pose truth{};      ///< exact pose of the reference point; on a stand the steering pose
-  Pose world{};      ///< in the course's world, judged against the path; behind `truth` by the
-                     ///< distance that virtual obstacles cost
+  Pose world{};  ///< in the course's world, compared with the path; behind `truth` by the distance
+                 ///< that virtual obstacles cost
   PerSource<Pose> estimates{};  ///< valid where RunResult::has_estimate()
   PoseSd fused_sd{};            ///< of the fused pose, which is odometry's without a camera
   /// Along the path, as estimated by the controller; distinguishes crossing segments.

@@ -41,7 +41,7 @@ struct Received {
   Input input{};
   std::uint64_t writer = 0;     ///< no other writer of this domain has it
   std::int64_t written_ns = 0;  ///< Unix time by the writer's own clock
-  std::int64_t taken_ns = 0;    ///< the same by ours
+  std::int64_t taken_ns = 0;    ///< Unix time of arrival, by our clock
   std::span<const std::uint8_t> cdr{};
   bool gone = false;  ///< no message: no writer is left on this topic
 };

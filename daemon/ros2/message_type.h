@@ -127,7 +127,7 @@ class CdrReader {
 template <class Message>
 std::optional<Message> deserialized(std::span<const std::uint8_t> bytes) {
   constexpr std::size_t kHeader = 4, kPadding = 3;
-  // The last two bytes may say how much is padding.
+  // The last two bytes of the header may give the size of the padding.
   if (bytes.size() < kHeader || bytes[0] != 0 || bytes[1] != 1) return std::nullopt;
   CdrReader reader(bytes.subspan(kHeader));
   Message message{};

@@ -39,10 +39,10 @@ struct HttpAnswer {
   unsigned status = 200;
   std::string type = "text/plain; charset=utf-8";
   std::vector<std::pair<std::string, std::string>> headers;
-  std::string body;                        ///< or
-  std::span<const unsigned char> bytes{};  ///< or
-  runs::OpenFile file{};                   ///< or
-  std::unique_ptr<runs::RunZip> zip{};     ///< or nothing
+  std::string body;                        ///< the body, unless one of the next three has it
+  std::span<const unsigned char> bytes{};  ///< of a file of the page
+  runs::OpenFile file{};                   ///< a part of a file on the disk
+  std::unique_ptr<runs::RunZip> zip{};     ///< an archive, made while it is sent
   std::uint64_t offset = 0;                ///< of the part in the file
   std::uint64_t length = 0;                ///< of the body, wherever it is
 
