@@ -112,7 +112,7 @@ FileKind file_kind(const std::string& text, const std::string& file) {
     for (const auto& [name, kind] : kWords)
       if (name == word) ++votes[static_cast<std::size_t>(kind)];
   }
-  // The one key that every campaign needs, against the many that it shares with a configuration.
+  // The one key that every campaign needs outweighs the many that it shares with a configuration.
   if (root.has("runs")) votes[static_cast<std::size_t>(FileKind::kCampaign)] += 4;
   // Two kinds of files have a table [model].
   if (root.has("model")) {

@@ -56,7 +56,7 @@ std::string ports_text(const std::vector<link::PortInfo>& ports,
                        const std::vector<std::string>& stable_names,
                        const std::vector<link::PassedOver>& passed_over);
 
-/// The command. Always 0. Throws SetupError.
+/// The command. Returns 0. Throws SetupError.
 int run_ports();
 
 // `tp100d check`: validates files.
@@ -97,7 +97,7 @@ struct GuidedOptions {
   std::vector<std::string> courses;  ///< bundled names or files; empty: calibration_courses
   int repeats = 2;                   ///< of each drive
   std::string folder;  ///< for the recordings, one CSV file per drive; created if absent
-  double narrow = identify::AutoSettings{}.narrow;  ///< of drive_by_itself
+  double narrow = identify::AutoSettings{}.narrow;  ///< for drive_by_itself()
 };
 /// The course whose fence holds the manoeuvres if none is given.
 inline constexpr const char* kAutoArea = "1-straight";
@@ -115,9 +115,9 @@ struct GuidedDrives {
 GuidedDrives drive_guided(const GuidedOptions& options, const course::Robot& robot);
 
 /// The same with manoeuvres that it chooses (identify/next_manoeuvre.h), inside the fence of the
-/// only course of `options`. With a camera each begins where the last one ended; without one the
-/// robot is put back to the start each time and its end asked for. Courses and the robot file as
-/// known so far are kept in the folder, too.
+/// only course of `options`. With a camera each begins where the last one ended; without one a
+/// person puts the robot back to the start each time and enters where it ended. The folder also
+/// keeps the courses and the robot file as known so far.
 GuidedDrives drive_by_itself(const GuidedOptions& options, const course::Robot& robot,
                              const config::Configuration& configuration);
 
@@ -128,24 +128,25 @@ struct IdentifyOptions {
   std::string out;                ///< robot file to write
   std::string robot;              ///< source of all other values; empty: the configuration's
   std::string measured;           ///< CSV file of hand measurements; empty: none
-  std::string config;  ///< empty: without `robot` those of the recordings, if there are any; else
-                       ///< defaults
+  std::string config;  ///< empty: the recordings' robot and configuration, unless `robot` is given
+                       ///< or it drives; else defaults
   std::string date;    ///< date of the runs for the file; empty: today
   bool drive = false;  ///< drive the calibration courses first
-  bool by_itself = false;   ///< it chooses what to drive instead
+  bool by_itself = false;   ///< drive manoeuvres that it chooses instead
   bool json = false;        ///< print JSON
   bool background = false;  ///< see become_background()
   GuidedOptions guided{};   ///< options of the drives; robot and configuration are taken from above
 };
 
-/// The command. Prints the report; writes a file only if everything succeeded. Exit status, 1 if a
-/// drive was not completed or, of `by_itself`, an interval stayed too wide; throws SetupError.
+/// The command. Prints the report; writes a file only if everything succeeded. Returns the exit
+/// status: 1 if a drive was not completed or, with `by_itself`, a confidence interval stayed too
+/// wide. Throws SetupError.
 int run_identify(const IdentifyOptions& options);
 
 // `tp100d replay`: runs track speeds of a CSV file through the model, or a recording through the
 // step, and writes a CSV file of poses.
 
-/// Which estimate is replayed; of a speeds file only the model and odometry.
+/// Which estimate is replayed; for a speeds file only the model and odometry.
 struct ReplayModel {
   PoseSource source = PoseSource::kModel;
   bool paper = false;  ///< the model as eqs 1-5 with the paper's constants
@@ -227,7 +228,7 @@ struct RecoverOptions {
   std::string out;  ///< empty: beside it, with -recovered before .mcap
 };
 
-/// What was saved.
+/// Result of a recovery.
 struct Recovered {
   std::string path;
   std::uint64_t messages = 0;

@@ -42,7 +42,8 @@ std::atomic<bool> stop{false};
 
 void on_signal(int) { stop = true; }
 
-/// Whoever runs the command: asked on standard error, answers on standard input.
+/// The person who runs the command: questions go to standard error, answers come from standard
+/// input.
 class Terminal : public doctor::Operator {
  public:
   void say(const std::string& line) override { std::fprintf(stderr, "%s\n", line.c_str()); }
@@ -93,7 +94,7 @@ std::optional<std::string> Terminal::take_answer() {
   return line;
 }
 
-// Of a terminal; a pipe keeps its lines.
+// Discards what was typed at a terminal; a pipe keeps its lines.
 void Terminal::drop_typed_ahead() {
   if (::isatty(STDIN_FILENO) == 0) return;
   ::tcflush(STDIN_FILENO, TCIFLUSH);

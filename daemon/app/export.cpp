@@ -180,7 +180,7 @@ std::optional<std::string> jpeg_of(std::string_view json) {
 
 void export_images(const Recording& recording, const std::filesystem::path& folder) {
   text::make_folder(folder);
-  // As tp100-camera reads a folder of images.
+  // In the format in which tp100-camera reads a folder of images.
   Product times(folder, "times.csv");
   times.file().write("file,t_s\n");
   const std::int64_t start_unix_ns = recording.start_unix_ns();

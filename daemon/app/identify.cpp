@@ -81,7 +81,7 @@ std::string today() {
   return text.data();
 }
 
-/// What the drives are identified against.
+/// Robot and configuration with which the drives are identified.
 struct Assumed {
   course::TextFile robot;
   config::Configuration configuration;
@@ -122,7 +122,7 @@ class Base {
   Assumed assumed_;
 };
 
-/// The name of the run's folder, or of a file of another name.
+/// The name of the run's folder, or of the file if it is not called run.mcap.
 std::string run_name(const std::string& path) {
   const std::filesystem::path file =
       std::filesystem::absolute(record::recording_file(path)).lexically_normal();
@@ -245,7 +245,7 @@ GuidedDrives drive_by_itself(const GuidedOptions& options, const course::Robot& 
       identify::prior_of(robot, configuration.parameters.model.turning_threshold_radps), area,
       settings);
   RunOptions run = options.run;
-  // The camera knows where the robot is, whatever it slips.
+  // With a camera the fused pose is right whatever the robot's slip is.
   if (settings.camera) run.config = with_fused_steering(run.config, options.folder);
   // The robot with the values found so far, so that it follows each path better.
   run.robot = options.folder + "/robot.toml";

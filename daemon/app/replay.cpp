@@ -174,7 +174,7 @@ config::RunFiles recorded_files(const Recording& recording) {
   const auto setup = bridge::setup_named(recording.fact("setup"));
   if (!setup) throw SetupError(recording.path() + ": the set-up is not in it");
   files.setup = *setup;
-  // Recordings without this fact had the only kind of that time.
+  // Recordings without this fact are from a time with one kind only.
   files.world = bridge::world_kind_named(recording.fact("world")).value_or(files.world);
   return files;
 }
@@ -193,7 +193,8 @@ Replayed replay_steps(const Recording& recording, const bridge::Parameters& para
     }
     result.last_ns = recorded.now_ns;
     if (verify || recorded.inputs.restart.empty()) return step(recorded.inputs, recorded.now_ns);
-    // With other parameters only the beginning is as recorded, and the parameters are not.
+    // With other parameters only the state at the beginning is the recorded one, without its
+    // parameters.
     StepInputs inputs = recorded.inputs;
     inputs.restart[0].parameters.clear();
     if (result.steps > 0) inputs.restart.clear();
@@ -252,7 +253,7 @@ int run_replay_recording(const ReplayOptions& options) {
 
   const std::string& path = recording.path();
   const std::string recorded_on = text::one_line(recording.fact(config::kArithmeticFact), 60);
-  // Recordings without this fact are taken for this processor's.
+  // Recordings without this fact are assumed to be of this kind of processor.
   const bool elsewhere = !recorded_on.empty() && recorded_on != arithmetic();
   const std::string processors =
       elsewhere ? "recorded on " + recorded_on + ", replayed on " + arithmetic() : "";
@@ -344,7 +345,7 @@ std::string replay_csv(const std::string& text, const std::string& file, ReplayM
 }
 
 int run_replay(const ReplayOptions& options) {
-  // A corrupted recording is no table.
+  // A corrupted recording must not be read as a CSV file.
   if (record::is_recording(options.in) || options.in.ends_with(".mcap"))
     return run_replay_recording(options);
   config::Configuration configuration;

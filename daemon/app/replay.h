@@ -1,7 +1,7 @@
 #pragma once
 // `tp100d replay` of a recording: runs its inputs through the step again and checks whether every
 // pose and command is reproduced: bit for bit, or, if it was recorded on another kind of processor
-// (core/arithmetic.h), but for rounding.
+// (core/arithmetic.h), except for rounding.
 
 #include <functional>
 #include <optional>
@@ -24,16 +24,15 @@ struct Replayed {
   std::uint64_t steps = 0;   ///< replayed
   std::uint64_t before = 0;  ///< of them before the recording, to reach its initial state
   HostNs last_ns = 0;        ///< time of the last step that was compared
-  /// First step after missing ones; they end the replay, since the state after them is unknown.
+  /// First step after a gap. A gap ends the replay, since the state after it is unknown.
   std::optional<std::uint64_t> gap_before;
-  std::optional<std::uint64_t> differs_at;  ///< number of the first step with another result
+  std::optional<std::uint64_t> differs_at;  ///< number of the first step with a different result
   HostNs differs_ns = 0;                    ///< its time
   record::StepDifference difference{};
   record::LargestDifference largest{};  ///< of all steps
 };
 
-/// Results of another kind of processor that are closer than this, in m and rad, differ by
-/// rounding.
+/// Differences from results of another kind of processor below this, in m and rad, are rounding.
 inline constexpr double kRounding = 1e-9;
 
 /// Feeds the recorded inputs to a step with these parameters and course. `each` receives the
@@ -42,11 +41,10 @@ Replayed replay_steps(const record::Recording& recording, const bridge::Paramete
                       std::shared_ptr<const course::Course> course, bool verify,
                       const std::function<void(const StepRecord&)>& each);
 
-/// The command for a recording. 0: every result was reproduced, on another kind of processor within
-/// kRounding (or other parameters were requested); 1: not, or steps are missing, and nothing is
-/// written. Throws SetupError. The poses
-/// are those of `options.model`, else the steering pose, with one row per step that received a
-/// sample.
+/// The command for a recording. Returns 0 if every result was reproduced (within kRounding on
+/// another kind of processor), or if other parameters were requested; 1, without writing anything,
+/// if a result differs or steps are missing. Throws SetupError. The poses are those of
+/// `options.model`, else the steering pose, with one row per step that received a sample.
 int run_replay_recording(const ReplayOptions& options);
 
 }  // namespace tp100::app

@@ -62,13 +62,13 @@ std::string name_of(const std::string& path, std::set<std::string>& taken) {
 
 }  // namespace
 
-// Each may be refused, and the report is made all the same.
+// Each call may be refused; the report is made all the same.
 void become_background() {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   ::setpriority(PRIO_PROCESS, 0, 19);
   const sched_param priority{};
   ::sched_setscheduler(0, SCHED_IDLE, &priority);
-  // If memory runs out, it is this program that the kernel ends.
+  // If memory runs out, the kernel is to end this program first.
   std::ofstream("/proc/self/oom_score_adj") << 1000;
 }
 

@@ -224,7 +224,7 @@ int run_run(const RunOptions& options) {
   try {
     return supervisor.run();
   } catch (const SetupError&) {
-    // The run never began: the recording holds nothing of use.
+    // The run never began, so the recording contains nothing useful.
     recording.discard();
     throw;
   }

@@ -25,10 +25,10 @@ link::SessionSettings session_settings(const bridge::Parameters& parameters,
 /// last.
 const char* parameter_name(unsigned index);
 
-/// What an operator changes between two runs.
+/// An operator's change between two runs.
 struct SetupChange {
   std::optional<Step> step{};  ///< with another course, robot or set-up
-  /// Of that step, if they are others than the robot has: a new session begins.
+  /// The robot's, if they differ from those that it has: a new session then begins.
   std::optional<wire::Parameters> parameters{};
   std::optional<Pose> place{};  ///< where the robot is now
 };
@@ -45,26 +45,26 @@ class Cycle {
   Cycle(const Cycle&) = delete;
   Cycle& operator=(const Cycle&) = delete;
 
-  /// The link: it takes the port's opening, end and bytes, and gives the bytes to write and the
-  /// events to report. step() takes its samples, sends to it and moves its time.
+  /// The link. The caller reports the port's opening, closing and received bytes to it, writes its
+  /// output and reports its events. step() takes its samples, sends commands through it and
+  /// advances its time.
   link::Session& session() { return session_; }
   const link::Session& session() const { return session_; }
 
-  /// What an operator asks; taken by the next step. A STOP is never dropped, others are if too many
-  /// come.
+  /// An operator's request for the next step. Dropped if too many are waiting; a STOP never is.
   void request(OperatorRequest request);
-  /// A parameter changes with the next step. Dropped if too many come.
+  /// A parameter's change with the next step. Dropped if too many are waiting.
   void change(const ParameterChange& change);
-  /// What a driver wants; taken by the next step. If too many come, the newest counts.
+  /// A driver's input for the next step. If too many are waiting, it replaces the last one.
   void velocity(const VelocityInput& input);
-  /// What the overhead camera saw; taken by the next step. Dropped if too many come.
+  /// A sample of the overhead camera for the next step. Dropped if too many are waiting.
   void camera(const CameraSample& seen);
-  /// Received from an external world; taken by the next step. If too many come, the newest counts,
-  /// and a stop in any of them.
+  /// A sample of an external world for the next step. If too many are waiting, it replaces the last
+  /// one, whose stop is kept.
   void world(const WorldSample& received);
-  /// Makes the change: the next step restarts with it, which is an input of that step. The old
-  /// step is then in `change`, to be freed elsewhere. False, and nothing is changed: there is a
-  /// run, the robot moves, or an external world is in use (Step::changeable).
+  /// Makes the change: the next step restarts with it, which is an input of that step. The old step
+  /// is then in `change`, to be freed elsewhere. Returns false and changes nothing during a run,
+  /// while the robot moves, or with an external world (Step::changeable).
   bool change_setup(SetupChange& change, HostNs now);
   /// Number of steps so far.
   std::uint64_t steps() const { return steps_; }
@@ -80,8 +80,8 @@ class Cycle {
   /// The inputs of the last step exactly as they were passed.
   const StepInputs& inputs() const { return *inputs_; }
   const bridge::Outputs& outputs() const { return *outputs_; }
-  /// Writes the last step into `out`. If the port was closed since, only the link's
-  /// counters differ.
+  /// Writes the last step into `out`, with the link's counters as they are now: they differ from
+  /// those after that step if the port was closed since.
   void record(StepRecord& out) const;
 
  private:

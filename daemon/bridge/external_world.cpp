@@ -8,7 +8,7 @@
 namespace tp100::bridge {
 namespace {
 
-// Steeper ground is called a ramp.
+// Steeper ground counts as a ramp.
 constexpr double kRampRad = 2.0 * kRadPerDeg;
 // A robot placed at the start is at most this far from it.
 constexpr double kAtStartM = 0.1;

@@ -26,22 +26,23 @@ class ExternalWorld {
   void take(const WorldSample& received);
   /// The step at `now` is over and published this steering pose, which the world will answer.
   void remember(HostNs now, const Pose& steering);
-  /// The robot was blocked, or not, for another `dt_s`.
+  /// Another `dt_s` has passed, with the robot blocked or not as the world last reported.
   void wait(double dt_s);
 
-  /// True if the world answered a step not older than the time-out, with the pose if it owns it.
+  /// True if the world has answered a step not older than the time-out, with a pose if the world
+  /// owns the pose.
   bool fresh(HostNs now) const;
-  /// Not fresh, or not the world of the run's beginning.
+  /// Not fresh, or not the world with which the run began.
   bool lost(HostNs now) const;
-  /// True once after each change to stop; if `moving`, as long as the world requests a stop.
+  /// True once after each change to stop; if `moving`, for as long as the world requests a stop.
   bool take_stop(bool moving);
   /// The robot has not been able to go on for half a second.
   bool blocked() const { return blocked_s_ > kBlockedS; }
 
   /// The terrain received from the world; nothing if the bridge computes its own.
   const std::optional<terrain::ContactState>& ground() const { return ground_; }
-  /// Transform from the robot's own floor into the course's world, where the world has the robot;
-  /// nothing if the bridge owns the pose, or before the world sent it in this run.
+  /// Transform from the robot's own floor into the course's world, by the pose that the external
+  /// world sent; nothing if the bridge owns the pose, or before a pose was sent in this run.
   const std::optional<Transform2d>& transform() const { return transform_; }
 
  private:

@@ -77,7 +77,7 @@ void require_consistent(const Parameters& parameters, const course::Course* cour
 }
 
 control::DriveModel drive_of(const Parameters& parameters, double speed_mps) {
-  // A pose computed without a turning centre is not steered about one.
+  // If the steering pose is computed without a turning centre, none is used for steering either.
   const bool by_paper = parameters.paper_model && parameters.steering == PoseSource::kModel;
   return {.speed_mps = speed_mps,
           .slip_angle_rad = parameters.model.slip_angle_straight_rad,

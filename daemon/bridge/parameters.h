@@ -73,10 +73,10 @@ struct Parameters {
   estimation::Parameters estimation{};
   control::Parameters control{};
   WorldParameters world{};
-  /// Expiry of a command after the step; the robot takes 0.2 at most.
+  /// Expiry of a command after the step; the robot accepts at most 0.2 s.
   double command_life_s = 0.180;
   double max_sample_age_s = 0.060;  ///< older samples are not answered with a command
-  double sample_timeout_s = 0.2;    ///< no newer sample ends a run: link_lost or samples_stale
+  double sample_timeout_s = 0.2;    ///< with no newer one a run ends: link_lost or samples_stale
 };
 
 /// Noise of the estimators, with the resolution of this robot's encoders.
@@ -95,19 +95,19 @@ inline model::TrackParameters paper_parameters(const model::TrackParameters& val
 void require_consistent(const Parameters& parameters, const course::Course* course);
 /// The robot on a path at `speed_mps`, with the steering pose in force.
 control::DriveModel drive_of(const Parameters& parameters, double speed_mps);
-/// Without a course no fence.
+/// The course's fence; without a course, a rectangle without bounds.
 course::Fence fence_of(const course::Course* course);
-/// What the monitor compares the robot with; `course` may be null.
+/// The robot's values for the monitor; `course` may be null.
 control::MonitoredRobot monitored_robot(const Parameters& parameters, const course::Course* course);
 
 // Changes while the step runs.
 
 /// Applies `change`. False, and nothing is changed, if the value is invalid: not finite, negative,
-/// an unknown pose, or steering while `under_way`. Other limits are the caller's duty. No
+/// an unknown pose source, or steering while `under_way`. Other limits are the caller's duty. No
 /// allocation; safe in the real-time thread.
 bool apply(const ParameterChange& change, bool under_way, Parameters& parameters);
 
-/// The values in force, as changes that would bring them about.
+/// The present values, as changes that would set them.
 StepInputs::Changes live_values(const Parameters& parameters);
 
 }  // namespace tp100::bridge

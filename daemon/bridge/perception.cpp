@@ -15,7 +15,7 @@ model::TrackModel make_model(const Parameters& parameters) {
   return {parameters.model, model::Mode::kExtended};
 }
 
-/// The camera hangs near the middle of the fence.
+/// The point below the lens: the middle of the fence, plus the configured offset.
 estimation::CameraPlace camera_place(const Parameters& parameters, const course::Course* course) {
   estimation::CameraPlace place{parameters.estimation.camera.offset_x_m,
                                 parameters.estimation.camera.offset_y_m};
@@ -166,7 +166,7 @@ PerSource<Estimate> Perception::estimates() const {
   return all;
 }
 
-/// By the tracks, their usual slip taken off.
+/// Distance by the tracks, their usual slip subtracted.
 double Perception::distance_m() const {
   return (interval_.tracks.left_mps * (1.0 - parameters_.model.slip_left) +
           interval_.tracks.right_mps * (1.0 - parameters_.model.slip_right)) /
@@ -180,7 +180,7 @@ double Perception::heading_rate_radps() const {
   return tilted ? attitude_.yaw_rate_radps(body_z_radps) : body_z_radps;
 }
 
-// A robot steered with the paper's constants still turns according to its own.
+// Even if the model runs with the paper's constants, the real robot turns according to its own.
 double Perception::encoder_yaw_rate_radps() const {
   if (!parameters_.paper_model) return track_model_.twist().yaw_rate_radps;
   return model::body_twist(parameters_.model, model::Mode::kExtended, interval_.tracks.left_mps,

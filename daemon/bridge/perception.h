@@ -71,24 +71,24 @@ struct Speeds {
 /// real-time thread.
 class Perception {
  public:
-  /// `parameters` must outlive this; only live parameters may change. `course` may be null: a plane
-  /// without end.
+  /// `parameters` must outlive this; only live parameters may change. `course` may be null: an
+  /// unbounded plane.
   Perception(const Parameters& parameters, const course::Course* course);
 
   /// A new session or boot: the following samples do not continue the previous ones.
   void restart();
-  /// There is no session: the newest sample is no longer valid.
+  /// The session has ended: the newest sample is no longer valid.
   void lose_sample() { has_sample_ = false; }
   /// A run begins at host time `now` with the robot at a known pose.
   void begin(const Pose& start, HostNs now);
   /// A run begins where the estimates say that the robot is.
   void go_on() { traction_estimator_.restart(); }
-  /// True at standstill on level ground or without a session: carry() and resume() then keep all
-  /// that matters.
+  /// True on level ground at standstill or without a session: carry() and resume() then keep all
+  /// that later results depend on.
   bool at_rest() const;
   /// At standstill, or there is no session: the robot may be moved by hand.
   bool at_standstill() const { return standstill_.still() || !has_sample_; }
-  /// Writes what resume() takes.
+  /// Writes the state that resume() takes.
   void carry(CarriedState& state) const;
   /// Edits a carried state: the robot is on level ground at `at`, or at its old place.
   void level(const std::optional<Pose>& at, HostNs now, CarriedState& state) const;
@@ -116,19 +116,19 @@ class Perception {
   const Speeds& speeds() const { return speeds_; }
   /// False on a stand, where the body does not turn.
   bool gyro_steers() const { return parameters_.setup != Setup::kStand; }
-  /// Of the gyro's z axis; 0 until it is known.
+  /// Bias of the gyro's z axis; 0 until it is known.
   double gyro_bias_radps() const { return standstill_.bias_radps(); }
   bool gyro_bias_known() const { return standstill_.bias_known(); }
-  /// Of the real body.
+  /// Pitch of the real body.
   double pitch_rad() const { return attitude_.pitch_rad(); }
-  /// On a ramp or block that is really there, by the map.
+  /// On a real ramp or block (not a virtual one), by the map.
   bool on_obstacle() const;
-  /// The tracks run and the robot stays.
+  /// The tracks run but the robot does not move.
   bool immobilised() const { return traction_estimator_.state() == Traction::kImmobilised; }
   /// How often the camera contradicted the filter so much that the filter was reset.
   std::uint32_t contradictions() const { return filter_.recoveries(); }
 
-  /// Of the fused estimate.
+  /// Figures of the fused estimate.
   FilterFigures filter_figures(HostNs now) const { return filter_.figures(now); }
 
   /// Writes samples, poses, terrain and attitude at host time `now`.

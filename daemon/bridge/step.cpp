@@ -19,7 +19,7 @@
 namespace tp100::bridge {
 namespace {
 
-// In a longer gap between two steps nothing was observed: it does not count towards durations.
+// Time beyond this between two steps was not observed and does not count towards durations.
 constexpr double kLongestSeenS = 0.05;
 // The firmware's own limit is 10 samples.
 constexpr std::uint8_t kOldestImu = 20;
@@ -72,7 +72,7 @@ struct Step::State {
 
   control::Target target{};
   bool at_fence = false;
-  bool goes_on = false;  // the run that is about to begin, from where the last one ended
+  bool goes_on = false;  // the run that is about to begin continues the last one
   HostNs last_step_ns = 0, run_began_ns = 0;
   std::uint32_t session_number = 0;
   Outputs out{};
@@ -123,7 +123,7 @@ CarriedState Step::restart_state(const std::optional<Pose>& at, HostNs now) cons
   return state;
 }
 
-// Tracker, monitor and disturbance restart with each run.
+// Tracker, monitor and disturbance detector are not restored: they restart with each run.
 void Step::State::resume(const CarriedState& carried) {
   last_step_ns = run_began_ns = 0;
   pause.restart();
@@ -254,7 +254,7 @@ control::Observation Step::State::observe(HostNs now, double dt_s) const {
           .dt_s = std::min(dt_s, kLongestSeenS)};
 }
 
-// Without a path.
+// Sets the target of a step without a path.
 void Step::State::aim(double desired_yaw_rad, double yaw_rate_radps, double speed_mps) {
   target.speed_mps = speed_mps;
   target.yaw_rate_radps = yaw_rate_radps;
@@ -368,7 +368,7 @@ const Outputs& Step::operator()(const StepInputs& in, HostNs now) {
   s.take_changes(in.changes);
   s.take_requests(in.requests);
   if (s.pause.update(dt_s) && s.arming.state() == RunState::kRunning) s.arming.hold();
-  // After the operator: a start does not override a world that requests a stop.
+  // After the operator's requests, so that a start does not override a world that requests a stop.
   if (s.external.take_stop(under_way(s.arming.state()))) s.arming.stop();
   for (const VelocityInput& input : in.velocities) s.hand_drive.take(input, now);
 

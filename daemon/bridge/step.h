@@ -17,14 +17,14 @@ struct Outputs {
   Command command{};
   RobotRequest request = RobotRequest::kNone;  ///< to be passed to the link once
   StartRefusal refused = StartRefusal::kNone;  ///< a start was refused in this step
-  bool disarming = false;  ///< the end of a run is not confirmed yet, or motors are on unasked
+  bool disarming = false;  ///< the end of a run is unconfirmed, or motors are on without a request
   Snapshot snapshot{};
 };
 
 class Step {
  public:
-  /// `course` may be null: poses only, the robot stands still. Throws SetupError if parameters and
-  /// course do not fit together.
+  /// `course` may be null: then there are no runs, but poses, and the robot can be driven by hand.
+  /// Throws SetupError if parameters and course do not fit together.
   Step(const Parameters& parameters, std::shared_ptr<const course::Course> course);
   ~Step();
   Step(Step&&) noexcept;
@@ -33,14 +33,14 @@ class Step {
   /// Duration of the course at the intended speeds; 0 without a course. [s]
   double nominal_duration_s() const;
 
-  /// Whether a restart now (StepInputs::restart) would not change later results: no run, the robot
-  /// at standstill on level ground or not there, no external world.
+  /// Whether a restart now (StepInputs::restart) would not change later results: no run, level
+  /// ground, the robot at standstill or without a session, no external world.
   bool at_rest() const;
   /// The state that a restart would carry over.
   CarriedState carried() const;
 
   /// Whether an operator may place the robot or change the course: no run, the robot at standstill
-  /// or not there, no external world.
+  /// or without a session, no external world.
   bool changeable() const;
   /// The state with which a step, this or another one, restarts after an operator's change: no
   /// progress on the course, and the robot on level ground at `at`, or at its estimated pose.

@@ -37,12 +37,12 @@ struct ExternalTerrain {
 /// On `terrain` each pose follows the obstacles with the IMU's attitude. On `flat` and `stand`
 /// the real robot stays level: the poses are its poses on the floor, and one more robot, the
 /// virtual one, follows the obstacles with the same tracks. It falls behind the real one by what
-/// slope, slip on the slope and climbing cost; turns are common to both. An external world can say
-/// how the virtual robot stands, and where. No allocation after construction; safe in the real-time
+/// slope, slip on the slope and climbing cost; turns are common to both. An external world can set
+/// the virtual robot's attitude and pose. No allocation after construction; safe in the real-time
 /// thread.
 class TerrainContacts {
  public:
-  /// `course` may be null: a plane without end.
+  /// `course` may be null: an unbounded plane.
   TerrainContacts(const Parameters& parameters, const course::Course* course);
   TerrainContacts(const TerrainContacts&) = delete;
   TerrainContacts& operator=(const TerrainContacts&) = delete;
@@ -51,25 +51,25 @@ class TerrainContacts {
   void steer_by(PoseSource steering) { steering_ = steering; }
   /// A run begins: the virtual robot stands where the real one does.
   void restart();
-  /// Robot and virtual robot are on level ground: resume() with transform() changes nothing, but
-  /// for the surface under the robot.
+  /// Robot and virtual robot are on level ground: resume() with transform() changes nothing except
+  /// the surface under the robot.
   bool level() const;
-  /// From the robot's floor into the course's world.
+  /// Transform from the robot's floor into the course's world.
   const Transform2d& transform() const { return transform_; }
   void resume(const Transform2d& transform) {
     restart();
     transform_ = transform;
   }
   void advance(const TerrainInput& in);
-  /// The external world decides: the virtual robot has its attitude and, if given, its pose. Call
-  /// it before advance().
+  /// Gives the virtual robot the external world's attitude and, if there is one, its pose. Call it
+  /// before advance().
   void set_external_terrain(const ExternalTerrain& external);
 
   /// The incline of the interval that advance() has just covered.
   const model::Incline& incline(PoseSource source) const {
     return followers_[source].state().incline;
   }
-  /// The same as an estimator takes it.
+  /// The same incline, with height, attitude and slip, in the form that the estimators take.
   estimation::Ground ground(PoseSource source) const;
 
   /// Sets height, pitch and roll of each pose: those of its own terrain follower, or of the virtual
@@ -94,7 +94,7 @@ class TerrainContacts {
   PerSource<terrain::TerrainFollower> followers_;
   terrain::TerrainFollower virtual_;
   std::optional<double> mapped_pitch_rad_{};
-  Transform2d transform_{};  ///< of the virtual robot against the real one
+  Transform2d transform_{};  ///< from the real robot to the virtual one
   bool transform_received_ = false;
   std::optional<terrain::ContactState> external_{};
 };

@@ -7,7 +7,7 @@
 namespace tp100::bridge {
 namespace {
 
-// By rounding, a sum of equal steps may fall short of the time that they span.
+// Because of rounding, a sum of equal steps may fall short of the time that they span.
 constexpr double kRoundingS = 1e-9;
 
 void gather(double& evidence_s, bool seen, double dt_s) {

@@ -35,7 +35,8 @@ class TractionMonitor {
   Traction update(double track_mps, std::optional<double> ground_mps, double dt_s);
 
   Traction state() const { return state_; }
-  /// 1 - ground / track of the last judgement; 0 before there was one. Negative: sliding ahead.
+  /// 1 - ground / track speed of the last update with both; 0 before there was one. Negative: the
+  /// robot moves faster than its tracks.
   double slip() const { return slip_; }
 
  private:
@@ -50,10 +51,10 @@ class TractionMonitor {
 /// One sample interval of a run.
 struct TractionInput {
   double dt_s = 0.0;
-  double distance_m = 0.0;  ///< of the tracks' mean along the ground, slip taken off
+  double distance_m = 0.0;  ///< mean of the tracks along the ground, expected slip subtracted
   Pose fused{};             ///< at the interval's end
-  bool camera = false;      ///< the fused pose has just been seen
-  bool climbing = false;    ///< on a block, distances are not proportional
+  bool camera = false;      ///< the camera has just confirmed the fused pose
+  bool climbing = false;    ///< on a block, where tracks and ground distance are not proportional
   /// Pitch by the map at the steering pose, and by the IMU; only where the terrain is real. [rad]
   std::optional<double> mapped_pitch_rad{};
   double measured_pitch_rad = 0.0;
@@ -71,7 +72,7 @@ class TractionEstimator {
  private:
   std::optional<double> ground_mps(const TractionInput& in);
 
-  /// The result of a window holds until the next. A disturbance may falsify two of them.
+  /// The result of a window holds until the next. A disturbance may falsify two windows.
   static constexpr double kWindowS = 0.4;
 
   TractionMonitor monitor_{{.immobilised_after_s = 2.25 * kWindowS}};

@@ -63,7 +63,7 @@ FloorFit fit_floor(const Lens& lens, std::span<const FloorPoint> points) {
   plane.lens_ = lens;
   cv::Vec3d turn;
   try {
-    // From a homography first, then refined: with points metres apart there is no second solution
+    // Starts from a homography and refines it: with points metres apart there is no second solution
     // nearby, as there is for one small marker.
     if (!cv::solvePnP(world, rays, cv::Matx33d::eye(), cv::noArray(), turn, plane.shift_, false,
                       cv::SOLVEPNP_ITERATIVE)) {

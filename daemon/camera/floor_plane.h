@@ -2,8 +2,8 @@
 // The camera's pose, from points on the floor, and with it the position of anything whose height is
 // known.
 //
-// World frame: z up from the floor, x and y as the floor points give them (the course's). Looking
-// straight down an image shows the floor with counterclockwise turns counterclockwise.
+// World frame: z up from the floor, x and y as the floor points give them (the course's). In an
+// image taken straight down, counterclockwise turns on the floor are counterclockwise.
 
 #include <opencv2/core.hpp>
 #include <optional>
@@ -25,8 +25,8 @@ struct FloorFit;
 class FloorPlane {
  public:
   /// World position, at `height_m` above the floor, of what a pixel shows: the plane's homography,
-  /// projected from the floor towards the lens. Nothing where the pixel does not look down on that
-  /// plane.
+  /// projected from the floor towards the lens. Nothing if the pixel's ray does not meet that plane
+  /// from above.
   std::optional<cv::Point2d> lift(const cv::Point2d& pixel, double height_m) const;
   /// Pixel that shows a point of the world.
   cv::Point2d pixel(const cv::Point3d& world_m) const;
@@ -51,7 +51,7 @@ struct FloorFit {
 };
 
 /// Fits the camera's position and direction to at least four points, not all on one line. Rejects
-/// points that leave more than kMaxFloorRmsPx, lie on one line, or are mirrored.
+/// points whose residual exceeds kMaxFloorRmsPx, that lie on one line, or that are mirrored.
 FloorFit fit_floor(const Lens& lens, std::span<const FloorPoint> points);
 
 inline constexpr double kMaxFloorRmsPx = 5.0;

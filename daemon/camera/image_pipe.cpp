@@ -38,7 +38,7 @@ std::optional<Number> number_of(std::string_view text) {
   return value;
 }
 
-/// It was stopped while it waited.
+/// Thrown if stop_fd can be read during a wait.
 class Stopped : public std::exception {};
 
 class PipeSource : public Source {
@@ -113,7 +113,7 @@ void PipeSource::read(std::span<unsigned char> bytes) {
   }
 }
 
-/// After a '#', to the end of its line.
+/// Reads a comment, after its '#', to the end of the line.
 void PipeSource::comment(Header& header) {
   std::string text;
   for (char c = one(); c != '\n'; c = one()) text += c;
@@ -152,7 +152,7 @@ PipeSource::Header PipeSource::header() {
   for (int& number : header.numbers) {
     const std::string digits = word(header);
     const std::optional<int> value = number_of<int>(digits);
-    const bool side = &number != &header.numbers.back();  // the largest value is judged below
+    const bool side = &number != &header.numbers.back();  // the largest value is checked below
     if (!value || *value < 1 || (side && *value > kMaxSide))
       throw fault(text::one_line(digits, 40) + " is no number from 1 to " +
                   std::to_string(kMaxSide));

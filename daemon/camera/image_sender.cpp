@@ -14,7 +14,7 @@ namespace tp100::camera {
 namespace {
 
 constexpr int kMaxHeight = 1080;
-// Of JPEG, from good to hardly useful.
+// JPEG qualities, from good to hardly useful.
 constexpr int kQualities[] = {80, 60, 40, 20};
 constexpr std::size_t kHeadBytes = 512;
 
@@ -40,7 +40,7 @@ ImageSender::ImageSender(const link::UdpAddress& to, const ImageStream& settings
 
 void ImageSender::send(const cv::Mat& shown, HostNs taken_ns) {
   if (taken_ns < due_ns_) return;
-  // A camera's times jitter: the image that is due may come a little early.
+  // Less than the period, because a camera's times jitter and a due image may come a little early.
   due_ns_ = taken_ns + from_s(0.9 / settings_.rate_hz);
   const cv::Mat image = reduced(shown, settings_.width_px);
   std::vector<unsigned char> jpeg;

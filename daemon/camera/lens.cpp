@@ -79,7 +79,7 @@ Lens parse_toml(const std::string& text, const std::string& path) {
   const text::TomlDocument document(text, path);
   text::TomlTable root = document.root();
   Lens lens;
-  // A focal length has no sensible default, nor has any of these.
+  // None of these has a sensible default.
   for (const char* key : {"width_px", "height_px", "fx_px", "fy_px", "cx_px", "cy_px"})
     if (!root.has(key)) fail(path, std::string("no ") + key);
   text::read_keys(root, keys(), lens);
@@ -138,7 +138,7 @@ Lens read_lens(const std::string& path) {
   const course::TextFile file = course::read_text_file(path);
   const bool opencv = is_opencv_file(path, file.text);
   if (opencv && file.text.size() > text::kMaxTomlSize) fail(path, "too large for a lens file");
-  // Checks the same ranges for both formats.
+  // By way of TOML, so that both formats are checked for the same ranges.
   const Lens lens = opencv ? parse_toml(write_lens(parse_opencv(file.text, path)), path)
                            : parse_toml(file.text, path);
   if (!sound(lens)) fail(path, "the distortion has no inverse within the image");

@@ -28,7 +28,7 @@ constexpr double kLargestRmsPx = 3.0;
 constexpr double kGoodRmsPx = 1.0;
 constexpr double kGoodCover = 0.5;
 constexpr double kGoodFocalSd = 0.01;
-// A board that is held still counts as one view.
+// A board is a new view if its corners moved by more than this in the mean.
 constexpr double kMovedBoardPx = 12.0;
 constexpr int kFields = 8;
 
@@ -49,7 +49,7 @@ double cover(const std::vector<BoardCorners>& views, cv::Size size) {
   return static_cast<double>(fields.size()) / (kFields * kFields);
 }
 
-/// Drops every second view; the others still cover the whole recording.
+/// Drops every second view, so that the others still cover the whole recording.
 void thin_out(std::vector<BoardCorners>& views) {
   std::vector<BoardCorners> kept;
   for (std::size_t i = 0; i < views.size(); i += 2) kept.push_back(std::move(views[i]));
@@ -101,7 +101,7 @@ BoardCorners CalibrationBoard::find_chessboard(const cv::Mat& grey) const {
   constexpr int kFlags =
       cv::CALIB_CB_ADAPTIVE_THRESH + cv::CALIB_CB_NORMALIZE_IMAGE + cv::CALIB_CB_FAST_CHECK;
   if (!cv::findChessboardCorners(grey, inner_, found.pixels, kFlags)) return {};
-  // The window must stay within the squares that meet at the corner.
+  // The window of the corner refinement must stay within the squares that meet at the corner.
   double shortest = 1e9;
   for (std::size_t i = 1; i < found.pixels.size(); ++i)
     shortest = std::min(shortest, cv::norm(found.pixels[i] - found.pixels[i - 1]));
@@ -221,7 +221,7 @@ int calibrate_lens(const std::string& source, const SourceOptions& options,
                    const std::string& board, const std::string& out) {
   const CalibrationBoard pattern = CalibrationBoard::parse(board);
   SourceOptions any_time = options;
-  // Times do not matter here.
+  // The calibration does not use times: any rate will do.
   if (!any_time.fps) any_time.fps = 1.0;
   const auto images = open_source(source, any_time);
   if (!images->ends())

@@ -12,13 +12,13 @@
 
 namespace tp100::camera {
 
-/// The flat pattern for calibrating a lens.
 /// Corners of the pattern in one image and their positions on the board.
 struct BoardCorners {
   std::vector<cv::Point2f> pixels;
   std::vector<cv::Point3f> board_m;
 };
 
+/// The flat pattern for calibrating a lens.
 class CalibrationBoard {
  public:
   /// "chessboard:9x6:0.025": 9 by 6 inner corners, squares of 25 mm.

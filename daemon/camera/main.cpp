@@ -131,7 +131,8 @@ int run(int argc, char** argv) {
 }  // namespace tp100::camera
 
 int main(int argc, char** argv) {
-  // Errors are reported in one line of our own; and the processors are left to the bridge.
+  // Errors are reported in one line of our own; one thread leaves the other processors to the
+  // bridge.
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   cv::setNumThreads(1);
   return tp100::text::run_program("tp100-camera", [&] { return tp100::camera::run(argc, argv); });

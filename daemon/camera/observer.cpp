@@ -21,7 +21,7 @@ const Marker* find(std::span<const Marker> markers, int id) {
   const Marker* found = nullptr;
   for (const Marker& marker : markers) {
     if (marker.id != id) continue;
-    // If it is found twice, one of the two is not ours.
+    // If it is found twice, one of the two is somebody else's.
     if (found != nullptr) return nullptr;
     found = &marker;
   }
@@ -70,7 +70,7 @@ bool FloorMonitor::moved(std::span<const Marker> markers) {
     ++(cv::norm(middle(*marker) - seen_[i].mean()) > kMovedPx ? off : good);
   }
   if (off == 0 && good == 0) return false;
-  // A person's foot may hide some; the visible ones must agree.
+  // A person's foot may hide some markers; most of the visible ones must have moved.
   off_in_a_row_ = off > good ? off_in_a_row_ + 1 : 0;
   return off_in_a_row_ >= kOffInARow;
 }
@@ -125,8 +125,8 @@ Observer::Observer(const Lens& lens, const View& view)
 
 bool Observer::take_floor_news() { return std::exchange(floor_news_, false); }
 
-/// An area of twice the marker's size around the last position: at 30 images per second it cannot
-/// leave it.
+/// An area of twice the marker's size around the last position, which it cannot leave between two
+/// images at 30 images per second.
 std::optional<cv::Rect> Observer::near_last() const {
   if (!last_ || floor_.needs_images() || since_whole_ >= kWholeEvery) return {};
   const std::vector<cv::Point2f> corners(last_->corners.begin(), last_->corners.end());

@@ -60,8 +60,8 @@ struct MarkerPose {
   double side_m = 0.0;   ///< mean side as seen; the marker's true side if robot and plane are level
 };
 
-/// Projects the corners to the marker's height. Nothing if it is no such marker: a side differs by
-/// more than kMaxSideError of the size (a tilted marker looks shorter).
+/// Projects the corners to the marker's height. Nothing if the marker has another size: a side
+/// differs by more than kMaxSideError of the size (a tilted marker looks shorter).
 ///
 /// The heading is that of the line through the centres of the front and the back edge, not the mean
 /// of all four: where the robot tilts, only that line turns as the estimator expects.

@@ -38,7 +38,7 @@ class Source {
   virtual bool next(Image& image) = 0;
   /// Whether images arrive as they are taken, not on request.
   virtual bool live() const { return false; }
-  /// Whether it has an end, as recordings have; where a device ends, it is gone.
+  /// Whether the source has an end, as recordings have; if a device ends, it is gone.
   virtual bool ends() const { return true; }
 };
 

@@ -16,7 +16,7 @@ struct FloorMarker {
   cv::Point2d world_m;
 };
 
-/// Images for people, beside the poses.
+/// Images to be shown to people, beside the poses.
 struct ImageStream {
   double rate_hz = 5.0;  ///< at most; 0: none are sent
   int width_px = 480;    ///< at most; larger ones are reduced

@@ -117,7 +117,7 @@ constexpr HostNs kBehindNs = 200 * kNsPerMs;
 constexpr HostNs kReportNs = 10 * kNsPerS;
 
 volatile std::sig_atomic_t g_stop = 0;
-// The wait for images polls this descriptor too, so that a signal just before it ends it.
+// The wait for images also polls this descriptor, so that a signal just before the wait ends it.
 volatile std::sig_atomic_t g_stop_fd = -1;
 void on_signal(int) {
   g_stop = 1;
@@ -198,7 +198,7 @@ std::string MarkerTracking::counts() const {
   return text;
 }
 
-/// Why there is no floor, after that text, or nothing.
+/// `before` and why there is no floor; empty if there is one.
 std::string MarkerTracking::floor_problem(const char* before) const {
   if (!observer_ || observer_->floor().plane()) return {};
   return before + observer_->floor().problem();
@@ -230,7 +230,7 @@ void MarkerTracking::take(const Image& image) {
     return;
   }
   process(image, *number);
-  // After the pose, which the step waits for.
+  // After the pose, because the step waits for that.
   if (image_sender_) image_sender_->send(image.shown, begin_ns_ + image.taken_ns);
   report_progress(monotonic_now());
 }

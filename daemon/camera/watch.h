@@ -12,9 +12,9 @@
 
 namespace tp100::camera {
 
-/// Numbers images, including those that a camera dropped.
-/// Detects dropped images by their times: the usual interval is the median of the last ones, and an
-/// interval near a multiple of it has images missing. Detects none before kKnown intervals.
+/// Numbers images, including those that a camera dropped. Detects dropped images by their times:
+/// the usual interval is the median of the last ones, and an interval near a multiple of it has
+/// images missing. Detects none before kKnown intervals.
 class ImageGaps {
  public:
   static constexpr std::size_t kKnown = 4;

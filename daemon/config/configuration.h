@@ -98,13 +98,13 @@ struct ServerConfiguration {
 struct Ros2Settings {
   bool enabled = false;
   int domain = -1;               ///< -1: ROS_DOMAIN_ID, or 0 without it
-  std::string interface = "lo";  ///< empty: as CYCLONEDDS_URI says, or Cyclone DDS's own choice
+  std::string interface = "lo";  ///< empty: by CYCLONEDDS_URI, or Cyclone DDS's own choice
 };
 
 /// Everything that a file can set. Privileges refused by the system are reported, but not fatal.
 struct Configuration {
   std::string robot = "end-loaded";  ///< bundled name or file
-  std::string course;   ///< bundled name or file; empty: none, the robot stays at standstill
+  std::string course;                ///< bundled name or file; empty: none, driving by hand only
   std::string library;  ///< folder with the user's own courses and robots; empty: the default
   LinkSettings link{};
   LoopConfiguration loop{};

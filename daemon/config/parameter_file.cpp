@@ -25,7 +25,7 @@ std::optional<text::TomlValue> written(const KeyText& key, const KeyText::Value&
   if (value.index() != key.value.index()) return std::nullopt;
   if (const double* number = std::get_if<double>(&value)) {
     if (key.type == Type::kNumber) return *number;
-    // Also what is not finite.
+    // This also rejects values that are not finite.
     if (!(std::abs(*number) < 1e15) || *number != std::floor(*number)) return std::nullopt;
     return static_cast<long long>(*number);
   }

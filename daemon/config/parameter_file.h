@@ -14,14 +14,14 @@ namespace tp100::config {
 /// Names, and values in the file's unit.
 using ParameterValues = std::vector<std::pair<std::string, text::KeyText::Value>>;
 
-/// Whether clients may have that key of the configuration saved. Keys that decide who reaches the
-/// daemon and which files it opens only the file's owner can change: the tables [server] and
+/// Whether clients may have that key of the configuration saved. Only the file's owner can change
+/// keys that decide who reaches the daemon and which files it opens: the tables [server] and
 /// [ros2], and texts, except the names of robot and course.
 bool may_save(const text::KeyText& key);
 
 /// The text of the file with these values; every other line stays byte for byte. Throws SetupError:
-/// a name that the configuration does not have, a value of another type, a text that the reader of
-/// the configuration refuses or reads otherwise.
+/// a name that the configuration does not have, a value of another type, or a resulting text that
+/// the reader of the configuration refuses or reads as another value.
 std::string with_parameters(const course::TextFile& file, const ParameterValues& values);
 
 /// A parameter that two texts give different values, as written in a file.

@@ -57,7 +57,7 @@ messages::RunContext run_context_of(const RunSetup& run);
 /// A recording's facts about the run. `more`: further names and values.
 record::RunFacts run_facts(const RunFiles& files, const RunSetup& run, const record::McapMap& more);
 
-/// The fact that has the text of arithmetic() (core/processor.h).
+/// Name of the fact that has the text of arithmetic() (core/processor.h).
 inline constexpr const char* kArithmeticFact = "arithmetic";
 
 // Names of the attachments.

@@ -30,7 +30,7 @@ bool bundled(Bundled kind, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// No link: the folder may hold files of the user only.
+/// Links are not followed: only files in the user's folder may be read.
 bool is_plain_file(const fs::path& path) {
   std::error_code error;
   return fs::symlink_status(path, error).type() == fs::file_type::regular;
@@ -78,7 +78,7 @@ std::vector<SetupFiles::Entry> SetupFiles::list(Bundled kind) const {
                                    [&](const Entry& each) { return each.name == name; });
     if (!known) entries.push_back({name, from});
   };
-  // One that was named, not given as a file, is found below.
+  // A file that was given by its name, not by its path, is found below.
   const std::string& at = given(kind).path;
   const std::string name = course::file_stem(at);
   const bool listed = (bundled(kind, name) && at.starts_with(course::config_directory())) ||

@@ -19,8 +19,8 @@ std::string library_folder(const std::string& configured);
 course::TextFile read_setup_file(course::Bundled kind, const std::string& name_or_path,
                                  const std::string& library);
 
-/// Names are unique within a kind: a file that the program was started with comes before a bundled
-/// one, and that before the user's. Functions wait for the disk; any thread.
+/// Names are unique within a kind: a file that the program was started with hides a bundled one of
+/// that name, and a bundled one the user's. Functions wait for the disk; any thread.
 class SetupFiles {
  public:
   enum class From { kGiven, kBundled, kOwn };
@@ -36,13 +36,13 @@ class SetupFiles {
   bool may_save() const { return !library_.empty(); }
   /// Sorted by name; at most 500 of the user's own.
   std::vector<Entry> list(course::Bundled kind) const;
-  /// Its path is NAME.toml, unless it was given: viewers get no path of this machine. Throws
-  /// SetupError.
+  /// The path in the result is NAME.toml, unless the file was given: viewers get no path of this
+  /// machine. Throws SetupError.
   course::TextFile read(course::Bundled kind, const std::string& name) const;
   /// Checks the text as `tp100d check` does, and writes the user's file of that name, whole or not
   /// at all; the one that it replaces stays beside it as NAME.toml.bak. Throws SetupError: the
-  /// text's first error as NAME.toml:line:column, a name that is not
-  /// permitted or belongs to a file that is not the user's, or, without `replace`, an existing one.
+  /// text's first error as NAME.toml:line:column, a name that is not permitted or belongs to a file
+  /// that is not the user's, or, without `replace`, an existing one.
   void save(course::Bundled kind, const std::string& name, const std::string& text,
             bool replace) const;
   /// Removes one of the user's files. Throws SetupError.

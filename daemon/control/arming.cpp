@@ -150,7 +150,8 @@ RobotRequest Arming::arm(const ArmingInputs& in, double dt_s) {
   }
   if (faults_ != 0) return end(RunState::kAborted, in);
   acknowledged_ = acknowledged_ || in.answer == RequestAnswer::kAcknowledged;
-  // Armed by its samples alone, the robot may have been armed by another host, or may still refuse.
+  // If only its samples show that it is armed, another host may have armed it, or it may yet
+  // refuse.
   if (acknowledged_ && enabled(*in.sample)) {
     state_ = to_;
     just_began_ = true;
@@ -193,7 +194,7 @@ void Arming::confirm_off(const ArmingInputs& in, double dt_s) {
   }
 }
 
-// Judged by the samples' own times: without a sample nothing is known.
+// Uses the samples' own times: without a new sample nothing is known.
 bool Arming::unasked(const ArmingInputs& in, double dt_s) {
   off_due_s_ = std::max(0.0, off_due_s_ - dt_s);
   const bool asked =

@@ -26,7 +26,7 @@ class Pause {
     if (!active()) left_s_ = kLongestS;
   }
   void end() { left_s_ = 0.0; }
-  /// One step. True: the pause has lasted too long and is over, as the run must be.
+  /// One step. True once the pause has lasted too long: it is over, and the run must end.
   bool update(double dt_s) {
     if (!active()) return false;
     left_s_ = std::max(0.0, left_s_ - dt_s);
@@ -35,9 +35,9 @@ class Pause {
   }
 
   bool active() const { return left_s_ > 0.0; }
-  /// Until it is too long; 0 without a pause.
+  /// Time until the pause is too long; 0 without a pause.
   double left_s() const { return left_s_; }
-  /// Of all pauses of the run.
+  /// Duration of all pauses of the run.
   double total_s() const { return total_s_; }
 
  private:
@@ -75,21 +75,22 @@ class Arming {
   /// One step of `dt_s`. Returns the request to send to the robot, if any.
   RobotRequest update(const ArmingInputs& in, double dt_s);
 
-  /// No run, and nothing is under way with the robot.
+  /// No run, and no request to the robot is under way.
   bool at_rest() const;
   /// As after construction, in this state with these faults.
   void resume(RunState state, FaultMask faults);
 
   RunState state() const { return state_; }
-  /// True in the step in which the run began: estimators and tracker restart.
+  /// True in the step in which a run or a drive by hand began. What restarts then depends on how it
+  /// began: see Step::State::begin() in bridge/step.cpp.
   bool just_began() const { return just_began_; }
   /// Why a start was refused in this step.
   StartRefusal refused() const { return refused_; }
   /// True if a run has ended and the robot has not confirmed yet that its motors are off (for at
   /// most 0.25 s), or if they are on without a request.
   bool disarming() const { return disarming_ || moves_unasked_; }
-  /// What ended the run, the robot's own faults and STOP included; latched until the next start()
-  /// or drive().
+  /// Faults that ended a run, the robot's own included, and those since: STOP, motors on without a
+  /// request, a disarm that was not confirmed. Latched until the next start() or drive().
   FaultMask faults() const { return faults_; }
 
  private:
@@ -103,7 +104,7 @@ class Arming {
   bool unasked(const ArmingInputs& in, double dt_s);
 
   RunState state_ = RunState::kIdle;
-  RunState to_ = RunState::kRunning;  // what arming leads to
+  RunState to_ = RunState::kRunning;  // state that follows kArming
   RobotRequest pending_ = RobotRequest::kNone;
   FaultMask faults_ = 0;
   StartRefusal refused_ = StartRefusal::kNone;

@@ -32,7 +32,7 @@ namespace {
 
 // The reference point may leave the path by this much to keep the turn short.
 constexpr double kOffM = 0.005;
-// Lines that continue nearly straight, or return beside each other, form no corner.
+// Lines that continue nearly straight, or lead nearly straight back, form no corner.
 constexpr double kBluntestRad = 15.0 * kRadPerDeg, kSharpestRad = 165.0 * kRadPerDeg;
 // Search grid: radii as fractions of the turning centre's distance, arcs as fractions of the turn.
 constexpr int kRadii = 60, kArcs = 16, kSamples = 48;
@@ -111,7 +111,7 @@ double Corner::worst_of_turn_m() const {
 }
 
 double Corner::speed_mps(const Pose& pose, double rate_radps) const {
-  if (angle_rad_ == 0.0) return 0.0;  // not between two lines
+  if (angle_rad_ == 0.0) return 0.0;  // not a turn between two lines
   const double turned = side_ * wrap_angle(pose.yaw_rad - corner_.yaw_rad);
   const double c = std::cos(corner_.yaw_rad), s = std::sin(corner_.yaw_rad);
   const double dx = pose.x_m - corner_.x_m, dy = pose.y_m - corner_.y_m;

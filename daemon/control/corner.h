@@ -22,7 +22,7 @@ class PivotProfile {
     begin_at(yaw_rad);
     rate_radps_ = 0.0;
   }
-  /// One step; never faster than allows a stop at the end.
+  /// One step; the rate always allows a stop at the end.
   void update(const Parameters& parameters, double dt_s);
 
   double yaw_rad() const { return yaw_rad_; }
@@ -39,13 +39,13 @@ class PivotProfile {
 
 /// If the turning centre lies `x_icr_m` ahead, a rotation moves the reference point sideways: at a
 /// right angle it ends 1.41 |x_icr_m| beside the corner. The turning centre itself moves like a
-/// wheel, only along the heading. It is therefore led around the corner: on an arc from the first
-/// line towards the second one, and on the spot where it meets that line; if it lies behind the
-/// reference point, the same backwards. Of all such trajectories this one keeps the reference point
-/// nearest to the path: within 0.22 |x_icr_m| at a right angle.
+/// wheel, only along the heading. It is therefore guided around the corner: on an arc from the
+/// first line towards the second one, with a turn on the spot where it meets that line; if it lies
+/// behind the reference point, the same in reverse order. Of all such trajectories this one keeps
+/// the reference point nearest to the path: within 0.22 |x_icr_m| at a right angle.
 /// Disturbances of the turn, such as a slipping track, are corrected as far as tracks can, which is
 /// along the heading: the robot is to end the turn on the next line.
-/// SI units. Only the constructor, which searches, takes time; no allocation.
+/// SI units. No allocation. Only the constructor takes long, because it searches.
 class Corner {
  public:
   /// A turn without an arc: the robot turns on the spot.
@@ -63,7 +63,7 @@ class Corner {
   /// Speed along the robot while it turns at `rate_radps`: the arc's, plus a small correction of
   /// its distance to the next line.
   double speed_mps(const Pose& pose, double rate_radps) const;
-  /// Greatest distance of the reference point from both lines in an undisturbed turn.
+  /// Greatest distance of the reference point from the nearer line in an undisturbed turn.
   double worst_m() const { return worst_m_; }
 
  private:

@@ -10,11 +10,11 @@
 namespace tp100::control {
 namespace {
 
-// From a sample to the tracks' reaction to the command that answers it: wire, step and motors.
+// Delay from a sample to the tracks' reaction to the command that answers it: wire, step, motors.
 constexpr double kDelayS = 0.16;
-// Of the braking in the robot's file; slip and the motors' lag take the rest.
+// Usable share of the braking in the robot's file; slip and the motors' lag take the rest.
 constexpr double kBrakingShare = 0.4;
-// The yaw is known to within this, and the robot crabs.
+// Error of the yaw and crab angle of the robot.
 constexpr double kYawErrorRad = 4.0 * kRadPerDeg;
 // Margin to the fence for sideways motion in a turn on the spot.
 constexpr double kMarginM = 0.01;
@@ -24,11 +24,12 @@ constexpr double kMaxMarginM = 0.03;
 // The same as a share of the fence's shorter side.
 constexpr double kMaxMarginShare = 0.15;
 
-// Slower than this the robot would creep on and on, or wind up against its friction.
+// Below this speed the robot would creep on and on, or its speed loops would wind up against
+// friction.
 constexpr double kCreepMps = 0.01;
 
-// The yaw error by which the robot's yaw loop makes up for its lag in a turn. More would be wound
-// up while a track is blocked.
+// The yaw error that the robot's yaw loop needs to make up for its lag in a turn. Without this
+// limit it would wind up while a track is blocked.
 constexpr double kMaxAheadRad = 8.0 * kRadPerDeg;
 // Below this rate a turn has ended.
 constexpr double kTurnOverRadps = 0.05;
@@ -72,8 +73,8 @@ struct Approach {
     max_mps = std::min(max_mps, approach_mps(edge.distance_m - margin_m, braking_mps2) / towards);
   }
 
-  /// Inside of a polygon, or outside of it. While the robot is on its wrong side, the nearest edge
-  /// leads back.
+  /// Limits the speed inside of a polygon, or outside of it. While the robot is on the wrong side,
+  /// only its nearest edge counts: the robot may drive back over it.
   void limit(const course::Polygon& polygon, const Pose& pose, bool inside) {
     const bool right = course::contains(polygon, pose.x_m, pose.y_m) == inside;
     EdgeVector nearest{0.0, 0.0, -std::numeric_limits<double>::infinity()};
@@ -136,7 +137,7 @@ HandCommand HandDrive::update(const HandDriveState& state, const Parameters& par
   const bool fresh = now - newest_.at_ns <= kFreshInputNs;
   const double speed = fresh ? newest_.speed_mps : 0.0;
   const bool creeps = std::abs(speed_mps_) < kCreepMps;
-  // Friction holds a robot that turns on the spot so slowly, and its loops wind up against it.
+  // Friction holds a robot that is to turn so slowly on the spot, and its speed loops wind up.
   const bool turns = fresh && !(creeps && std::abs(newest_.yaw_rate_radps) < kTurnOverRadps);
   const double rate = turns ? newest_.yaw_rate_radps : 0.0;
   speed_mps_ = eased(speed_mps_, std::clamp(speed, -limits.max_track_mps, limits.max_track_mps),
@@ -144,7 +145,7 @@ HandCommand HandDrive::update(const HandDriveState& state, const Parameters& par
   yaw_rate_radps_ =
       eased(yaw_rate_radps_, std::clamp(rate, -limits.max_yaw_radps, limits.max_yaw_radps),
             parameters.pivot_acceleration_radps2 * dt_s);
-  // The turn before ends first: a robot that turns against its command looks miswired.
+  // The previous turn must end first: a robot that turns against its command seems to be miswired.
   if (yaw_rate_radps_ * state.measured_yaw_rate_radps < 0.0 &&
       std::abs(state.measured_yaw_rate_radps) > kTurnEndsRadps)
     yaw_rate_radps_ = 0.0;
@@ -177,7 +178,7 @@ double HandDrive::desired_yaw(const HandDriveState& state, double dt_s) {
   // While the robot coasts, the desired yaw moves with it.
   const bool coasts =
       std::abs(state.measured_yaw_rate_radps) > std::abs(yaw_rate_radps_) + kTurnEndsRadps;
-  // Straight on: the yaw to hold is the one at the end of the turn.
+  // Straight on, the robot holds the yaw that it had at the end of the turn.
   holds_yaw_ = !turns && std::abs(speed_mps_) >= kCreepMps &&
                (holds_yaw_ || std::abs(state.measured_yaw_rate_radps) < kTurnOverRadps);
   if ((turns && !coasts) || holds_yaw_) {

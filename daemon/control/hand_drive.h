@@ -18,12 +18,12 @@ struct FenceMotion {
   Pose pose{};                  ///< of the reference point
   double yaw_rate_radps = 0.0;  ///< without sign: the greater of the commanded and the measured one
   double braking_mps2 = 0.6;    ///< of the tracks, by the robot's file
-  double uncertainty_m = 0.0;   ///< of the position, kept from the fence, up to 3 cm
+  double uncertainty_m = 0.0;   ///< of the position: added to the margin to the fence, up to 3 cm
 };
 
 /// The ground speed nearest to `speed_mps` (backwards negative) at which the reference point can
 /// still stop inside the fence, delays of sample, wire and motors included. Outside it, only motion
-/// towards the inside is left. Turning on the spot is not limited.
+/// towards the inside is allowed. Turning on the spot is not limited.
 double speed_inside(double speed_mps, const FenceMotion& motion, const course::Fence& fence);
 
 /// The robot in one step.
@@ -35,7 +35,7 @@ struct HandDriveState {
   double braking_mps2 = 0.6;  ///< of the tracks, by the robot's file
 };
 
-/// What the robot shall do. The desired yaw is on the pose's branch.
+/// Command to the robot. The desired yaw is on the pose's branch.
 struct HandCommand {
   double desired_yaw_rad = 0.0;
   double yaw_rate_radps = 0.0;
@@ -43,12 +43,11 @@ struct HandCommand {
   bool at_fence = false;  ///< the fence limits the speed
 };
 
-/// One drive by hand. Speed and yaw rate grow with limited acceleration and fall at once, to
-/// zero if the newest input is older than kFreshInputNs. No
-/// allocation; safe in the real-time thread.
+/// One drive by hand. Speed and yaw rate grow with limited acceleration and fall at once, to zero
+/// if the newest input is older than kFreshInputNs. No allocation; safe in the real-time thread.
 class HandDrive {
  public:
-  /// Nobody has driven for this long: the drive is over.
+  /// A drive without input for this long is over.
   static constexpr HostNs kSilenceNs = 2 * kNsPerS;
 
   /// Without a fence nothing limits where the robot goes.
@@ -56,7 +55,7 @@ class HandDrive {
 
   /// A drive begins; inputs from before it do not count.
   void restart(HostNs now);
-  /// Inputs that are older than the newest one are ignored; none is newer than now.
+  /// Inputs that are older than the newest one are ignored; a time after `now` counts as `now`.
   void take(const VelocityInput& input, HostNs now);
   HandCommand update(const HandDriveState& state, const Parameters& parameters, HostNs now,
                      double dt_s);

@@ -9,8 +9,8 @@
 namespace tp100::control {
 namespace {
 
-// Duty that a track may take beyond its usual one: always; in a turn, where it scrubs over the
-// floor; on a slope; and with all the load that traction can put on it.
+// Duty that a track may need beyond its usual one: always; in a turn, where it scrubs over the
+// floor; on a slope; and with the greatest load that traction can put on it.
 constexpr double kMarginDuty = 0.02;
 constexpr double kMarginShare = 0.1;
 constexpr double kTurningDuty = 0.4;
@@ -24,9 +24,8 @@ constexpr double kTurningFallPerS = 0.5;
 // The robot itself gives up after 200 ms without a valid command.
 constexpr double kNoneTakenS = 0.3;
 
-// A gain is learned from a track that runs evenly and freely, not from one that brakes; quickly
-// downwards, but upwards only as fast as a battery sags: otherwise a fault would be learned as
-// normal.
+// A gain is learned only from a track that runs evenly and freely and does not brake. It may fall
+// quickly, but rise only as fast as a battery sags: otherwise a fault would be learned as normal.
 constexpr double kMinGain = 0.7;
 constexpr double kGainDownS = 0.3;
 constexpr double kGainUpPerS = 0.005;
@@ -34,7 +33,7 @@ constexpr double kGainUpPerS = 0.005;
 constexpr double kBeyond = 1.25;
 constexpr double kSlowS = 0.2;
 constexpr double kSlowest = 0.95, kFastest = 1.1;
-// At very low speed, duty and speed are mostly noise and the correction of lag.
+// At very low speed, duty and speed consist mostly of noise and of corrections of lag.
 constexpr double kMinMps = 0.028;
 constexpr double kStraight = 0.05;
 constexpr double kLevelRad = 0.03;
@@ -43,7 +42,7 @@ constexpr double kLevelRad = 0.03;
 constexpr double kDistanceShare = 0.8;
 // One track may stand on a block while the other slips.
 constexpr double kObstacleShare = 0.25;
-// A disturbance is faster.
+// A disturbance turns the robot faster.
 constexpr double kSlowRadps = 10.0 * kRadPerDeg;
 
 double drained(double balance_rad, double by_rad) {
@@ -54,7 +53,7 @@ constexpr double kHeadingS = 0.5;
 constexpr double kTiltS = 0.3;
 constexpr double kBatteryS = 2.0;
 constexpr double kAgainstDutyS = 0.5;
-// Below these a track may stand still or creep for good reasons.
+// With a command below kDrivenMps or a duty below kFullyDriven a track may stand still or creep.
 constexpr double kDrivenMps = 0.03;
 constexpr double kStandingMps = 0.003;
 constexpr double kFullyDriven = 0.3;
@@ -62,7 +61,7 @@ constexpr double kBackwardsMps = 0.02;
 constexpr double kOpposedRad = 6.0 * kRadPerDeg;
 constexpr double kAskedRadps = 0.3;
 constexpr double kTurningRadps = 0.15;
-// Least deceleration of a turn whose command reverses.
+// Least deceleration of a turn whose command has reversed.
 constexpr double kReversalRadps2 = 2.5;
 // A robot at standstill turns by its tracks alone.
 constexpr double kSlowestMps = 0.02;
@@ -176,12 +175,12 @@ void Monitor::restart() {
   jumps_.restart();
 }
 
-// Tracks swapped together with their encoders: only the turn shows it.
+// If tracks are swapped together with their encoders, only the turn shows it.
 bool Monitor::turns_against(const Observation& seen) {
   const double asked = (seen.commanded_right_mps - seen.commanded_left_mps) / wheelbase_m_;
   const double turned = std::abs(seen.encoder_yaw_rate_radps);
   const bool against = asked * seen.encoder_yaw_rate_radps < 0.0;
-  // A turn that the command has just reversed goes on for a moment.
+  // After its command has reversed, a turn goes on for a moment.
   running_on_radps_ =
       against ? std::max(0.0, running_on_radps_ - kReversalRadps2 * seen.dt_s) : turned;
   opposed_rad_ = against && std::abs(asked) > kAskedRadps && turned > kTurningRadps

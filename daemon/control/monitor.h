@@ -11,9 +11,9 @@
 
 namespace tp100::control {
 
-// Three monitors check the encoders: against each track's duty and against the gyro, which both
-// integrate what cannot be explained, so that a small share shows over a distance but a short
-// moment never does; and for counts that are impossible for a track.
+// Three monitors check the encoders. Two compare them with each track's duty and with the gyro, and
+// integrate the unexplained difference: a small share shows over a distance, a short moment never
+// does. The third finds counts that are impossible for a track.
 
 /// Relation of duty and speed, by the robot's file.
 struct MotorModel {
@@ -21,19 +21,19 @@ struct MotorModel {
   double feed_forward = 4.0;  ///< duty per m/s above it; 0: no relation known
 };
 
-/// Loads that take duty without speed. A track that spins free has none.
+/// Loads that need duty without adding speed. A freely spinning track has none.
 struct Load {
   double turning = 0.0;      ///< track speed due to the turn alone, as a fraction of the mean speed
   double pitch_rad = 0.0;    ///< of the floor under the robot
   bool on_obstacle = false;  ///< a real ramp or block
 };
 
-/// Checks that one track moves according to its duty. The robot's file is trusted to within a
-/// factor only; the duty that this track takes is learned while it runs straight, so that a change
-/// shows. No allocation; safe in the real-time thread.
+/// Checks that one track moves according to its duty. The robot's file is trusted only within a
+/// factor; the duty that this track needs is learned while it runs straight, so that a change is
+/// detected. No allocation; safe in the real-time thread.
 class DutyMonitor {
  public:
-  /// Distance that the duty implies beyond what was counted. [m]
+  /// Limit of the distance that the duty implies beyond the counted one. [m]
   static constexpr double kMissingM = 0.04;
   /// Shortest time until a blocked track is reported, whatever its duty. [s]
   static constexpr double kSoonestS = 0.7;
@@ -55,12 +55,12 @@ class DutyMonitor {
   static constexpr double kMaxGain = 1.4;
 
   MotorModel motor_;
-  double gain_ = kMaxGain;    ///< duty that the track takes, relative to the file
+  double gain_ = kMaxGain;    ///< duty that the track needs, relative to the file
   double learned_mps_ = 0.0;  ///< speed at which gain_ was learned
   double slow_mps_ = 0.0;
   double turning_ = 0.0;     ///< maximum of the last moments
   double obstacle_s_ = 0.0;  ///< until the last obstacle is forgotten
-  double missing_m_ = 0.0;   ///< forward positive, so that what dithers to and fro misses nothing
+  double missing_m_ = 0.0;   ///< forward positive, so that dithering to and fro cancels out
 };
 
 /// Rotation by the gyro minus rotation by the tracks, except what slip explains. No allocation;
@@ -90,8 +90,8 @@ class TurnBalance {
   double slow_rad_ = 0.0;  ///< of rates up to a limit
 };
 
-/// Finds jumps of both tracks' counts. An isolated jump never reaches the samples. No allocation;
-/// safe in the real-time thread.
+/// Finds jumps of both tracks' counts. An isolated jump never gets here: link::EncoderCount removes
+/// it. No allocation; safe in the real-time thread.
 class JumpMonitor {
  public:
   /// Greatest counts per second of a track; 0: unlimited.
@@ -121,7 +121,7 @@ struct Observation {
   double pitch_rad = 0.0;    ///< of the real body
   bool on_obstacle = false;  ///< a real ramp or block
   bool immobilised = false;  ///< the tracks run but the robot does not move
-  bool by_hand = false;      ///< no path, fence or time to keep: see HandDrive
+  bool by_hand = false;      ///< no path, fence or time limit applies: see HandDrive
   bool commanded = false;    ///< a command went out in the last step
   Target target{};
   double commanded_left_mps = 0.0;  ///< track speeds according to the command
@@ -188,7 +188,7 @@ class Monitor {
   JumpMonitor jumps_;
   double opposed_rad_ = 0.0;       ///< rotation against the command
   double running_on_radps_ = 0.0;  ///< turn rate that a reversal explains
-  std::uint16_t last_taken_ = 0;   ///< command that the robot took
+  std::uint16_t last_taken_ = 0;   ///< last command that the robot accepted
   Lasting heading_, tilt_, battery_, stalled_, against_duty_, disagreement_, none_taken_;
 };
 

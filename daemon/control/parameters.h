@@ -27,7 +27,7 @@ struct Parameters {
                                               ///< in this time, ...
   double pursuit_min_m = 0.05;                ///< ... not shorter
   double pursuit_max_m = 0.15;                ///< ... and not longer
-  double lqr_cross_track_m = 0.01;            ///< LQR: errors and turn rate of equal weight
+  double lqr_cross_track_m = 0.01;            ///< LQR: errors and turn rate that have equal weight
   double lqr_heading_rad = 15 * kRadPerDeg;
   double lqr_turn_radps = 0.6;
   double acceleration_mps2 = 0.15;    ///< along the path

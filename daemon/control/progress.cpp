@@ -12,7 +12,7 @@ namespace {
 // More than a robot drives in a step, less than the distance between two parts of a path.
 constexpr double kWindowM = 0.05;
 
-// A robot that stopped here stands at the end of its segment.
+// A robot that stopped within this distance stands at the end of its segment.
 constexpr double kAtEndM = 1e-3;
 
 bool is_pivot(const course::PathSegment& segment) {
@@ -40,7 +40,7 @@ void Progress::resume(double s_m, double yaw_rad) {
     offset_m_ = std::clamp(s_m - segment().begin.s_m, 0.0, segment().length_m);
 }
 
-/// True if segment `index` goes on without a stop into the one after it.
+/// True if the robot does not stop between segment `index` and the one after it.
 bool Progress::joined(std::size_t index) const {
   const auto& segments = path_.segments();
   return index + 1 < segments.size() && !is_pivot(segments[index]) &&

@@ -15,13 +15,14 @@ class Progress {
   explicit Progress(const course::Path& path) : path_(path) {}
 
   void restart();
-  /// To `s_m` along the path. At a turn on the spot `yaw_rad` decides whether it is still to be
-  /// made.
+  /// Moves to `s_m` along the path. At a turn on the spot `yaw_rad` decides whether it is still to
+  /// be made.
   void resume(double s_m, double yaw_rad);
   const course::PathSegment& segment() const { return path_.segments()[index_]; }
-  /// On to the next segment; false at the last one.
+  /// Moves to the next segment; false at the last one.
   bool next();
-  /// To the nearest point from here on; over joints, not over a turn on the spot.
+  /// Moves to the nearest point ahead, across joints between segments but not across a turn on the
+  /// spot.
   void advance(double x_m, double y_m);
   /// Moves to the nearest point at most `window_m` before or after; not across a turn on the spot.
   void reproject(double x_m, double y_m, double window_m);

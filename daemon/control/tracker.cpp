@@ -8,7 +8,7 @@
 namespace tp100::control {
 namespace {
 
-// The tracks' speed is quantised to a few edges: a shorter sign is noise.
+// The tracks' speed is quantised to a few edges: a sign that is shorter than this is noise.
 constexpr double kDisturbedS = 0.015;
 
 using Kind = course::PathSegment::Kind;
@@ -199,7 +199,7 @@ double Tracker::speed_cap(double left_m) const {
   if (recovery_.active() && std::abs(target_.heading_error_rad) > kLooksBackRad)
     cap *= parameters_.recovery_speed_share;
   cap = std::min(cap, std::sqrt(2.0 * parameters_.acceleration_mps2 * std::max(left_m, 0.0)));
-  // Slow enough for a curve by the time it begins.
+  // The robot must be slow enough for a curve by the time it begins.
   const double braking_m = commanded_mps_ * commanded_mps_ / (2.0 * parameters_.acceleration_mps2);
   const double curvature = std::max(std::abs(progress_.here().curvature_1pm),
                                     std::abs(progress_.ahead(braking_m).curvature_1pm));
@@ -207,7 +207,8 @@ double Tracker::speed_cap(double left_m) const {
   return std::max(cap, std::min(parameters_.min_speed_mps, drive_.speed_mps));
 }
 
-/// Angle to the left of the heading at which the reference point moves on a part of the path.
+/// Direction of the reference point's motion on a part of the path, from the heading, left
+/// positive.
 double Tracker::crab_rad(double curvature_1pm) const {
   if (curvature_1pm == 0.0) return drive_.slip_angle_rad;
   const double half = std::abs(curvature_1pm) * drive_.limits.wheelbase_m / 2.0;
@@ -258,7 +259,7 @@ void Tracker::turn(const Pose& pose, const Twist& twist, double dt_s) {
   target_.speed_mps = 0.0;
   target_.cross_track_m = 0.0;
   target_.progress_m = segment.begin.s_m;
-  // A corner may be passed beside its point.
+  // The robot may pass a corner beside its point.
   const double reach_m = corner().reach_m();
   target_.off_path_m = path_.distance(pose.x_m, pose.y_m, target_.progress_m - reach_m,
                                       target_.progress_m + reach_m);

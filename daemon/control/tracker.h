@@ -23,8 +23,7 @@ namespace tp100::control {
 struct DisturbanceSigns {
   double gyro_radps = 0.0;  ///< yaw rates, bias removed; equal ones mean no disturbance
   double tracks_radps = 0.0;
-  std::uint32_t contradictions = 0;  ///< number so far: the camera was accepted against the
-                                     ///< estimate
+  std::uint32_t contradictions = 0;  ///< how often the camera was accepted against the estimate
 };
 
 /// Detects that the robot is pushed or turned: the gyro measures a turn that the tracks do not
@@ -44,7 +43,7 @@ class DisturbanceDetector {
   double lasted_s_ = 0.0;
 };
 
-/// Over once the robot has been within kRecoveredM and kRecoveredRad of the path for
+/// Ends once the robot has been within kRecoveredM and kRecoveredRad of the path for
 /// kRecoveredForS. No allocation; safe in the real-time thread.
 class Recovery {
  public:
@@ -68,9 +67,9 @@ class Recovery {
 struct Target {
   double desired_yaw_rad = 0.0;  ///< unwrapped, same branch as the path's yaw
   double yaw_rate_radps = 0.0;   ///< feed-forward
-  double speed_mps = 0.0;        ///< what the tracks can do beside the turn, which has priority
-  double cross_track_m = 0.0;    ///< left positive, across the path's tangent at progress_m
-  double off_path_m = 0.0;  ///< distance from the path at progress_m, along it too; not negative
+  double speed_mps = 0.0;  ///< reduced to what the turn, which has priority, leaves to the tracks
+  double cross_track_m = 0.0;  ///< left positive, across the path's tangent at progress_m
+  double off_path_m = 0.0;     ///< distance from the path at progress_m, along it too; not negative
   double heading_error_rad = 0.0;  ///< desired - actual
   double progress_m = 0.0;         ///< along the path; decreases only after a disturbance
   bool recovering = false;         ///< a disturbance was detected and the robot is not back yet
@@ -98,7 +97,7 @@ class Tracker {
   }
   /// Back to the start of the path.
   void restart();
-  /// To where an earlier run ended: Target::progress_m, and the robot's yaw.
+  /// To where an earlier run ended: its Target::progress_m, and the robot's yaw now.
   void resume(double progress_m, double yaw_rad);
   /// While paused, the robot slows down on the path to a standstill and stays there.
   void pause(bool paused) { paused_ = paused; }
@@ -128,7 +127,7 @@ class Tracker {
   Parameters parameters_;
   const course::Path& path_;
   DriveModel drive_;
-  std::vector<Corner> corners_;  ///< one for each segment's turn on the spot, and one for none
+  std::vector<Corner> corners_;  ///< by index of segment; the last one stands for no turn
   std::unique_ptr<Law> law_;
   double nominal_duration_s_ = 0.0;
   Progress progress_;

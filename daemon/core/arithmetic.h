@@ -1,9 +1,9 @@
 #pragma once
-// What decides the last bits of a result, and what keeps them equal on every processor. Sums,
-// products and square roots are rounded alike everywhere (IEEE 754; the build neither fuses nor
-// vectorises them). The C library's functions are rounded by its version and by whether the
-// processor fuses multiplication and addition (FMA); with FMA those that are used here give equal
-// bits on x86-64 and 64-bit ARM, but for std::hypot and std::cbrt, which are therefore not used.
+// Arithmetic whose results have the same last bits on every processor, and why. Sums, products and
+// square roots are rounded alike everywhere (IEEE 754; the build neither fuses nor vectorises
+// them). The C library's functions are rounded by its version and by whether the processor fuses
+// multiplication and addition (FMA); with FMA those that are used here give equal bits on x86-64
+// and 64-bit ARM, except std::hypot and std::cbrt, which are therefore not used.
 
 #include <cmath>
 #include <numbers>

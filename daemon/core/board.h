@@ -33,7 +33,7 @@ constexpr bool is_known_board(std::uint8_t board) {
 }
 
 /// A port is physical unless this proves otherwise: a pseudo-terminal alone may be a serial server
-/// with a robot behind it. `board`: as the hello of the session says.
+/// with a robot behind it. `board`: as in the session's hello.
 constexpr bool is_emulator(bool pseudo_terminal, std::uint8_t board) {
   return pseudo_terminal && board == static_cast<std::uint8_t>(wire::BoardType::kNative);
 }

@@ -56,7 +56,7 @@ class BoundedList {
   const T* end() const { return entries_.data() + size_; }
 
  private:
-  // Before the entries: a list of few is then in few lines of the processor's cache.
+  // Before the entries, so that a short list occupies few cache lines.
   std::size_t size_ = 0;
   std::array<T, N> entries_{};
 };

@@ -1,5 +1,5 @@
 #pragma once
-// The clocks of the host. Only the outer layers read it: nothing that computes a pose or a
+// The clocks of the host. Only the outer layers read them; nothing that computes a pose or a
 // command does.
 
 #include <time.h>

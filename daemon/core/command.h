@@ -1,5 +1,5 @@
 #pragma once
-// What the bridge asks of the robot in one step.
+// What the bridge requests of the robot in one step, and the requests and inputs that reach it.
 
 #include <array>
 #include <cstddef>
@@ -11,12 +11,15 @@
 
 namespace tp100 {
 
-/// One command. The link adds boot nonce and sequence and turns it into bytes.
+/// One command. The link adds boot nonce and sequence and turns it into bytes. Its x and y and its
+/// yaws are in different frames: x and y on the robot's own floor, both yaws in the course's world.
+/// An external world that owns the pose can rotate one against the other; virtual ramps and blocks
+/// shift only the position.
 struct Command {
-  std::uint16_t answers = 0;     ///< sequence of the sample that `pose` belongs to
-  DeviceUs answered_us = 0;      ///< device time of that sample
-  Pose pose{};                   ///< steering estimate at that sample
-  double desired_yaw_rad = 0.0;  ///< unwrapped, same branch as pose.yaw_rad
+  std::uint16_t answers = 0;  ///< sequence of the sample that `pose` belongs to
+  DeviceUs answered_us = 0;   ///< device time of that sample
+  Pose pose{};  ///< steering pose at that sample: x, y on the floor, yaw in the course's world
+  double desired_yaw_rad = 0.0;  ///< unwrapped, same frame and branch as pose.yaw_rad
   double yaw_rate_radps = 0.0;   ///< feed-forward turn rate
   double speed_mps = 0.0;        ///< ground speed of the reference point
   double gyro_bias_radps = 0.0;  ///< z axis
@@ -28,20 +31,20 @@ enum class RobotRequest : std::uint8_t { kNone, kArm, kDisarm, kStop };
 
 /// Outcome of the last arm or disarm request.
 enum class RequestAnswer : std::uint8_t {
-  kNone,          ///< nothing yet, or nothing was asked
+  kNone,          ///< no answer yet, or no request
   kAcknowledged,  ///< the robot accepted it
   kFailed,        ///< the robot refused it, or did not acknowledge it in time
 };
 
-/// What an operator (keyboard, page, --go, signal) asks of the bridge.
+/// An operator's request to the bridge (by keyboard, page, --go or signal).
 enum class OperatorRequest : std::uint8_t {
   kStart,   ///< arm and begin the course; the robot stands at its start
   kHold,    ///< disarm, keep the session
-  kStop,    ///< latch STOP on the robot; only kStart, kGoOn and kDrive end it
+  kStop,    ///< latch STOP on the robot; only kStart, kGoOn and kDrive clear it
   kGoOn,    ///< as kStart, but from where the last run ended: see may_go_on()
-  kDrive,   ///< arm for driving by hand; the robot is taken to be where it is estimated
+  kDrive,   ///< arm for driving by hand; the estimated poses continue
   kPause,   ///< slow down on the course to a standstill; the robot stays armed
-  kResume,  ///< go on with a run that pauses
+  kResume,  ///< continue a paused run
 };
 
 /// Names as in the events of a run.
@@ -58,10 +61,10 @@ constexpr const char* to_string(OperatorRequest request) {
   return name_in(kOperatorRequestNames, request);
 }
 
-/// An older input of a driver is ignored: the robot stops.
+/// A driver's input that is older than this is ignored, and the robot stops.
 inline constexpr HostNs kFreshInputNs = 150 * kNsPerMs;
 
-/// The speeds that a driver requests by hand. It never arms: it is used only while the robot is
+/// The speeds that a driver requests. It never arms the robot: it is used only while the robot is
 /// driven by hand.
 struct VelocityInput {
   HostNs at_ns = 0;             ///< when the person gave it
@@ -72,9 +75,9 @@ struct VelocityInput {
 // A parameter that changes while the bridge runs: an input of the step like any other, so that a
 // recording replays it.
 
-/// What can change. The values stay as they are: recordings hold them.
+/// The parameters that can change. Their numbers are fixed, because recordings contain them.
 enum class LiveParameter : std::uint8_t {
-  kSteering = 0,  ///< a Steering; ignored during a run
+  kSteering = 0,  ///< a PoseSource; ignored during a run
   kPreview = 1,
   kCrossTrackGain = 2,
   kMaxApproach = 3,

@@ -1,6 +1,6 @@
 #pragma once
-// What every step publishes beside poses: estimates of the motion, which one
-// steers, slope, terrain contact.
+// What every step publishes beside poses: estimates of the motion and their figures, slope, terrain
+// contact, traction.
 
 #include <array>
 #include <cstddef>
@@ -17,7 +17,7 @@ namespace tp100 {
 enum class PoseSource : std::uint8_t {
   kModel,     ///< the model (model/track_model.h) on encoder counts alone
   kOdometry,  ///< encoders + gyro
-  kFused,     ///< encoders + gyro + overhead camera; without a camera, of the same filter
+  kFused,     ///< encoders + gyro + overhead camera; without a camera, the same filter without it
 };
 
 /// Names as in files, messages and tables, in the enum's order.
@@ -36,7 +36,7 @@ constexpr std::string_view to_string(PoseSource source) {
   return name_in(kPoseSourceNames, source);
 }
 
-/// What a source is made from, for tables.
+/// The inputs of a source, for tables.
 constexpr std::string_view inputs_of(PoseSource source) {
   switch (source) {
     case PoseSource::kModel:
@@ -49,7 +49,7 @@ constexpr std::string_view inputs_of(PoseSource source) {
   return "";
 }
 
-/// True for sources that equal another one without an overhead camera.
+/// True for a source that, without an overhead camera, is the same as another one.
 constexpr bool needs_camera(PoseSource source) { return source == PoseSource::kFused; }
 
 /// True for sources whose inputs do not show a disturbance.
@@ -101,14 +101,14 @@ struct PlanarCovariance {
 /// Stands for the variance of what is not estimated, as usual in ROS.
 inline constexpr double kUnknownVariance = 1e6;
 
-/// What the filter of the fused estimate says besides its pose and twist.
+/// Results of the filter of the fused estimate besides its pose and twist.
 struct FilterFigures {
   PlanarCovariance covariance{};  ///< of the pose, in the world frame, with the error common to all
                                   ///< images
   double slip_left = 0.0;         ///< estimated
   double slip_right = 0.0;
   double gyro_bias_radps = 0.0;
-  double nis = 0.0;       ///< normalized innovation squared of the last camera sample, 3 degrees
+  double nis = 0.0;       ///< normalized innovation squared of the last camera sample, 3 DoF
   double nis_mean = 0.0;  ///< mean over the samples since the run began, without outliers; 3 if
                           ///< noise is as assumed
   std::uint32_t nis_count = 0;        ///< of those samples
@@ -163,7 +163,7 @@ constexpr const char* to_string(ObstacleClass obstacle) {
 
 /// Whether the tracks still move the robot.
 enum class Traction : std::uint8_t {
-  kHolding,      ///< slip within its bound, or nothing to judge by
+  kHolding,      ///< slip within its bound, or no evidence
   kSlipping,     ///< slip beyond its bound
   kImmobilised,  ///< the tracks run and the robot hardly moves
 };

@@ -15,8 +15,8 @@ using wire::Fault;
 using wire::fault_bit;
 using wire::FaultMask;
 
-/// Faults that a robot can latch. The daemon latches some of them too, e.g. a STOP; the others it
-/// latches alone.
+/// The robot's faults, bits 0 to 15. The daemon latches those, too, that it sees in a run's samples
+/// or finds itself (STOP, a stale IMU, commands not accepted); bits 16 to 31 are its own alone.
 inline constexpr FaultMask kRobotFaults = 0xFFFFU;
 /// The robot's faults that this version knows.
 inline constexpr FaultMask kKnownRobotFaults = 0

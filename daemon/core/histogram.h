@@ -29,7 +29,7 @@ class Histogram {
                         : static_cast<double>(sum_.load(std::memory_order_relaxed)) /
                               static_cast<double>(count());
   }
-  /// How many values lie below `ns`, up to the width of a bucket.
+  /// How many values lie below `ns`, to within a bucket's width.
   std::uint64_t count_below(std::uint64_t ns) const {
     std::uint64_t seen = 0;
     for (std::size_t i = 0; i < kBuckets && upper(i) < ns; ++i)

@@ -17,7 +17,7 @@ enum class SessionState : std::uint8_t {
   kClosed,      ///< no port
   kListening,   ///< port open, silent until the robot's first frame (a bootloader must not receive
                 ///< anything)
-  kHello,       ///< hello asked for
+  kHello,       ///< hello requested
   kParameters,  ///< parameters sent, acknowledgement awaited
   kSyncing,     ///< samples flow, the clock relation is being found
   kReady,       ///< samples and commands flow

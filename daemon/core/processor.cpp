@@ -2,7 +2,7 @@
 
 #include <gnu/libc-version.h>
 #ifdef __x86_64__
-// The header names C's own type, which only GCC knows in C++.
+// The header uses C's own type, which only GCC accepts in C++.
 #define _Bool bool  // NOLINT(bugprone-reserved-identifier)
 #include <sys/platform/x86.h>
 #undef _Bool
@@ -12,7 +12,7 @@ namespace tp100 {
 
 std::string arithmetic() {
 #if defined __x86_64__
-  // glibc has its functions twice, and the choice may be the user's (GLIBC_TUNABLES).
+  // glibc has each function in two versions, and the user may have chosen one (GLIBC_TUNABLES).
   const char* const kind = "x86_64";
   const bool fma = CPU_FEATURE_ACTIVE(FMA) && CPU_FEATURE_ACTIVE(AVX2);
 #elif defined __aarch64__

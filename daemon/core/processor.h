@@ -1,5 +1,5 @@
 #pragma once
-// What of this machine decides the last bits of a result; see core/arithmetic.h.
+// Properties of this machine that decide the last bits of a result; see core/arithmetic.h.
 
 #include <string>
 

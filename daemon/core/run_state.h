@@ -11,7 +11,7 @@
 namespace tp100 {
 
 enum class RunState : std::uint8_t {
-  kIdle,      ///< no run; commands ask for a standstill
+  kIdle,      ///< no run; commands request a standstill
   kArming,    ///< operator started; robot not armed yet
   kRunning,   ///< following the course
   kFinished,  ///< path completed, robot disarmed
@@ -35,11 +35,11 @@ constexpr bool armed(RunState state) {
   return state == RunState::kRunning || state == RunState::kDriving;
 }
 
-/// Nothing else can begin: armed, or about to be.
+/// Armed or about to be: nothing else can begin.
 constexpr bool under_way(RunState state) { return state == RunState::kArming || armed(state); }
 
-/// Whether the last run ended before the end of its course, so that it can go on from where the
-/// estimates say that the robot is. `progress_m`, `length_m`: along the course.
+/// Whether the last run ended before the end of its course, so that it can be continued from the
+/// robot's estimated pose. `progress_m`, `length_m`: along the course.
 constexpr bool may_go_on(RunState state, double progress_m, double length_m) {
   return (state == RunState::kIdle || state == RunState::kAborted) && progress_m > 0.0 &&
          progress_m < length_m;
@@ -52,10 +52,10 @@ enum class StartRefusal : std::uint8_t {
   kUnderWay,      ///< a run is arming or running
   kNoSession,     ///< no robot, or the handshake is not over
   kNoSample,      ///< no fresh sample
-  kMotorsOn,      ///< the robot is armed or has a duty without being asked
+  kMotorsOn,      ///< the robot is armed or has a duty without a request
   kUnknownFault,  ///< the robot reports a fault that this version does not know
   kTilted,        ///< by more than control.max_tilt_deg
-  kNoImu,         ///< the yaw is the gyro's, and it delivers nothing
+  kNoImu,         ///< the yaw needs the gyro, and the IMU delivers no values
   kNotStill,      ///< the gyro's bias is not known: it has not been at rest yet
   kNoWorld,       ///< the external world has not answered in time
   kDriven,        ///< the robot is driven by hand

@@ -47,12 +47,12 @@ struct Sample {
   std::uint8_t imu_age = 255;      ///< samples since the IMU values were new; 0 is fresh
 };
 
-/// The robot says that its motors are enabled.
+/// The robot reports that its motors are enabled.
 inline bool enabled(const Sample& sample) {
   return sample.state == RobotState::kArmed || sample.state == RobotState::kRunning;
 }
 
-/// It is enabled or has a duty. Tracks that turn without either are turned by hand.
+/// The robot is enabled or has a duty. If its tracks turn without either, a hand turns them.
 inline bool motors_on(const Sample& sample) {
   return enabled(sample) || sample.left_duty != 0.0 || sample.right_duty != 0.0;
 }
@@ -76,7 +76,8 @@ struct CameraSample {
 /// In the frame of the course, REP-103, already checked: finite and in range.
 struct WorldSample {
   std::uint32_t session = 0;  ///< +1 each time a world connects; a change means a new world
-  /// The `now` of the step whose pose it answers; a file answers none: when it was read.
+  /// The `now` of the step whose pose this answers; of a file, which answers none, when it was
+  /// read.
   HostNs answered_ns = 0;
   bool stop = false;  ///< the world requests a standstill, like an operator's stop
   bool has_ground = false;
@@ -99,7 +100,7 @@ inline constexpr double kBiasStandstillS = 0.3;
 
 // Greatest distance that a track can travel between two samples.
 
-/// Counts per second of a track, whether driven, pushed or rolling down a ramp: beyond any.
+/// Counts per second that no track reaches, whether driven, pushed or rolling down a ramp.
 constexpr double max_counts_per_s(double max_track_mps, double counts_per_metre) {
   constexpr double kFastest = 3.0;  // times the drive's limit
   return kFastest * max_track_mps * counts_per_metre;

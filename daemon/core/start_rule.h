@@ -39,8 +39,8 @@ enum class LineMeaning : std::uint8_t {
 };
 
 /// `line`: without surrounding white space. Once a run has begun, any line but kStartWord is a
-/// STOP, even if nothing seems to run: the run that it is meant for may have ended just now, before
-/// the robot knows.
+/// STOP, even if nothing seems to run: the run that it should stop may have ended just now, before
+/// the robot has been told.
 constexpr LineMeaning meaning_of(std::string_view line, StartConsent consent, bool under_way) {
   if (under_way) return LineMeaning::kStop;
   if (line == kStartWord) return LineMeaning::kStart;

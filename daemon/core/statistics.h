@@ -9,7 +9,7 @@
 
 namespace tp100 {
 
-/// Median, of an even number the upper one; 0 of nothing.
+/// Median, the upper one of an even number of values; 0 of none.
 inline double median(std::vector<double> values) {
   if (values.empty()) return 0.0;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -29,14 +29,14 @@ struct Spread {
 };
 Spread spread(const std::vector<double>& values);
 
-/// Exceeded with probability `tail` by Student's t of `degrees` > 0 degrees of freedom.
+/// Value that Student's t of `degrees` > 0 degrees of freedom exceeds with probability `tail`.
 double student_t(double tail, double degrees);
 
 /// Probability of at most `k` successes in `n` trials of `share` each. 0 <= k <= n, both whole.
 double binomial_at_most(double k, double n, double share);
 
-/// The shares between which `k` successes of `n` > 0 lie in both tails with probability `tail`
-/// (Clopper-Pearson).
+/// Clopper-Pearson limits of the share of successes after `k` of `n` > 0 trials, with probability
+/// `tail` beyond each.
 std::pair<double, double> binomial_shares(double k, double n, double tail);
 
 }  // namespace tp100

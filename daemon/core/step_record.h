@@ -20,7 +20,7 @@ namespace tp100 {
 // after its construction, so that a recording may begin there and is replayable without earlier
 // input.
 
-/// State of an estimate; places and units as in estimation/kalman.h.
+/// State of an estimate; order and units as in estimation/kalman.h.
 struct CarriedEstimate {
   std::array<double, 8> mean{};
   std::array<double, 64> covariance{};  ///< row by row
@@ -55,16 +55,16 @@ struct CarriedState {
   std::uint32_t session_number = 0;
   RunState run_state = RunState::kIdle;  ///< not under_way()
   FaultMask faults = 0;                  ///< latched by the daemon
-  /// The values in force of all live parameters.
+  /// The present values of all live parameters.
   BoundedList<ParameterChange, kLiveParameters> parameters{};
   double cross_track_m = 0.0;  ///< where the last run ended
   double progress_m = 0.0;
   Sample sample{};          ///< the newest
   bool has_sample = false;  ///< it is of this session
-  bool continues = false;   ///< the next sample continues it
+  bool continues = false;   ///< the next sample ends an interval that begins with it
   Pose model{};             ///< the model's pose
   CarriedEstimate odometry{};
-  double virtual_x_m = 0.0;  ///< from the robot's floor into the course's world
+  double virtual_x_m = 0.0;  ///< transform from the robot's floor into the course's world
   double virtual_y_m = 0.0;
   double virtual_turn_rad = 0.0;
   CarriedFilter filter{};
@@ -85,8 +85,8 @@ struct Snapshot {
                                                  ///< last sample interval
   FilterFigures filter{};                        ///< of the fused estimate
   /// The steering pose in the course's world. Where ramps and blocks are virtual, the robot on them
-  /// is slower than the one on the floor: x and y lag behind. Elsewhere it equals the steering
-  /// pose.
+  /// is slower than the one on the floor: x and y lag behind. An external world may own this pose.
+  /// Otherwise it equals the steering pose.
   Pose world{};
   TerrainContact terrain_contact{};
   double left_mps = 0.0;  ///< track speeds over the last sample interval
@@ -106,13 +106,13 @@ struct Snapshot {
   double cross_track_m = 0.0;      ///< steering pose in the world against the path, left positive
   double heading_error_rad = 0.0;  ///< desired - actual
   double progress_m = 0.0;         ///< along the path
-  bool recovering = false;         ///< a disturbance was noticed; not back on the path yet
+  bool recovering = false;         ///< a disturbance was detected; not back on the path yet
   PoseSource steering = PoseSource::kOdometry;
   RunState run_state = RunState::kIdle;
   StartRefusal start_refusal = StartRefusal::kNone;  ///< reason that refuses a start now
   StartRefusal drive_refusal = StartRefusal::kNone;  ///< ... and driving by hand
   bool at_fence = false;                             ///< the fence limits the speed by hand
-  double pause_left_s = 0.0;  ///< the run pauses, and ends after this time; 0: it does not pause
+  double pause_left_s = 0.0;  ///< the run is paused, and ends after this time; 0: it is not
   FaultMask faults = 0;       ///< robot's and daemon's
 };
 

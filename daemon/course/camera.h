@@ -28,7 +28,7 @@ struct EmulatedCamera {
   double height_m = 2.5;      ///< of the lens above the floor
   double offset_x_m = 0.0;    ///< of the lens from the middle of the course's fence
   double offset_y_m = 0.0;
-  double marker_height_m = 0.06;  ///< above the reference point; also the plane it measures in
+  double marker_height_m = 0.06;  ///< above the reference point; it measures in this plane
   double marker_size_m = 0.10;
   double distortion = 0.0;  ///< radial error left after calibration, at a distance of height_m
   double view_m = 0.0;      ///< radius of the floor that it sees; 0: all of it

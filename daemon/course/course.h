@@ -29,25 +29,25 @@ struct Fence {
   std::vector<Polygon> keep_out{};
 };
 
-// No allocation but in corners_of(); safe in the real-time thread.
+// No allocation except in corners_of(); the others are safe in the real-time thread.
 
-/// Whether a place lies inside a polygon. On its edge either may be the answer.
+/// Whether a place lies inside a polygon; on its edge the result may be either.
 bool contains(const Polygon& polygon, double x_m, double y_m);
 
 /// Whether the reference point may be there: inside the boundary or on a rectangle's edge, and in
 /// no keep-out area.
 bool contains(const Fence& fence, double x_m, double y_m);
 
-/// Whether two edges of the polygon cross or touch, but for neighbours at their corner.
+/// Whether two edges of the polygon cross or touch, except neighbours at their corner.
 bool crosses_itself(const Polygon& polygon);
 
-/// The corners of the boundary, of a rectangle too.
+/// The corners of the boundary, also of a rectangle.
 Polygon corners_of(const Fence& fence);
 
-/// The point of the edge behind corner `index` that is nearest to a place.
+/// The point nearest to a place on the edge that follows corner `index`.
 Vertex nearest_on_edge(const Polygon& polygon, std::size_t index, double x_m, double y_m);
 
-/// Shorter segments are none.
+/// Smaller segments are invalid.
 inline constexpr double kSmallestLengthM = 0.001, kSmallestTurnDeg = 0.1;
 
 /// Straight segment. [m]
@@ -79,7 +79,7 @@ struct Course {
   std::string name;  ///< file stem, e.g. "1-curve"
   std::string description;
   double speed_mps = 0.10;
-  bool identifies = false;    ///< driven to find the robot's values: its turns are not known yet
+  bool identifies = false;    ///< driven to identify the robot, whose turns are not known yet
   Pose start{};               ///< x, y, yaw
   std::vector<Segment> path;  ///< never empty
   std::vector<Disturbance> disturbances;  ///< ascending at_m

@@ -158,7 +158,8 @@ Disturbance disturbance_of(text::TomlTable table, double length_m, double after_
 }
 
 void require_inside(const Path& path, const Fence& fence, const text::TomlTable& table) {
-  // A rectangle is left by none of a line, and by an arc for longer than a step.
+  // A line between two points of a rectangle stays inside; an arc that leaves it does so for longer
+  // than a coarse step.
   const bool rectangle = fence.corners.empty() && fence.keep_out.empty();
   for (std::size_t i = 0; i < path.segments().size(); ++i) {
     const PathSegment& segment = path.segments()[i];

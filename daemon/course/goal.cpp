@@ -10,7 +10,7 @@
 namespace tp100::course {
 namespace {
 
-/// The same number when it is read again.
+/// Reads back as the same number.
 std::string exact(double value) { return text::format("%.17g", value); }
 
 std::string segment(const char* type, const std::string& values) {

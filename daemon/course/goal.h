@@ -1,6 +1,6 @@
 #pragma once
 // A course with another start and path, as a file that a person could have written: straight to a
-// goal, or any. Pure.
+// goal, or along any path. Pure.
 
 #include <string>
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace tp100::course {
 
-/// Somewhere to drive to: x, y and yaw of both count.
+/// A drive from one pose to another: x, y and yaw of both are used.
 struct Goal {
   Pose from{};
   Pose to{};
@@ -22,12 +22,12 @@ inline constexpr const char* kGoalCourse = "goal";
 
 /// The course file `course` with another start and path: a pivot towards the goal, a line to it and
 /// a pivot to its yaw. Fence, keep-out areas, terrain and speed stay; whether the path fits them is
-/// for parse_course(). What is shorter than a course file's smallest segments (1 mm, 0.1 deg) is
-/// left out. Throws SetupError: no course and so no fence, the robot is there already, or `course`
-/// is not TOML.
+/// checked by parse_course(). Segments below a course file's smallest (1 mm, 0.1 deg) are left out.
+/// Throws SetupError: no course and so no fence, the robot is there already, or `course` is not
+/// TOML.
 TextFile course_to(const TextFile& course, const Goal& goal);
 
-/// What replaces the rest of a course file.
+/// The content that replaces the rest of a course file.
 struct OtherPath {
   std::string name;         ///< of the course
   std::string description;  ///< one line
@@ -38,7 +38,7 @@ struct OtherPath {
 };
 
 /// The course file `course` with another path. Fence, keep-out areas and terrain stay; whether the
-/// path fits them is for parse_course(). Throws SetupError: no course, or it is not TOML.
+/// path fits them is checked by parse_course(). Throws SetupError: no course, or it is not TOML.
 TextFile course_along(const TextFile& course, const OtherPath& other);
 
 }  // namespace tp100::course

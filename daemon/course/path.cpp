@@ -97,7 +97,7 @@ PathPoint Path::at(std::size_t index, double offset_m) const {
 PathPoint Path::at(double s_m) const {
   std::size_t index = 0;
   while (index + 1 < segments_.size() && segments_[index].end.s_m < s_m) ++index;
-  // Past the end, a closing pivot would hide the curvature and pose before it.
+  // At the end, a final pivot would hide the curvature and pose before it.
   while (index > 0 && segments_[index].kind == PathSegment::Kind::kPivot) --index;
   return at(index, s_m - segments_[index].begin.s_m);
 }

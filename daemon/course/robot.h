@@ -1,9 +1,9 @@
 #pragma once
-// What the daemon knows of a robot besides its model: measured sizes, wiring and drive.
+// The daemon's data of a robot besides its model: measured sizes, wiring and drive.
 
 namespace tp100::course {
 
-/// Values from a ruler and a balance: they determine the robot's attitude on ramps and steps.
+/// Measured with ruler and balance; they determine the robot's attitude on ramps and steps.
 /// `emulated.body` has its own values; a robot file may be wrong about its robot.
 struct ShapeValues {
   double length_m = 0.185;

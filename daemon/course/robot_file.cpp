@@ -25,7 +25,7 @@ std::span<const text::Key<model::TrackParameters>> model_keys() {
   return kKeys;
 }
 
-/// Those of them that the form has.
+/// The keys of the parameters that the form fits.
 std::vector<text::Key<model::TrackParameters>> form_keys(const model::ModelForm& form) {
   std::vector<text::Key<model::TrackParameters>> keys;
   for (std::size_t i = 0; i < model_keys().size(); ++i)

@@ -36,7 +36,7 @@ struct EmulatedBody {
   double com_left_m = 0.0;
   double mid_lift_m = 0.0003;  ///< mid stations above the end stations: 0.3 mm loads the ends only
   double friction = 0.9;
-  double slick_m = 0.0;       ///< stretch of each track that is worn smooth; it comes round again
+  double slick_m = 0.0;  ///< length of each track that is worn smooth, on the ground once a turn
   double slick_factor = 0.5;  ///< on the friction of that stretch
   double creep_left = 0.148;  ///< contact creep, slip per unit of traction / weight
   double creep_right = 0.148;
@@ -44,7 +44,7 @@ struct EmulatedBody {
   double track_deficit_right = 0.160;
 };
 
-/// Law of the contact between tracks and ground: which body the emulated robot has (sim/body).
+/// Law of the contact between tracks and ground; it selects the emulated robot's body (sim/body).
 enum class ContactLaw {
   kOde,    ///< rigid-body contacts, on every terrain
   kShear,  ///< shear stress that builds up under each shoe, on level ground
@@ -70,12 +70,12 @@ inline constexpr std::array<EnumName<Floor>, 2> kFloorNames = {{
 }};
 constexpr const char* to_string(Floor floor) { return name_in(kFloorNames, floor); }
 
-/// What a seed draws of floor and robot where the floor is uneven. The values are ours: no
-/// measurement of such a floor is known to us.
+/// What a seed draws of floor and robot where the floor is uneven. The values are our own: we know
+/// of no measurement of such a floor.
 struct EmulatedVariation {
   double friction_sd = 0.08;    ///< over the floor, in parts of the friction
   double slip_sd = 0.01;        ///< over the floor, added to the track deficit; `ode` only
-  double correlation_m = 0.3;   ///< distance within which the floor is much the same
+  double correlation_m = 0.3;   ///< distance within which the floor hardly changes
   double tile_m = 0.0;          ///< side of square tiles that differ from each other; 0: none
   double tension_sd = 0.005;    ///< of each track deficit, from run to run; `ode` only
   double payload_sd_m = 0.002;  ///< of the centre of mass, forward and to the left
@@ -153,7 +153,7 @@ struct Robot {
   std::string name;  ///< file stem, e.g. "end-loaded"
   std::string description;
   model::TrackParameters model{};
-  /// Fitted simpler forms of the model, which reports judge beside it; nothing: not fitted.
+  /// Fitted simpler forms of the model, which reports compare with it; nothing: not fitted.
   model::PerBaseline<std::optional<model::TrackParameters>> baselines{};
   /// Where values of `model` came from, by key: a comment "# From ..." in the file.
   std::map<std::string, std::string, std::less<>> origins;

@@ -9,7 +9,7 @@ namespace tp100::doctor {
 
 struct HelloOptions {
   std::string port;
-  double timeout_s = 10.0;  ///< a bootloader takes one or two seconds of it
+  double timeout_s = 10.0;  ///< includes one or two seconds of the bootloader
 };
 
 /// Content of a hello.
@@ -20,8 +20,8 @@ struct HelloReply {
 /// Decodes the payload of a hello of any version; an empty text if it is too short. Pure.
 HelloReply read_hello(const std::uint8_t* payload, std::size_t size);
 
-/// Opens the port, which resets a Mega, sends nothing and prints the first hello. 0: firmware for
-/// this program; 1: another one, or no hello. Throws SetupError.
+/// Opens the port, which resets a Mega, sends nothing and prints the first hello. Returns 0 if its
+/// firmware is for this program, 1 for another one or without a hello. Throws SetupError.
 int run_hello(const HelloOptions& options);
 
 // Whether a silent board has nothing but the Mega's bootloader in its flash.

@@ -24,7 +24,7 @@ namespace tp100::doctor {
 
 namespace {
 
-// Slow to read, or too coarse for a loop with a period of a millisecond.
+// Clocks that are slow to read, or too coarse for a loop with a period of a millisecond.
 constexpr auto kPoorClocks =
     std::to_array<std::string_view>({"hpet", "acpi_pm", "jiffies", "refined-jiffies", "pit"});
 

@@ -1,5 +1,5 @@
 #pragma once
-// What keeps this machine from driving a robot in time.
+// Checks of what can keep this machine from driving a robot in time.
 
 #include <cstdint>
 #include <string>

@@ -194,7 +194,8 @@ bool ignored(const std::string& record) {
          record.find("E:ID_MM_PORT_IGNORE=1") != std::string::npos;
 }
 
-/// The rule may be set for the port or for its USB device.
+/// Whether a udev rule makes ModemManager ignore the port; it may be for the port or its USB
+/// device.
 bool left_alone(const System& system, const std::string& device) {
   fs::path at = system.real("/sys/class/tty/" + fs::path(device).filename().string());
   while (at.has_relative_path()) {
@@ -231,7 +232,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The CH340 and CH341; the CH9102 is another design.
+// Vendor of the CH340 and CH341; its CH9102 is another design.
 constexpr int kCh340Vendor = 0x1a86;
 constexpr int kCh9102 = 0x55d4;
 

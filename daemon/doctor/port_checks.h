@@ -1,5 +1,6 @@
 #pragma once
-// What keeps a port from being used: which port is meant, permission, other programs, USB.
+// Checks of what can keep a port from being used: the choice of the port, permission, other
+// programs, USB.
 
 #include <sys/types.h>
 
@@ -28,7 +29,7 @@ struct ChosenPort {
 ChosenPort choose_port(const System& system, const std::string& port,
                        const std::vector<link::PortInfo>& ports, const std::string& open = {});
 
-/// udev's name for a device that survives replugging; empty if it has none.
+/// The name that udev gives a device and that survives replugging; empty if it has none.
 std::string stable_name(const System& system, const std::string& device);
 
 /// The program that has `device` open, as far as permissions show. Name: holder.
@@ -42,7 +43,7 @@ struct Account {
   std::vector<gid_t> groups;  ///< of this session, including the primary one
 };
 
-/// Of this process.
+/// The account of this process.
 Account this_account();
 
 /// Whether the account may read and write `device`. `usable` is the result of System::usable; mode
@@ -50,7 +51,7 @@ Account this_account();
 Findings permission_findings(const System& system, const std::string& device,
                              const Account& account, bool usable);
 
-// ModemManager sends AT commands to every new port that it takes for a modem: they reach the
+// ModemManager sends AT commands to every new port that it believes to be a modem: they reach the
 // bootloader and the firmware.
 
 /// Whether it runs, and whether a udev rule excludes `device`. Name: modem-manager.

@@ -18,7 +18,7 @@ namespace tp100::doctor {
 
 class ProbeSession {
  public:
-  /// `stop` ends every call of turn(); it must outlive the session.
+  /// `stop` ends every call of turn(), and must outlive the session.
   ProbeSession(link::Port port, const link::SessionSettings& settings,
                const std::atomic<bool>& stop);
   ProbeSession(const ProbeSession&) = delete;
@@ -28,7 +28,7 @@ class ProbeSession {
   /// or `stop` is set. Returns whether `enough` held.
   bool turn(double limit_s, const std::function<bool()>& enough);
 
-  /// Sets the command from now on, initially zero. An armed robot moves by it.
+  /// Sets the command from now on, initially zero. An armed robot follows it.
   void command(double speed_mps, double yaw_rate_radps);
   /// Arms and waits. False: refused, or not acknowledged; see why() and fix().
   bool arm();

@@ -18,7 +18,7 @@ constexpr double kOldUs = 20'000.0;
 constexpr double kLooseClockUs = 2'000.0;
 // Vertical part of 9.81 m/s^2 for a board within 60 degrees of level.
 constexpr double kUprightMps2 = 4.9;
-// No battery is that empty: the board's own supply feeds what is measured.
+// No battery is that empty: it is off, and the board's own supply feeds the measured pin.
 constexpr double kOffV = 4.0;
 
 std::string text_of(const Percentiles& times) {
@@ -52,7 +52,7 @@ Finding silent(const ProbeResult& probe) {
                    flash + "; else choose its port with --port");
 }
 
-/// The next start clears a latched fault, unless it is one of the causes that refuse an arm.
+/// A latched fault is only a warning, as the next start clears it, unless its cause refuses an arm.
 void add_fault(Fault fault, Findings& findings) {
   const FaultText& words = describe(fault);
   const std::string seen = std::string(words.name) + ": " + std::string(words.cause);

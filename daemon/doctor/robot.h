@@ -23,7 +23,7 @@ struct Percentiles {
   double max_us = 0.0;
 };
 
-/// Of a histogram of nanoseconds.
+/// The percentiles of a histogram of nanoseconds.
 Percentiles percentiles(const Histogram& times);
 
 /// Statistics over an interval of samples and of zero commands.
@@ -42,7 +42,7 @@ struct LinkTest {
   double clock_drift_ppm = 0.0;
 };
 
-/// How far the handshake got.
+/// Result of a probe: how far the handshake got, and the robot's state.
 struct ProbeResult {
   std::string port{};
   std::string open_error{};   ///< why the port could not be opened; empty: it could

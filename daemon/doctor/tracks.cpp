@@ -11,7 +11,7 @@
 namespace tp100::doctor {
 namespace {
 
-// A tenth of a track's distance in a second of that test.
+// A tenth of the distance that a track covers in a second of the test.
 constexpr double kMovedM = 0.01;
 // On the floor the other track is dragged along, and the body turns only by a few degrees.
 constexpr double kBodyTurnedRad = 1.0 * kRadPerDeg;

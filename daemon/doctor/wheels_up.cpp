@@ -31,7 +31,7 @@ link::SessionSettings open_loop(link::SessionSettings settings) {
   out.slip_left = out.slip_right = 0.0F;
   out.speed_kp = out.speed_ki = out.yaw_kp = 0.0F;
   out.max_yaw_radps = 1.0F;
-  // So that a track that counts backwards is driven to the end and judged, not stopped as a fault.
+  // A track that counts backwards must be driven to the end and judged, not stopped as a fault.
   out.max_track_mps = 1.0F;
   out.stall_duty = 0;
   out.flags = static_cast<std::uint8_t>(out.flags & ~wire::kUseGyro);
@@ -124,7 +124,7 @@ class WheelsUp {
     session_.turn(seconds, [] { return false; });
   }
 
-  /// One motion, while somebody watches. False: nobody does any more.
+  /// One motion, while somebody watches. False: nobody watches any more.
   bool move(const Motion& motion) {
     session_.command(motion.speed_mps, motion.yaw_rate_radps);
     const bool left_alone = session_.turn(kDistanceS, [this] { return !person_.watches(); });

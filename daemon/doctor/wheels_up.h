@@ -15,7 +15,7 @@
 
 namespace tp100::doctor {
 
-/// One answer that a question takes.
+/// One possible answer to a question.
 struct Choice {
   std::string answer;   ///< what is typed; empty: just Enter
   std::string meaning;  ///< "the left track, back first"
@@ -34,13 +34,13 @@ class Operator {
   virtual void say(const std::string& line) = 0;
   /// Asks; earlier answers are ignored.
   virtual void ask(const Question& question) = 0;
-  /// One of the answers to the last question, once.
+  /// The answer to the last question, once; nothing if there is none yet.
   virtual std::optional<std::string> take_answer() = 0;
   /// There will be no more answers.
   virtual bool ended() const = 0;
   /// Whether a person watches. No track runs otherwise.
   virtual bool watches() const = 0;
-  /// At the end the robot has acknowledged, by host time `at`, that its motors are off.
+  /// Called at the end: by host time `at`, the robot had acknowledged that its motors are off.
   virtual void motors_off(HostNs at) = 0;
 };
 
@@ -54,10 +54,10 @@ struct WheelsUpOptions {
 /// The result of a test that was not completed.
 Findings wheels_up_broken_off(std::string seen, std::string fix);
 
-/// The tracks run at once: the caller has asked whether they are free. A motion during which nobody
-/// watched is repeated when somebody does again; after 2 s the test ends. The motors are off when
-/// it returns, also after `stop`. Names besides those of doctor/tracks.h: wheels-up. Throws
-/// SetupError if the port cannot be opened.
+/// The tracks run at once: the caller must have asked whether they are free. A motion during which
+/// nobody watched is repeated when somebody watches again; after 2 s without, the test ends. The
+/// motors are off when it returns, also after `stop`. Names besides those of doctor/tracks.h:
+/// wheels-up. Throws SetupError if the port cannot be opened.
 Findings try_wheels_up(const WheelsUpOptions& options, Operator& person,
                        const std::atomic<bool>& stop);
 

@@ -31,7 +31,7 @@ constexpr double kLevelRad = 2.0 * kRadPerDeg;
 constexpr double kStepSine = 0.56;
 // After this distance uphill a ramp is certain.
 constexpr double kJudgedM = 0.04;
-// Distance over the top of an obstacle, from leaving its up side to its down side.
+// Greatest distance over the top of an obstacle, from the end of its up side to its down side.
 constexpr double kTopM = 0.6;
 constexpr double kMarkM = 0.001;
 

@@ -1,5 +1,5 @@
 #pragma once
-// What the IMU shows of the body: roll and pitch from gyro and accelerometer (the gyro over short
+// The body's attitude from the IMU: roll and pitch from gyro and accelerometer (the gyro over short
 // times, gravity over long ones), and from the pitch alone, without map or camera, the slope and
 // the class of the obstacle under the robot.
 
@@ -85,7 +85,7 @@ class ObstacleState {
   /// One interval at whose end the body has this pitch (nose-up negative) and state; `distance_m`
   /// is the tracks' distance without slip.
   ObstacleClass update(double pitch_rad, Slope slope, double distance_m);
-  /// The obstacle that tilts the body; none while it is level.
+  /// The obstacle that tilts the body; kNone while it is level.
   ObstacleClass state() const { return state_; }
 
  private:
@@ -98,7 +98,7 @@ class ObstacleState {
   Slope slope_ = Slope::kFlat;
   ObstacleClass state_ = ObstacleClass::kNone;
   ObstacleClass last_ = ObstacleClass::kNone;  ///< the obstacle that the robot climbed
-  double level_m_ = 0.0;                       ///< distance since it was left
+  double level_m_ = 0.0;                       ///< distance since last_ was left
   double up_m_ = 0.0;                          ///< distance since the slope state became up
   double since_mark_m_ = 0.0;
   std::array<double, kMarks> sines_{};  ///< of the pitch, a millimetre apart; a ring

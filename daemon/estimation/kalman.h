@@ -4,15 +4,15 @@
 // The state is x, y, yaw of the reference point in the world, gyro bias, common slip, slip
 // difference, turn gain, and the change of the bias with the gyro's temperature. Common slip c and
 // slip difference d are beside the slip that the ground is expected to have: the left track covers
-// (1 - c - d) of the expected distance, the right one (1 - c + d). The turn gain g is what the
-// wheelbase gets wrong: the tracks turn the robot by (1 + g) of the expected angle.
-// What can be seen of it:
-// - Gyro and tracks see the bias at rest, while driving straight the sum of bias and slip
-//   difference, and in a turn the sum of these and the turn gain: turns of different sharpness and
-//   both directions tell them apart. They see neither place nor direction nor common slip: those
-//   only drift.
-// - A camera sees place and direction and, while the robot moves, the common slip; together with
-//   the gyro the slip difference and the bias.
+// (1 - c - d) of the expected distance, the right one (1 - c + d). The turn gain g is the error of
+// the wheelbase: the tracks turn the robot by (1 + g) of the expected angle.
+//
+// What is observable:
+// - By gyro and tracks: at rest the bias, in straight driving the sum of bias and slip difference,
+//   and in a turn the sum of these and the turn gain: turns of different sharpness and both
+//   directions tell them apart. Position, heading and common slip are not observable and drift.
+// - By a camera: position and heading and, while the robot moves, the common slip; together with
+//   the gyro, the slip difference and the bias.
 
 #include <Eigen/Core>
 #include <Eigen/LU>
@@ -49,14 +49,14 @@ struct Measurement {
   Eigen::Matrix<double, Rows, Rows> noise;
 };
 
-/// P H^T. Of matrices this small, the lazy product is the faster one.
+/// P H^T. The lazy product is faster for matrices as small as these.
 template <int Rows>
 Eigen::Matrix<double, kStates, Rows> covariance_with(const StateMatrix& covariance,
                                                      const Measurement<Rows>& seen) {
   return covariance.lazyProduct(seen.jacobian.transpose());
 }
 
-/// Covariance of the innovation, of P H^T.
+/// Covariance of the innovation, from P H^T.
 template <int Rows>
 Eigen::Matrix<double, Rows, Rows> innovation_covariance(
     const Eigen::Matrix<double, kStates, Rows>& with_seen, const Measurement<Rows>& seen) {
@@ -72,7 +72,7 @@ double normalized_innovation(const FilterState& state, const Measurement<Rows>& 
   return seen.innovation.dot(inverse * seen.innovation);
 }
 
-/// Updates mean and covariance; of the states before `first` only the covariance. The Joseph form
+/// Updates mean and covariance; for the states before `first` only the covariance. The Joseph form
 /// is right for any gain and keeps the covariance positive; averaging with its transpose keeps it
 /// symmetric. No allocation.
 template <int Rows>

@@ -13,14 +13,15 @@ namespace {
 constexpr double kResidualGate = 10.8;
 // Without a gyro the tracks' error counts as constant for this long.
 constexpr double kTrackErrorS = 0.1;
-// Of the tracks' difference over a window, in edges: each track begins and ends it between two.
+// Standard deviation of the tracks' difference over a window, in edges: each track begins and ends
+// the window between two edges.
 const double kEdgeSd = std::sqrt(4.0 / 12.0);
 constexpr double kMovingMps = 0.002;
 // A body that tips over an edge moves sideways to its tracks. Slower rates are noise of the pitch.
 constexpr double kTiltSdMRtrad = 0.01;
 constexpr double kTippingRadps = 0.1;
 
-/// Of the expected distance, what the tracks cover.
+/// Shares of the expected distance that the tracks cover.
 struct Shares {
   double left, right;
 };
@@ -29,7 +30,7 @@ Shares shares(const StateVector& mean) {
           1.0 - mean[kCommonSlip] + mean[kSlipDifference]};
 }
 
-/// Adds to the uncertainty of the pose, which bias and slip no longer explain.
+/// Adds to the uncertainty of the pose, without correlation with bias and slip.
 void forget_place(FilterState& state, double sd_m, double sd_rad) {
   constexpr Eigen::Index kPose = kYaw + 1;
   StateMatrix& p = state.covariance;
@@ -40,8 +41,8 @@ void forget_place(FilterState& state, double sd_m, double sd_rad) {
   p(kYaw, kYaw) += square(sd_rad);
 }
 
-/// Variance of where an interval ends, along and across its direction, beside what bias and slip
-/// explain.
+/// Variance of the position at an interval's end, along and across its direction, beside the part
+/// that bias and slip explain.
 struct ShiftVariance {
   double along_m2, across_m2;
 };
@@ -127,11 +128,11 @@ PlanarCovariance MotionModel::twist_covariance(const FilterState& state,
   const model::Turn turn = turn_of(motion);
   const auto [left, right] = expected_speeds(motion.tracks, motion.ground);
 
-  // Of forward speed and yaw rate by the state, as in twist().
+  // Derivatives of forward speed and yaw rate by the state, as in twist().
   Eigen::Matrix<double, 2, kStates> by_state = Eigen::Matrix<double, 2, kStates>::Zero();
   by_state(0, kCommonSlip) = -(right + left) / 2.0 * (1.0 - turn.slip);
   by_state(0, kSlipDifference) = (right - left) / 2.0 * (1.0 - turn.slip);
-  // A track's speed begins and ends between two edges.
+  // An interval of a track begins and ends between two edges.
   const double edges_mps2 = square(noise_.edge_m / dt) / 6.0;
   const double rate = std::abs(twist.yaw_rate_radps);
   double rate_variance = 0.0;
@@ -151,7 +152,7 @@ PlanarCovariance MotionModel::twist_covariance(const FilterState& state,
   by(0, 0) += edges_mps2 / 2.0;
   by(1, 1) += rate_variance;
 
-  // Sideways: what twist() makes of the two.
+  // Derivatives of the sideways speed by these two, as in twist().
   const double of_speed = std::tan(model::slip_angle_rad(tracks_, turn, twist.yaw_rate_radps));
   const double of_rate = -turn.x_icr_m;
   const auto [along, across] = shift_variance(noise_, twist, motion);
@@ -193,7 +194,7 @@ void MotionModel::predict(FilterState& state, const Motion& motion) const {
   const double middle = state.mean[kYaw] + turn / 2.0;
   const double c = std::cos(middle), s = std::sin(middle);
 
-  // Effect of a change of speed and of yaw rate on the position.
+  // Derivatives of the position by speed and by yaw rate.
   const model::Turn shape = turn_of(motion);
   const double horizontal_fraction = motion.ground.horizontal_fraction;
   const double sideways = std::tan(model::slip_angle_rad(tracks_, shape, twist.yaw_rate_radps));
@@ -269,7 +270,7 @@ void MotionModel::measure(FilterState& state, const Motion& motion) const {
     rest.noise << square(motion.rest.sd_radps);
     update(state, rest);
   }
-  // The gyro measured the turn, so the yaw stays known.
+  // The gyro measured the turn, so the yaw stays almost as certain.
   if (motion.disturbed) forget_place(state, noise_.disturbance_sd_m, noise_.disturbance_sd_rad);
   if (!motion.has_residual) return;
   const Residual& seen = motion.residual;
@@ -278,7 +279,8 @@ void MotionModel::measure(FilterState& state, const Motion& motion) const {
   Measurement<1> residual;
   residual.innovation << innovation_radps(state.mean, seen);
   const Shares covered = shares(state.mean);
-  // No gain along common slip: an error of the turn gain would change the distance.
+  // The derivative by the common slip is left 0: an error of the turn gain would change the
+  // distance.
   residual.jacobian.setZero();
   residual.jacobian(0, kBias) = 1.0;
   residual.jacobian(0, kSlipDifference) =

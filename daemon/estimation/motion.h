@@ -1,5 +1,5 @@
 #pragma once
-// One sample interval as the estimators take it, the prediction of a state over it, and the
+// One sample interval as the input of the estimators, the prediction of a state over it, and the
 // measurements at its end.
 
 #include "core/estimates.h"
@@ -25,7 +25,7 @@ struct Ground {
                             ///< distance is less certain
 };
 
-/// Tracks against gyro: yaw rates, means over a window of several intervals.
+/// Tracks against gyro: mean yaw rates over a window of several intervals.
 struct Residual {
   double left_radps = 0.0;  ///< speed of the track with the expected slip, over the wheelbase of
                             ///< its interval
@@ -38,7 +38,7 @@ inline TrackSpeeds expected_speeds(const TrackSpeeds& tracks, const Ground& grou
   return {tracks.left_mps * (1.0 - ground.slip.left), tracks.right_mps * (1.0 - ground.slip.right)};
 }
 
-/// One interval, and the measurements that its end carries.
+/// One interval, and the measurements at its end.
 struct Motion {
   HostNs end_ns = 0;
   double dt_s = 0.0;
@@ -53,10 +53,10 @@ struct Motion {
   double slip_walk_rtm = 0.0;  ///< of the slip difference, see SlipWalk
   double turn_change = 0.0;    ///< of the turn ratio since the residual before
   bool disturbed = false;      ///< the robot was turned from outside
-  RestRate rest{};             ///< of a robot at rest; standard deviation 0: it is not
+  RestRate rest{};             ///< of a robot at rest; standard deviation 0: it is not at rest
 };
 
-/// Turns a motion into a change of the state. Pure; no allocation.
+/// Propagates a state over a motion. Pure; no allocation.
 class MotionModel {
  public:
   MotionModel(const model::TrackParameters& tracks, const FilterParameters& noise)
@@ -74,15 +74,15 @@ class MotionModel {
   model::Slip slip(const StateVector& mean, const Motion& motion) const;
   /// Twist according to state and motion.
   Twist twist(const StateVector& mean, const Motion& motion) const;
-  /// Covariance of twist(), in the body frame, for an interval that is not empty: by the state, the
-  /// encoders' edges, the gyro and the shift that the filter expects.
+  /// Covariance of twist(), in the body frame, for an interval that is not empty: from the state,
+  /// the encoders' edges, the gyro and the shift that the filter expects.
   PlanarCovariance twist_covariance(const FilterState& state, const Motion& motion) const;
   /// Yaw rate by the tracks over their speed, of a residual: -1 to 1, right and left turn on the
   /// spot.
   double turn_ratio(const StateVector& mean, const Residual& residual) const;
   /// Yaw rate of the gyro against that of the tracks according to the state.
   double innovation_radps(const StateVector& mean, const Residual& residual) const;
-  /// Noise of a residual that gyro and encoders explain.
+  /// Noise of a residual due to gyro and encoders.
   double residual_sd_radps(const Motion& motion) const;
   /// Propagates mean and covariance over the interval, along the exact arc as odometry does.
   void predict(FilterState& state, const Motion& motion) const;

@@ -10,13 +10,13 @@
 namespace tp100::estimation {
 namespace {
 
-constexpr double kKept = 0.97;  // of what was learned, from window to window
+constexpr double kKept = 0.97;  // share of the likelihoods kept from window to window
 
-// No chip warms up faster than this from sample to sample: the sensor was reset or reads nonsense.
+// No chip warms up faster than this from sample to sample: the sensor was reset or is faulty.
 constexpr double kWarmingDegc = 1.0;
-// Two windows of the same turn: what the wheelbase gets wrong is the same in both.
+// Two windows belong to the same turn within this: the error of the wheelbase is the same in both.
 constexpr double kSameTurnRadps = 0.05;
-// A robot that drives, some mm/s at least.
+// Least sum of the tracks' speeds over the wheelbase of a robot that drives: some mm/s each.
 constexpr double kDrivesRadps = 0.05;
 constexpr double kLevelGroundRad = 1.0 * kRadPerDeg;
 
@@ -112,7 +112,7 @@ void Odometry::resume(const CarriedEstimate& carried) {
 }
 
 void Odometry::compare_tracks_with_gyro() {
-  // On slopes and obstacles the tracks do not show the turn.
+  // On slopes and obstacles the tracks do not reveal the turn.
   const Ground& ground = motion_.ground;
   const bool level =
       std::abs(ground.pitch_rad) < kLevelGroundRad && std::abs(ground.roll_rad) < kLevelGroundRad;
@@ -141,7 +141,7 @@ void Odometry::compare_tracks_with_gyro() {
   }
 }
 
-// A robot that stands may be carried, and tracks that turn it on the spot do not show their slip.
+// Not for a robot that stands, which may be carried, or turns on the spot, which hides the slip.
 void Odometry::take_residual(const Residual& now) {
   const auto yaw_radps = [](const Residual& of) {
     return of.gyro_z_radps - (of.right_radps - of.left_radps);

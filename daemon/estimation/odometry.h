@@ -1,6 +1,6 @@
 #pragma once
 // Odometry: pose, gyro bias and slip ratios from encoders and gyro; and how much the slip
-// difference changes along the floor, judged by the same two.
+// difference changes along the floor, by the same two sensors.
 
 #include <array>
 #include <cstddef>
@@ -14,10 +14,10 @@
 
 namespace tp100::estimation {
 
-/// The slip difference is taken for a random walk over the distance driven. On an even floor it is
-/// nearly constant, and tracks then show a drift of the gyro; on an uneven one they do not. Its
-/// step per root metre is one of a few candidates, each with its likelihood given the changes seen;
-/// old changes are forgotten over some 30 windows. No allocation.
+/// Models the slip difference as a random walk over the distance driven. On an even floor it is
+/// nearly constant, and the tracks then reveal a drift of the gyro; on an uneven one they do not.
+/// Its step per root metre is one of a few candidates, each with its likelihood given the changes
+/// seen; old changes are forgotten over some 30 windows. No allocation.
 class SlipWalk {
  public:
   static constexpr std::size_t kCandidates = 8;
@@ -31,10 +31,10 @@ class SlipWalk {
   explicit SlipWalk(const LogLikelihoods& logs);
   const LogLikelihoods& log_likelihoods() const { return logs_; }
 
-  /// From one window to the next of `distance_m` each, the slip difference seen changed by
-  /// `change`, of which measurement noise explains `noise_sd` (> 0).
+  /// From one window to the next of `distance_m` each, the measured slip difference changed by
+  /// `change`, with measurement noise of `noise_sd` (> 0).
   void add(double change, double noise_sd, double distance_m);
-  /// Root of the mean square of the step by all candidates. [1 / sqrt(m)]
+  /// Root mean square of the step over all candidates. [1 / sqrt(m)]
   double step_rtm() const { return step_rtm_; }
 
  private:
@@ -44,19 +44,19 @@ class SlipWalk {
   double step_rtm_ = 0.0;
 };
 
-/// One sample interval, as bridge::SampleIntervals finds it.
+/// One sample interval, from bridge::SampleIntervals.
 struct FilterInput {
   HostNs end_ns = 0;  ///< when its last sample was measured, host's clock
   double dt_s = 0.0;  ///< device time
   TrackSpeeds tracks{};
   double gyro_z_radps = 0.0;  ///< mean, calibrated scale, bias included
-  bool gyro = false;          ///< may be used: fresh, and not on a stand
+  bool gyro = false;  ///< the gyro may be used: it is fresh, and the robot is not on a stand
   double warming_degc = 0.0;  ///< rise of the gyro's temperature
   Ground ground{};
 };
 
-/// A Kalman filter over the state in kalman.h. Distance comes from the tracks; the turn comes from
-/// the gyro, whose bias follows the tracks' turn where they determine it better: in straight
+/// A Kalman filter of the state in kalman.h. Distance comes from the tracks; the turn comes from
+/// the gyro, whose bias is corrected by the tracks where they determine it better: in straight
 /// driving. Without a gyro eq 5 gives the turn. No allocation; safe in the real-time thread.
 class Odometry {
  public:
@@ -77,7 +77,7 @@ class Odometry {
   const Motion& advance(const FilterInput& in);
   /// The robot stands still: its gyro shows its bias. Applied at the end of the last interval.
   void standstill(const RestRate& rest);
-  /// The state at the end of the last interval is known better, by a late measurement.
+  /// Replaces the state at the end of the last interval, after a late measurement.
   void correct(const FilterState& state);
 
   /// z, roll and pitch are the ground's.
@@ -85,7 +85,7 @@ class Odometry {
   const Twist& twist() const { return twist_; }
   /// In the world frame.
   PlanarCovariance pose_covariance() const;
-  /// In the body frame; of a twist that no interval has shown yet, kUnknownVariance.
+  /// In the body frame; kUnknownVariance before the first interval.
   PlanarCovariance twist_covariance() const;
   model::Slip slip() const { return model_.slip(state_.mean, motion_); }
   const FilterState& state() const { return state_; }

@@ -25,14 +25,14 @@ struct FilterParameters {
   double slip_sd = 0.03;             ///< common slip beside what is expected
   double slip_s = 2.0;               ///< time constant of its return to 0
   double slip_difference_sd = 0.01;  ///< slip difference of a robot on a floor
-  double turn_gain_sd = 0.03;      ///< yaw rate by tracks over what the wheelbase says, of one turn
-                                   ///< ratio; and its change per root of the turn ratio
-  double residual_window_s = 3.0;  ///< tracks and gyro are compared over this long
-  double residual_sd_radps = 1.5e-4;   ///< of yaw rate by tracks against gyro, driving straight
-  double residual_share = 0.01;        ///< ... and per yaw rate: the wheelbase's error appears in
-                                       ///< turns
-  double edge_m = 0.0;                 ///< of an encoder: the tracks' speeds are multiples of it
-  double track_error_radps = 0.03;     ///< of yaw rate by tracks where no gyro helps
+  double turn_gain_sd = 0.03;        ///< yaw rate by tracks over that by the wheelbase, at one turn
+                                     ///< ratio; and its change per root of the turn ratio
+  double residual_window_s = 3.0;    ///< tracks and gyro are compared over this long
+  double residual_sd_radps = 1.5e-4;  ///< of yaw rate by tracks against gyro, driving straight
+  double residual_share = 0.01;       ///< ... and per yaw rate: the wheelbase's error appears in
+                                      ///< turns
+  double edge_m = 0.0;  ///< an encoder's edge; the tracks' distances are multiples of it
+  double track_error_radps = 0.03;     ///< error of the yaw rate by tracks without a gyro
   double track_error_share = 0.15;     ///< ... and per yaw rate
   double disturbance_radps = 0.5;      ///< tracks against gyro above this: the robot is turned from
                                        ///< outside
@@ -69,7 +69,7 @@ struct AttitudeParameters {
 
 struct Parameters {
   double still_s = 0.5;  ///< both tracks at standstill for this long before the gyro bias is taken
-  double still_gyro_sd_radps = 0.01;  ///< gyro noise above this is no standstill
+  double still_gyro_sd_radps = 0.01;  ///< with more gyro noise the robot does not stand still
   double bias_time_s = 2.0;           ///< time constant of the bias at standstill
   FilterParameters filter{};
   CameraParameters camera{};

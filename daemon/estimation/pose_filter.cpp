@@ -12,11 +12,11 @@ namespace {
 // Two outliers in a row hardly agree; two images of a robot that was moved do.
 constexpr double kSameStoryM = 0.03;
 constexpr double kSameStoryRad = 10.0 * kRadPerDeg;
-// So many in a row between gate and trigger are no coincidence.
+// So many rejections in a row between gate and trigger are no coincidence.
 constexpr int kRejectionsInARow = 10;
-// Of the pitch while climbing a block and falling off it; the raised marker moves with it.
+// Error of the pitch while climbing a block and falling off it; the raised marker moves with it.
 constexpr double kClimbingSdRad = 3.0 * kRadPerDeg;
-// A ground's attitude is that at one end of its interval.
+// The attitude of a ground is that at one end of its interval.
 constexpr double kAttitudeLateS = 0.005;
 
 // A camera used this recently gives a better start position than placing by hand.
@@ -181,7 +181,7 @@ void PoseFilter::resume(const CarriedFilter& state) {
 
 void PoseFilter::advance(const FilterInput& in) {
   if (past_.empty()) {
-    // Where the first interval begins: what a camera sample within it goes back to.
+    // State at the beginning of the first interval, to which a camera sample within it rewinds.
     RewindEntry base;
     base.motion.end_ns = in.end_ns - from_s(in.dt_s);
     base.after = odometry_.state();
@@ -234,7 +234,7 @@ bool PoseFilter::apply(const CameraSample& seen) {
   model.predict(state, before);
   const Twist twist = model.twist(state.mean, before);
   const CameraVerdict verdict = camera_.apply(state, seen, before.ground, twist, model);
-  // Omitting samples that the gate rejects would make every noise look smaller.
+  // Omitting the samples that the gate rejects would make the mean too small, whatever the noise.
   if (camera_.nis() <= kNisTrigger) nis_.add(camera_.nis());
   if (verdict == CameraVerdict::kRejected) return false;
   if (verdict == CameraVerdict::kRecovered) ++recoveries_;

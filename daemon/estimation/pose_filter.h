@@ -1,6 +1,6 @@
 #pragma once
-// The overhead camera as a measurement (expected marker pose, noise, gate), and odometry with such
-// a camera, which answers late.
+// The overhead camera as a measurement (expected marker pose, noise, gate), and odometry corrected
+// by such a camera, whose samples arrive late.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -23,8 +23,8 @@ struct CameraPlace {
 };
 
 /// Expected marker of a robot at (x, y, yaw) on this ground. The marker is raised, tilted with the
-/// body, and displaced from the camera's foot in proportion to its height over the plane of the
-/// homography. Its direction is that of its two ends as seen. Pure.
+/// body, and displaced from the point below the lens in proportion to its height over the plane of
+/// the homography. Its direction is that of its two ends as seen. Pure.
 Eigen::Vector3d expected_marker(const Eigen::Vector3d& pose, const Ground& ground,
                                 const CameraParameters& camera, const CameraPlace& place);
 
@@ -32,10 +32,10 @@ Eigen::Vector3d expected_marker(const Eigen::Vector3d& pose, const Ground& groun
 enum class CameraVerdict {
   kUsed,
   kRejected,   ///< beyond the gate
-  kRecovered,  ///< the second contradiction in a row: the estimate was reset
+  kRecovered,  ///< the second contradiction in a row, or many rejections: the estimate was reset
 };
 
-/// Judges samples and applies them. It keeps only the number of contradictions in a row. No
+/// Accepts or rejects samples and applies them. Its only state is about rejections in a row. No
 /// allocation.
 class CameraUpdate {
  public:
@@ -117,8 +117,9 @@ class RewindBuffer {
   std::size_t size_ = 0;
 };
 
-/// Without a camera it is odometry. No allocation; safe in the real-time thread. A camera sample
-/// costs a prediction for each interval since it was taken (about fifteen at 60 ms).
+/// Fuses odometry and camera; without a camera it equals odometry. No allocation; safe in the
+/// real-time thread. A camera sample costs a prediction for each interval since it was taken (about
+/// fifteen at 60 ms).
 class PoseFilter {
  public:
   PoseFilter(const model::TrackParameters& tracks, const FilterParameters& noise,

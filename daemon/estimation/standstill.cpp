@@ -10,7 +10,7 @@ namespace {
 // The sensor's zero-rate offset is at most 20 deg/s (MPU6050 data sheet rev 3.4, 6.1), with some
 // room for temperature: anything faster is a turn.
 constexpr double kMaxBiasRadps = 0.45;
-// Noise of one sample at rest, and of the mean over the first window with what the warm-up adds.
+// Noise of one sample at rest, and of the mean over the first window with the drift of the warm-up.
 constexpr double kSampleSdRadps = 0.003;
 constexpr double kWindowSdRadps = 0.0005;
 

@@ -17,8 +17,7 @@ struct RestRate {
 
 /// All conditions must hold for `still_s`: motors off, tracks at standstill and a quiet gyro.
 /// Encoders alone would accept a robot turned by hand, the gyro alone a robot that turns slowly and
-/// evenly. No
-/// allocation; safe in the real-time thread.
+/// evenly. No allocation; safe in the real-time thread.
 class Standstill {
  public:
   explicit Standstill(const Parameters& parameters) : parameters_(parameters) {}
@@ -35,8 +34,8 @@ class Standstill {
   }
 
   bool still() const { return still_; }
-  /// What the newest sample adds to what is known of the bias: the mean over the whole window when
-  /// the standstill is noticed, then each sample; nothing unless the robot stands still.
+  /// The newest measurement of the bias: the mean over the whole window when the standstill is
+  /// detected, then each sample; nothing unless the robot stands still.
   const std::optional<RestRate>& rest() const { return rest_; }
   /// True once a bias has been measured.
   bool bias_known() const { return bias_known_; }

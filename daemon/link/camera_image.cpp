@@ -11,7 +11,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr unsigned kMarker = 0xff, kStart = 0xd8, kEnd = 0xd9, kScan = 0xda;
-// Baseline, extended and progressive: what every browser shows.
+// Baseline, extended and progressive frames, which every browser shows.
 constexpr unsigned kFirstFrame = 0xc0, kLastFrame = 0xc2;
 constexpr std::size_t kFrameBytes = 8;  // up to the number of components
 
@@ -32,13 +32,13 @@ bool frame_fits(std::string_view frame) {
          (components == 1 || components == 3);
 }
 
-/// Whether all frame headers before the first scan fit, and there is one.
+/// Whether there is a frame header before the first scan, and all of them fit.
 bool is_jpeg(std::string_view data) {
   if (data.size() < 4 || word(data, 0) != (kMarker << 8U | kStart) ||
       word(data, data.size() - 2) != (kMarker << 8U | kEnd))
     return false;
   bool fits = false;
-  // A segment: 0xff, its kind, its length with these two bytes.
+  // A segment: 0xff, its kind, and its length, which includes these two bytes.
   for (std::size_t at = 2; at + 4 <= data.size();) {
     const unsigned kind = byte(data, at + 1);
     const std::size_t length = word(data, at + 2);

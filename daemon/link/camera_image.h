@@ -1,6 +1,6 @@
 #pragma once
-// One image of a camera as a datagram, for people: tp100-camera sends it to where it sends
-// detections, and tp100d shows and records it. No OpenCV, no socket, no clock.
+// One image of a camera as a datagram, to be shown to people: tp100-camera sends it to the address
+// of its detections, and tp100d shows and records it. No OpenCV, no socket, no clock.
 //
 // A datagram is one line of JSON, a line feed, and the image as JPEG, together at most
 // kMaxImageDatagram bytes:
@@ -8,9 +8,9 @@
 //   {"format":"tp100-image/1","stream":193755201,"clock":"6b0c...","sequence":412,
 //    "stamp_us":81234567890,"age_us":41250}
 //
-// The keys are those of camera_message.h, with the same ranges. `stream` and `sequence` count for
-// images alone: a camera that sends both has two streams. Of the JPEG, its frame is checked: begin,
-// end, and a size of at most kMaxImageSide pixels a side, so that no viewer unpacks a huge one.
+// The keys are those of camera_message.h, with the same ranges. `stream` and `sequence` count
+// images alone: a camera that sends both has two streams. The JPEG is checked for its beginning,
+// its end and at most kMaxImageSide pixels a side, so that no viewer decodes a huge one.
 
 #include <cstddef>
 #include <cstdint>
@@ -42,7 +42,7 @@ bool is_image(std::string_view datagram);
 std::string encode(const ImageMessage& message);
 
 /// Decodes a datagram. Nothing if it is invalid: too long, not such JSON, a key missing, of another
-/// type or out of range, or no such JPEG. Accepts any bytes. Allocates: not for the real-time
+/// type or out of range, or not such a JPEG. Accepts any bytes. Allocates: not for the real-time
 /// thread.
 std::optional<ImageMessage> decode_image(std::string_view datagram);
 

@@ -91,7 +91,7 @@ std::optional<CameraImage> CameraIntake::receive_image(std::string_view datagram
     ++counters_.dropped;
     return std::nullopt;
   }
-  // An image that is late by less than an interval does not put off those that follow.
+  // An image that is late by less than an interval does not delay those that follow.
   image_due_ns_ = std::max(image_due_ns_, *taken_ns - interval_ns) + interval_ns;
   ++counters_.accepted;
   return CameraImage{*taken_ns, std::string(message->jpeg)};

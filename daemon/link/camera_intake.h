@@ -22,16 +22,16 @@ struct CameraCounters {
   std::uint64_t early = 0;      ///< stamped in the future: wrong clock
   std::uint64_t foreign = 0;    ///< of a second stream while the first one is active
   std::uint64_t missing = 0;    ///< images not received: gaps in the sequence
-  /// Of detections: accepted, but the step had no room for it (counted by the caller). Of images:
-  /// valid, but more than were asked for.
+  /// Detections: accepted, but the step had no room for them (counted by the caller). Images:
+  /// valid, but more often than requested.
   std::uint64_t dropped = 0;
   std::uint32_t streams = 0;  ///< senders so far, restarts included
 };
 
 /// Difference between two monotonic clocks: receiver's minus sender's. Every datagram shows that
 /// difference plus its transit time; the smallest value of the last seconds is from the datagram
-/// that was hardly delayed. It stays too large by the shortest transit time (local network: well
-/// below a millisecond). Old values expire, so that drifting clocks are followed. No allocation.
+/// that was delayed least. It is too large by the shortest transit time (local network: well below
+/// a millisecond). Old values expire, so that drifting clocks are followed. No allocation.
 class ClockOffset {
  public:
   /// A datagram left at `sent_ns`, sender's clock, and arrived at `received_ns`, ours.
@@ -75,7 +75,7 @@ struct CameraImage {
 class CameraIntake {
  public:
   /// `own_clock` is the name of our monotonic clock (see camera_message.h): stamps of that clock
-  /// are used as they are, others with an estimated offset. What is older than `max_age_ns` is
+  /// are used as they are, others with an estimated offset. Datagrams older than `max_age_ns` are
   /// late.
   CameraIntake(std::string own_clock, HostNs max_age_ns);
 
@@ -95,7 +95,7 @@ class CameraIntake {
   bool follow(const Message& message, HostNs now);
   template <class Message>
   HostNs host_time(const Message& message, HostNs now);
-  /// When it was taken, if it may be used.
+  /// When the message was measured, if it may be used.
   template <class Message>
   std::optional<HostNs> admit(const std::optional<Message>& message, HostNs now);
 

@@ -1,7 +1,7 @@
 #pragma once
 // One detection of an overhead camera as a datagram: the only definition of it, for tp100-camera
-// and the emulated camera, which send it, and for tp100d, which takes it. It stands beside the
-// frame codec because it is the same work: bytes to samples. No OpenCV, no socket, no clock.
+// and the emulated camera, which send it, and for tp100d, which takes it. It is beside the frame
+// codec because both turn bytes into samples. No OpenCV, no socket, no clock.
 //
 // A datagram is one JSON object of at most kMaxCameraDatagram bytes, UTF-8, no line end needed:
 //
@@ -19,8 +19,7 @@
 //   stamp_us  integer  0 to 2^53, when the image was taken (the middle of its exposure) on that
 //                      clock. Microseconds, so that readers with doubles lose nothing
 //   age_us    integer  0 to 10^7, from that instant to the sending, on the same clock. A receiver
-//                      on another machine knows from it when the image was taken but for the time
-//                      on the way
+//                      on another machine subtracts it, so that only the transit time is unknown
 //   marker    integer  0 to 10^6, id of the marker
 //   x_m, y_m  number   -1000 to 1000, middle of the marker in the world frame (REP-103: z up), seen
 //                      in the plane at the marker's height over a flat floor: see CameraSample

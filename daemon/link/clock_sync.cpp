@@ -21,7 +21,7 @@ constexpr int kMisfitsBeforeRestart = 4;
 // Clocks are read a little before or after the bytes move.
 constexpr HostNs kEarliestNs = -200 * kNsPerUs;
 constexpr int kFitRounds = 3;
-// An id that many requests back is still that of a late answer.
+// An answer to one of this many last requests counts as late, not as unmatched.
 constexpr std::uint16_t kLateIds = 16;
 
 /// Weighted straight line.

@@ -1,5 +1,5 @@
 #pragma once
-// Relation of the robot's clock to the host's from request/reply exchanges. Fed with times only; no
+// Relation of the robot's clock to the host's from request/reply exchanges. Takes times only; no
 // allocation; safe in the real-time thread.
 //
 // One exchange gives four times. With both frames' wire times removed, the rest of the round trip
@@ -9,7 +9,7 @@
 // weighted by how much later than the earliest its message was; the relation lies half-way. Their
 // drift has a prior, because the quick exchanges at the start span too little time to show it.
 //
-// RobotClock is what a session sees of it: device times extended to 64 bit, and the exchange
+// RobotClock is the interface for a session: device times extended to 64 bit, and the exchange
 // itself.
 
 #include <array>
@@ -42,7 +42,7 @@ class ClockSync {
     kRestarted,  ///< the relation jumped: the fit starts again with this exchange
   };
 
-  /// Answers that take longer than `answer_ns` are not used: no other request is sent until then.
+  /// Answers that take longer than `answer_ns` are not used; until then no other request is sent.
   explicit ClockSync(HostNs answer_ns = kAnswerNs) : answer_ns_(answer_ns) {}
 
   /// Forgets everything (a new session).
@@ -93,7 +93,7 @@ class ClockSync {
   Bounds bounds(HostNs now, double drift) const;
   /// Half of the distance between the bounds.
   double open_ns(HostNs now) const;
-  /// The same, or the uncertainty left by nominal wire times that cannot be right. Where the
+  /// The same, or the uncertainty left by nominal wire times that are evidently wrong. If the
   /// exchanges contradict each other (a clock changed its rate), half of the quickest round trip.
   /// Never below what reading the clocks costs.
   double uncertainty_us(HostNs now) const;

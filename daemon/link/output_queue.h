@@ -111,7 +111,7 @@ class OutputQueue {
   std::size_t begin_ = 0;
   std::size_t end_ = 0;
   bool mid_frame_ = true;  // the bytes sent so far may end inside a frame
-  bool lead_ = false;      // the first byte is a delimiter that ends no frame of ours
+  bool lead_ = false;      // the first byte is a delimiter that does not end one of our frames
   bool cut_ = false;       // the port's last byte did not end a frame
 };
 

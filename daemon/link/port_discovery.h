@@ -41,8 +41,8 @@ PortKind classify(const PortInfo& port);
 /// A short description for people: "Arduino Mega 2560", "CH340 bridge", ...
 std::string describe(const PortInfo& port);
 
-/// Ports that may be a TP100, most likely first, stable by path; others are left out. The handshake
-/// decides.
+/// Ports that may be a TP100, most likely first, then by path; others are left out. Only the
+/// handshake tells which is one.
 std::vector<PortInfo> candidates(std::vector<PortInfo> ports);
 
 /// A port that `auto` does not open.
@@ -54,15 +54,15 @@ struct PassedOver {
 /// The ports that `auto` may open. Any other port may be somebody else's machine, which opening
 /// would reset and set to our speed.
 struct AutoChoice {
-  std::vector<PortInfo> open;  ///< in turn
+  std::vector<PortInfo> open;  ///< tried one after the other
   std::vector<PassedOver> passed_over;
 };
 
 using HolderOf = std::function<PortHolder(const std::string& path)>;
 
 /// Chooses a Mega that no visible process has open; or a bridge, if it is the only candidate and
-/// certainly nobody has it open. `attended`: a person is present and sees which of several is
-/// taken.
+/// certainly not open in any process. `attended`: a person is present and sees which of several is
+/// opened.
 AutoChoice choose_for_auto(const std::vector<PortInfo>& ports, bool attended,
                            const HolderOf& holder_of);
 /// Why nothing was chosen and what to do, in one line.

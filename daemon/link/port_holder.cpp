@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 // The initial process namespace, in which all others lie; PROC_PID_INIT_INO of the kernel.
 constexpr const char* kWholeMachine = "pid:[4026531836]";
 
-/// True if /proc shows all processes: not in a container, nor where other accounts are hidden.
+/// True if /proc shows all processes: not within a container, nor with hidden accounts.
 bool lists_all(const fs::path& proc) {
   std::error_code error;
   return fs::read_symlink(proc / "self/ns/pid", error) == kWholeMachine &&

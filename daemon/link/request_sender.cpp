@@ -8,8 +8,8 @@ namespace {
 using wire::Result;
 using wire::Type;
 
-// Tokens of an earlier daemon in the same boot of the robot are lower: 10 ms a step, wraps after
-// 497 days.
+// Tokens grow with time, so that those of an earlier daemon in the same boot of the robot are
+// lower; they wrap after 497 days.
 constexpr HostNs kTokenTickNs = 10 * kNsPerMs;
 constexpr std::uint32_t kTokenLeap = 1U << 24U;
 
@@ -45,7 +45,7 @@ void Tokens::leap() { token_ += kTokenLeap; }
 
 void RequestSender::stop(HostNs now) {
   fail_arm(now);
-  // To the robot a STOP under way is the same one; it continues to be repeated.
+  // For the robot a STOP under way is the same one; it is repeated with the same token.
   if (!stop_.pending()) stop_.start(tokens_.next(now), now);
 }
 

@@ -60,12 +60,12 @@ class RequestSender {
   RequestSender(Tokens& tokens, OutputQueue<kMaxOut>& output, SessionEvents& events)
       : tokens_(tokens), output_(output), events_(events) {}
 
-  /// Waits for the next connection if there is none.
+  /// Sends STOP; without a connection, as soon as there is one.
   void stop(HostNs now);
   void disarm(HostNs now);
   /// Arms the boot `boot_nonce`; the robot must not obey after device time `expiry_us`.
   void arm(std::uint32_t boot_nonce, std::uint32_t expiry_us, HostNs now);
-  /// An arm or disarm that cannot be sent now: it fails at once.
+  /// Reports an arm or disarm that cannot be sent now as failed.
   void refuse(wire::Type type, HostNs now);
 
   /// A new robot may be there: a STOP under way is sent to it at once, with a fresh token.
@@ -74,8 +74,8 @@ class RequestSender {
   void end_session(HostNs now);
   /// Gives up what is overdue and, if `connected`, queues what is due. True if anything was.
   bool poll(bool connected, HostNs now);
-  /// Takes the answer to a request. True: the robot accepted an arm that had been given up, and
-  /// nothing waits for it any more; disarm it.
+  /// Takes the answer to a request. True: the robot accepted an arm that had already been given up,
+  /// so the caller must disarm it.
   bool on_acknowledge(const wire::Acknowledge& acknowledge, HostNs now);
 
   /// Outcome of the last arm or disarm; reported once.

@@ -16,8 +16,8 @@ namespace tp100::link {
 /// One encoder's count: unwrapped to 64 bit, without single jumps that are impossible for a track.
 class EncoderCount {
  public:
-  /// After this many impossible steps in a row the counts are accepted: the counts per metre may be
-  /// wrong, say.
+  /// After this many impossible steps in a row the counts are accepted: for example, the counts per
+  /// metre may be wrong.
   static constexpr int kHeldInRow = 10;
 
   /// Greatest counts per second of a track; 0: unlimited.
@@ -47,7 +47,7 @@ class EncoderCount {
 class SampleIntake {
  public:
   static constexpr std::size_t kCapacity = 64;  ///< kept between two takes
-  /// After this many refused samples in a row the stream makes no sense: a new session is needed.
+  /// After this many refused samples in a row the stream is invalid: a new session is needed.
   static constexpr int kNonsense = 40;
 
   /// `counters` must outlive the intake. `max_counts_per_s`: limit of a track; 0: none.

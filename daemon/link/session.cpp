@@ -14,7 +14,7 @@ using wire::Type;
 // Protocol, firmware version and schema open every hello, whatever its version.
 constexpr std::size_t kHelloPrefix = 9;
 
-// A session has lasted after this many samples, one second.
+// A session counts as lasting after this many samples, one second.
 constexpr std::uint32_t kLasted = 200;
 constexpr HostNs kFirstRetryNs = 200 * kNsPerMs;
 constexpr HostNs kLongestRetryNs = 5 * kNsPerS;
@@ -58,7 +58,8 @@ void Session::use(const wire::Parameters& parameters, HostNs now) {
   intake_.set_limit(fastest_of(parameters));
   // A board that refused the old ones may take these.
   if (!connected() && !(state_ == SessionState::kRefused && known_boot_)) return;
-  // At once, as the robot is not to blame: without commands it latches a fault after 200 ms.
+  // Without back_off(): the robot is not to blame, and latches a fault after 200 ms without
+  // commands.
   end_session(now);
   next_hello_ns_ = not_before_ns_ = now;
   enter(SessionState::kHello, now);
@@ -187,7 +188,7 @@ void Session::on_bad_hello(const wire::Hello& hello, HostNs now) {
   events_.note(BadHello{hello.boot_nonce, hello.state}, now);
 }
 
-// Nothing is sent to a board with such a hello.
+// From now on nothing is sent to a board with such a hello.
 void Session::refuse(const wire::Hello& hello, HostNs now) {
   end_session(now);
   hello_ = hello;

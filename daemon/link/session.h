@@ -25,7 +25,7 @@ struct SessionSettings {
   wire::Parameters parameters{};       ///< nonce and token are filled in by the session
   std::uint32_t baud = wire::kBaud;    ///< for wire times; 0: bytes take no time
   HostNs timeout_ns = 500 * kNsPerMs;  ///< no good frame for this long: link lost
-  /// No frame, or no answer, for this long after the port was opened: warn, and go on.
+  /// No frame, or no answer, for this long after the port was opened: warn, and continue.
   HostNs first_frame_timeout_ns = 5 * kNsPerS;
   HostNs clock_answer_ns = ClockSync::kAnswerNs;  ///< later answers to clock requests are not used
 };
@@ -43,8 +43,8 @@ class Session {
   void open(HostNs now);
   /// The port is gone.
   void close(HostNs now);
-  /// Other parameters for the robot, whose nonce and token are ignored: sent in a new session with
-  /// it, which begins now if there is a robot. Never while its motors may run.
+  /// Sets other parameters for the robot; their nonce and token are ignored. They are sent in a new
+  /// session, which begins now if there is a robot. Never call it while its motors may run.
   void use(const wire::Parameters& parameters, HostNs now);
 
   /// Takes received bytes; `now` is the time at which the last of them was read.
@@ -131,12 +131,12 @@ class Session {
   std::uint16_t command_sequence_ = 0;
   bool sequence_known_ = false;
 
-  HostNs last_good_ns_ = 0;  // in a session: the last sample that was taken
+  HostNs last_good_ns_ = 0;  // in a session: the last accepted sample
   HostNs handshake_ns_ = 0;  // when the handshake began, or when it was last reported to hang
   HostNs last_sent_ns_ = 0;
   HostNs next_hello_ns_ = 0;
   HostNs next_parameters_ns_ = 0;
-  // A robot with which no session lasts is asked at growing intervals.
+  // If no session with a robot lasts, hellos are requested at growing intervals.
   HostNs retry_ns_ = 0;
   HostNs not_before_ns_ = 0;
   std::uint32_t taken_ = 0;  // samples of this session

@@ -1,6 +1,6 @@
 #pragma once
-// What a session reports to the operator; the session itself never logs. Plain data of fixed size:
-// it passes through the real-time thread's rings.
+// The events that a session reports to the operator; the session itself never logs. Plain data of
+// fixed size: it passes through the real-time thread's rings.
 
 #include <array>
 #include <cstddef>
@@ -22,7 +22,7 @@ struct StateChanged {
 struct HelloReceived {};
 /// The hello names other versions than this program's: Session::hello().
 struct VersionMismatch {};
-/// A hello that no known board sends.
+/// An invalid hello: no known board sends one like it.
 struct BadHello {
   std::uint32_t boot_nonce = 0;  ///< invalid if 0
   std::uint8_t state = 0;        ///< invalid beyond wire::State
@@ -75,7 +75,7 @@ const What* as(const SessionEvent& event) {
   return std::get_if<What>(&event.what);
 }
 
-/// Events that wait to be taken. Those that come when it is full are dropped.
+/// Events that wait to be taken. When it is full, further events are dropped.
 class SessionEvents {
  public:
   static constexpr std::size_t kCapacity = 32;

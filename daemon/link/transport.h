@@ -29,8 +29,8 @@ class Port {
   bool is_open() const { return fd_ >= 0; }
   int fd() const { return fd_; }
   const std::string& path() const { return path_; }
-  /// By the kernel's device number, whatever the port's name. It may belong to an emulator, or have
-  /// a robot behind it: see core/board.h.
+  /// By the kernel's device number, whatever the port's name. It may belong to an emulator, or lead
+  /// to a robot: see core/board.h.
   bool pseudo_terminal() const { return pseudo_terminal_; }
   /// Discards unsent bytes, so that closing does not wait for a peer that does not read.
   void close();
@@ -46,7 +46,7 @@ class Port {
 /// what to do.
 Port open_port(const std::string& path, const PortOptions& options);
 
-/// True for the near end of a pseudo-terminal. Decided by the device number: a name proves nothing.
+/// True for the slave end of a pseudo-terminal, by the device number: a name proves nothing.
 bool is_pseudo_terminal(mode_t mode, dev_t number);
 
 }  // namespace tp100::link

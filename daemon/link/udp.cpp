@@ -84,7 +84,7 @@ UdpSender::UdpSender(const UdpAddress& to) {
 UdpSender::~UdpSender() { ::close(socket_); }
 
 bool UdpSender::send(std::string_view datagram) {
-  // A refusal answers the previous datagram; this one is sent at the second attempt.
+  // ECONNREFUSED belongs to the previous datagram; the second attempt sends this one.
   for (int attempt = 0; attempt < 2; ++attempt) {
     if (::send(socket_, datagram.data(), datagram.size(), MSG_NOSIGNAL) >= 0) return true;
     if (errno != ECONNREFUSED && errno != EINTR) return false;

@@ -22,7 +22,7 @@ struct ConnectorSettings {
   link::PortOptions options{};
   bool wait = false;     ///< keep trying before the first hello, too
   bool attended = true;  ///< false: runs as a service, see link::choose_for_auto()
-  /// Who may ask for the port; null: nobody. Must outlive the connector.
+  /// Through which a check may ask for the port; null: none. Must outlive the connector.
   selftest::PortHandover* handover = nullptr;
 };
 

@@ -54,7 +54,7 @@ bool EventLog::flush() {
 }
 
 EventLog::~EventLog() {
-  // The thread hangs in a write that may never end: leave it to the end of the process.
+  // The thread hangs in a write that may never return: the end of the process ends it.
   if (!flush()) {
     static_cast<void>(writer_.release());
     return;

@@ -45,8 +45,8 @@ class EventLog {
 
   void info(const std::string& line);
   void warn(const std::string& line);
-  /// `described`: what describe_event() says of the event, one line each. Bursts of the same kind
-  /// are folded.
+  /// `described`: the event as describe_event() describes it, one line each. Bursts are folded into
+  /// a count.
   void event(const LiveEvent& event, const std::vector<messages::Event>& described);
   /// Logs one line each.
   void write(const std::vector<messages::Event>& all);
@@ -54,7 +54,8 @@ class EventLog {
   void recording(const messages::RecordingFigures& before, const messages::RecordingFigures& now);
   /// Logs which privileges the real-time thread requested and got.
   void privileges(const std::vector<loop::Privilege>& privileges);
-  /// Logs the line of figures every ten seconds, and what has blocked a start for over a second.
+  /// Logs the line of figures every ten seconds, and why a start has been impossible for over a
+  /// second.
   void status(const LiveStatus& status, std::uint64_t overruns, HostNs now);
   /// Call it regularly: logs the sum of folded lines.
   void tick(HostNs now);

@@ -1,6 +1,6 @@
 #pragma once
-// The wait for the first session: a robot that cannot be used is an error then, unless the program
-// waits for a robot (--wait). Later it is an event like any other.
+// The wait for the first session: until then a robot that cannot be used is an error, unless the
+// program waits for a robot (--wait). Later it is an event like any other.
 
 #include <string>
 
@@ -25,7 +25,7 @@ class FirstSession {
   void on_state(SessionState state, HostNs now);
   /// Time passes. Throws SetupError if no session was established in time.
   void check(HostNs now) const;
-  /// The robot file is another one now.
+  /// Another robot file is now in use.
   void expect(std::string robot) { robot_ = std::move(robot); }
   /// The program ends: nothing is an error from now on.
   void stop() { over_ = true; }
@@ -36,7 +36,7 @@ class FirstSession {
   std::string port_;
   std::string robot_;
   SessionState state_ = SessionState::kClosed;
-  HostNs tried_ns_ = 0;  // since when the robot's port, as far as known, is open
+  HostNs tried_ns_ = 0;  // since when a port is open that is probably the robot's
   bool over_ = false;
 };
 

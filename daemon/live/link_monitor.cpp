@@ -9,7 +9,7 @@ namespace {
 
 using messages::Event;
 
-// Pause of the loop; a machine that runs other programs may cause that now and then.
+// A longer pause of the loop is reported; other programs on the machine may cause it now and then.
 constexpr HostNs kStillNs = 50 * kNsPerMs;
 
 struct Text {

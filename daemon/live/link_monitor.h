@@ -1,6 +1,6 @@
 #pragma once
-// Detects trouble on a link that stays up: frames that are corrupted, repeated or late. Reports it
-// as messages for the log and for viewers. No clock, no port.
+// Detects trouble on a link that is up: frames that are corrupted, repeated or late. Reports it as
+// messages for the log and for viewers. No clock, no port.
 
 #include <array>
 #include <cstdint>
@@ -17,7 +17,7 @@ class LinkMonitor : public messages::Sink {
   /// Shortest time between two reports of one kind; the later one counts everything since the
   /// first.
   static constexpr HostNs kQuietNs = 10 * kNsPerS;
-  /// From this age on, a step's sample is late: a frame and a cycle of the loop take less.
+  /// A sample of at least this age is late: a frame and a cycle of the loop take less.
   static constexpr std::int64_t kLateUs = 15'000;
 
   void take(const StepRecord& record) override;
@@ -38,7 +38,7 @@ class LinkMonitor : public messages::Sink {
     kStoodStill,
     kCount
   };
-  /// One kind of trouble, and how much of it was reported.
+  /// Count of one kind of trouble, and how much of it was reported.
   struct Tally {
     std::uint64_t now = 0;       ///< count so far
     std::uint64_t reported = 0;  ///< count at the last report

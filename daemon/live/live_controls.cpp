@@ -18,7 +18,7 @@ namespace {
 
 using messages::ParameterText;
 
-// A step has taken a request after this time.
+// After this time a step has taken a request.
 constexpr HostNs kTakesEffectNs = 200 * kNsPerMs;
 constexpr const char* kChanging = "course, robot or place are being changed; try again";
 constexpr const char* kBusy = "too many requests wait; try again";
@@ -111,7 +111,7 @@ std::string LiveControls::drive_release(const std::string& token, HostNs now) {
   const std::lock_guard lock(mutex_);
   if (!wheel_.release(token)) return "this token does not hold the wheel";
   cycle_.velocity({.at_ns = now});
-  // Not the run that somebody else may have started meanwhile.
+  // Do not hold a run that somebody else may have started meanwhile.
   if (cycle_.run_state() == RunState::kRunning) return {};
   return cycle_.request(OperatorRequest::kHold) ? std::string() : kBusy;
 }

@@ -87,14 +87,14 @@ class LiveControls : public server::Controls {
   StartConsent start_consent() override;  // any thread
 
   // The supervisor's thread:
-  /// Of the robot on the port in use, or the last one.
+  /// Reports the session with the robot on the port in use, or the last one.
   void set_session(const SessionReport& report, const std::string& path, bool pseudo_terminal);
   /// A line about the search for the port.
   void note_port(const std::string& line);
   /// Sets the facts that the supervisor knows; the cycle knows whether a run has begun.
   void set_start(const StartFacts& facts);
   void set_privileges(const std::vector<loop::Privilege>& privileges);
-  /// Adds what is to be said of a check of the tracks that has ended.
+  /// Appends the result of a check of the tracks that has ended.
   void drain_events(std::vector<messages::Event>& events);
   /// The program is ending: refuses further starts.
   void end();

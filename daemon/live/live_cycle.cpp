@@ -112,7 +112,7 @@ void LiveCycle::take_setup(HostNs now) {
     if (!cycle_.change_setup(request->change, now)) return;
     request->made = true;
     request->step = cycle_.steps() + 1;
-    // From now on a person starts, and nothing by itself.
+    // From now on only a person can start; nothing starts by itself.
     if (request->change.step) has_run_.store(true, std::memory_order_release);
   }
   setup_asked_.store(nullptr, std::memory_order_relaxed);

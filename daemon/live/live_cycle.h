@@ -16,12 +16,12 @@
 
 namespace tp100::live {
 
-/// What a session reported.
+/// An event of a session.
 struct SessionReport {
   link::SessionEvent event{};
   wire::Hello hello{};  ///< as far as received
 };
-/// Another run state, or more faults after an abort.
+/// A change of the run state, or more faults after an abort.
 struct RunChange {
   HostNs at_ns = 0;
   RunState from = RunState::kIdle;
@@ -54,7 +54,7 @@ struct SampleLatency {
 /// An operator's change of the set-up on its way through the loop.
 struct SetupRequest {
   bridge::SetupChange change{};
-  HostNs until_ns = 0;  ///< later it is not made any more
+  HostNs until_ns = 0;  ///< after this time the change is not made
   // Written by the loop:
   bool made = false;
   std::uint64_t step = 0;  ///< the first with the change, by StepRecord::step
@@ -85,13 +85,13 @@ class LiveCycle : public loop::LoopClient {
   bool change(const ParameterChange& change);
   /// Any thread but the real-time one. False: too many inputs are waiting.
   bool velocity(const VelocityInput& input);
-  /// The port is given back as a silent one is, unless the robot is armed; then nothing happens.
-  /// From then on a person starts, and nothing by itself. Any thread.
+  /// Gives the port back like a silent one, unless the robot is armed; then nothing happens.
+  /// Afterwards only a person can start; nothing starts by itself. Any thread.
   void give_up_port() { give_up_port_.store(true, std::memory_order_release); }
-  /// As of the last step. Any thread.
+  /// The run state as of the last step. Any thread.
   RunState run_state() const { return shown_run_state_.load(std::memory_order_acquire); }
   /// Passes a change to the loop, which makes it when the robot stands still, unless a run begins
-  /// first. It is the loop's until setup_done() returns it; only then pass the next one.
+  /// first. The loop owns it until setup_done() returns it; only then pass the next one.
   void change_setup(SetupRequest& request) {
     setup_asked_.store(&request, std::memory_order_release);
   }
@@ -110,8 +110,8 @@ class LiveCycle : public loop::LoopClient {
   /// The oldest step not released yet, valid until release; null: none.
   const StepRecord* front_record() const { return records_.front(); }
   void release_record() { records_.release(); }
-  /// Each step also goes to this ring, and to it first; while it is full, steps are not in it. It
-  /// must outlive the loop. Call it before the loop starts.
+  /// Also writes each step to this ring, before the other one; while the ring is full, it misses
+  /// steps. It must outlive the loop. Call it before the loop starts.
   void record_first(loop::SlotRing<StepRecord>& ring) { first_records_ = &ring; }
   /// Steps dropped because the ring was full; StepRecord::step has a gap there.
   std::uint64_t lost_records() const { return lost_records_.load(std::memory_order_relaxed); }

@@ -122,7 +122,7 @@ std::vector<Event> describe_run(const RunChange& event) {
   return out;
 }
 
-/// Says each event of a session in `out`, whose time is set.
+/// Describes each event of a session in `out`, whose time is already set.
 struct SessionDescriber {
   const wire::Hello& hello;
   Event& out;
@@ -161,7 +161,7 @@ struct SessionDescriber {
     out.fix = "check its supply unless it was reset or unplugged on purpose";
   }
   void operator()(const link::RobotFault& reported) const {
-    // Numbers beyond the robot's sixteen bits are the daemon's own.
+    // A robot's fault number is below 16; higher numbers are faults of the daemon.
     const FaultText& text =
         describe(reported.fault < 16 ? static_cast<Fault>(reported.fault) : Fault{255});
     out.kind = "fault";

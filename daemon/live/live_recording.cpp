@@ -103,7 +103,7 @@ LiveRecording::LiveRecording(const config::RunFiles& files, const config::RunSet
       recorder_(recorder_settings(run.configuration)) {}
 
 void LiveRecording::change_setup(std::shared_ptr<const config::LoadedRun> run, std::uint64_t next) {
-  // As one: no recording begins between these with the old files.
+  // One lock for all, so that no recording begins between them with the old files.
   const std::lock_guard lock(mutex_);
   recorder_.ask_end(0, [](const std::string&) {});
   recorder_.forget(next);

@@ -23,7 +23,7 @@ namespace tp100::live {
 /// $XDG_STATE_HOME/tp100 or ~/.local/state/tp100; empty if there is no home directory.
 std::string black_box_directory(const config::RecordSettings& settings);
 
-/// How long a recording of a run or a black box goes on after the run or the fault.
+/// How long a recording of a run or a black box continues after the run or the fault.
 inline constexpr HostNs kTailNs = kNsPerS;
 
 class LiveRecording : public messages::Sink {
@@ -40,8 +40,9 @@ class LiveRecording : public messages::Sink {
   std::uint64_t start(const std::string& name, const Answer& answer);
   /// Ends recording `number`, or the current one if that is 0.
   void stop(std::uint64_t number, Answer answer);
-  /// Begins a recording in black_box_directory() that is record.black_box_s long kTailNs later. It
-  /// ends when another recording begins. `ended`: see record::Recorder. 0: refused.
+  /// Begins a recording in black_box_directory() that looks back, so that it is record.black_box_s
+  /// long after another kTailNs. It ends when another recording begins. `ended`: see
+  /// record::Recorder. 0: refused.
   std::uint64_t start_black_box(const std::string& fault, HostNs now,
                                 const record::Recorder::Ended& ended);
   /// Number of the recording that is running or requested, except of black boxes; 0: none.
@@ -56,7 +57,7 @@ class LiveRecording : public messages::Sink {
   void on_message(messages::Channel channel, std::uint64_t unix_ns, std::string_view json);
 
   // Called by the thread that drains the steps.
-  /// The steps from number `next` on belong to `run`. That step is taken next and restarts; later
+  /// The steps from number `next` on belong to `run`. Step `next` is taken next and restarts; later
   /// recordings contain the files of `run`, and a running recording ends here.
   void change_setup(std::shared_ptr<const config::LoadedRun> run, std::uint64_t next);
   void take(const StepRecord& record) override;

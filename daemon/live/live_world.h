@@ -1,5 +1,5 @@
 #pragma once
-// All interfaces of a run to an external world: world/1, text files, Live Link.
+// The interfaces of a run to an external world: world/1, text files, Live Link.
 
 #include <memory>
 #include <optional>

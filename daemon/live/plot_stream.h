@@ -1,5 +1,5 @@
 #pragma once
-// What a plotting program draws, one JSON datagram per step (PlotJuggler's UDP server).
+// Sends one JSON datagram per step to a plotting program (PlotJuggler's UDP server).
 
 #include <string>
 
@@ -11,8 +11,8 @@
 namespace tp100::live {
 
 /// Sends {"timestamp":s,"/estimate":{...},"/sample":{...},"/command":{...},"/slip":{...}}: the Unix
-/// time and, of each channel, the message that follows from the step (CHANNELS.md). Nobody needs to
-/// receive it; what the system does not accept at once is lost.
+/// time and each channel's message of the step (CHANNELS.md). There may be no receiver; what the
+/// system does not accept at once is lost.
 class PlotStream : public messages::Sink {
  public:
   /// `address`: "udp:[HOST:]PORT". Looks the host up, so it may block. Throws SetupError.

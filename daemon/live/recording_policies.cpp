@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Not one that somebody keeps or has open, and no other files in the folder.
+/// Deletes a run's folder, unless it has a note or its recording is open.
 void forget(const fs::path& run) {
   std::error_code error;
   if (fs::exists(run / runs::kRunNoteFile, error)) return;
@@ -28,7 +28,7 @@ void ignore(const std::string&) {}
 
 }  // namespace
 
-// A viewer may have ended it and begun another.
+// By number, because a viewer may have ended it and begun another.
 void RunRecordings::end() {
   if (own_ != 0) recording_.stop(own_, ignore);
   own_ = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// When a running bridge records without being asked: each run, and the seconds around a fault.
+// Automatic recordings of a running bridge: each run, and the seconds around a fault.
 
 #include <deque>
 #include <memory>
@@ -37,8 +37,8 @@ class RunRecordings {
   std::shared_ptr<Note> note_ = std::make_shared<Note>();
 };
 
-/// Records record.black_box_s around a fault that occurs while nothing is recorded, one second of
-/// them after it.
+/// Records record.black_box_s around a fault that occurs while nothing is recorded; the last second
+/// of them follows the fault.
 class BlackBox : public messages::Sink {
  public:
   /// Most files that one run of the program keeps. The newest replaces the oldest, so that a fault

@@ -11,15 +11,15 @@
 namespace tp100::live {
 namespace {
 
-// The loop wakes no other thread. This one looks when the next step must have been made, which is
-// not when the loop itself wakes; and if it was not, again and again.
+// The loop wakes no other thread. This thread looks for the next step a little after it is due, so
+// as not to wake together with the loop; if there is none, it looks again repeatedly.
 constexpr HostNs kAfterStepNs = 300 * kNsPerUs;
 constexpr HostNs kAgainNs = kNsPerMs / 2;
 constexpr HostNs kLongestNs = 5 * kNsPerMs;
 // Steps that wait while the thread does not run; on a busy machine that can last half a second.
 constexpr std::size_t kWaitingSteps = 256;
 
-// A STOP is taken from everybody.
+// STOP is last: it is accepted from everybody, alone if nothing else is.
 constexpr std::array kInputs = {ros2::Input::kVelocity, ros2::Input::kVelocityStamped,
                                 ros2::Input::kDrive,    ros2::Input::kInitialPose,
                                 ros2::Input::kGoal,     ros2::Input::kCourse,
@@ -75,7 +75,7 @@ void Ros2Node::take_setup(const messages::RunContext& run_context, HostNs at) {
   next_.emplace(run_context, at);
 }
 
-/// When to look for the next step.
+/// Publishes the waiting steps, and returns when to look for the next one.
 HostNs Ros2Node::publish() {
   if (const auto answer = requests_.take_answer()) publisher_.answer(*answer);
   {

@@ -1,6 +1,6 @@
 #pragma once
 // The daemon as node /tp100d of a ROS 2 domain, in a thread of its own: publishes each step soon
-// after it was made, and passes on what other nodes ask for.
+// after it was made, and passes on requests of other nodes.
 
 #include <atomic>
 #include <memory>
@@ -21,8 +21,8 @@
 
 namespace tp100::live {
 
-/// Why no node may ask for anything but STOP, in one line; empty: each on the participant's network
-/// may.
+/// Why nodes may request nothing but STOP, in one line; empty: each node on the participant's
+/// network may request everything.
 std::string why_no_ros2_requests(const config::Configuration& configuration);
 
 /// The daemon's participant; null: switched off. Throws SetupError; see ros2::Participant.
@@ -39,10 +39,10 @@ class Ros2Node : public messages::Sink {
   ~Ros2Node() override;
 
   // One other thread, which drains the cycle's steps:
-  /// Nothing: the node's thread receives the steps itself, and earlier.
+  /// Does nothing: the node's thread receives the steps itself, and earlier.
   void take(const StepRecord&) override {}
   void take_setup(const messages::RunContext& run_context, HostNs at) override;
-  /// Appends what happened since the last call, for log and viewers; the server hears of a STOP.
+  /// Appends what happened since the last call, for log and viewers; reports a STOP to the server.
   void drain_events(std::vector<messages::Event>& events, server::Server& server);
 
  private:

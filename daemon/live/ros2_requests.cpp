@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* kTopic = "ROS 2 /cmd_vel";
 constexpr std::size_t kMaxEvents = 64;
-// How far a robot at standstill may seem to move until it starts for its goal.
+// How far the estimate of a robot at standstill may move until it starts for its goal.
 constexpr double kMaxMovedM = 0.01, kMaxTurnedRad = 2.0 * kRadPerDeg;
 
 server::Driver driver() { return {.id = kTopic, .name = kTopic}; }
@@ -77,7 +77,7 @@ void Ros2Requests::note(Note kind, HostNs now, const std::string& text) {
 }
 
 void Ros2Requests::refuse(ros2::Input input, HostNs now, const std::string& why) {
-  // By input.
+  // The kind of note for each input.
   constexpr std::array<Note, ros2::kInputCount> kNotes = {
       kVelocityRefused, kVelocityRefused, kDriveRefused, kPoseRefused,
       kGoalRefused,     kCourseRefused,   kStopped};
@@ -89,7 +89,7 @@ void Ros2Requests::observe(const StepRecord& record) {
   run_state_ = record.snapshot.run_state;
   at_ = record.snapshot.world;
   if (!start_) return;
-  // A person's request, or a STOP.
+  // A person's request or a STOP replaces the start.
   if (record.now_ns > start_->asked_ns && !record.inputs.requests.empty()) {
     refuse(start_->input, record.now_ns, "another request came meanwhile");
     return start_.reset();
@@ -123,7 +123,7 @@ void Ros2Requests::take(const ros2::Received& received, HostNs now) {
         return start(received, {.course = *name}, now);
       break;
     case ros2::Input::kStop:
-      // Whatever is in the message.
+      // Whatever the message contains.
       if (!received.gone) stop(now);
       return;
   }
@@ -189,7 +189,7 @@ void Ros2Requests::place(const Pose& at, HostNs now) {
   });
 }
 
-// What a person does on the page: choose, and then start.
+// As a person does on the page: chooses the course, and then starts.
 void Ros2Requests::start(const ros2::Received& received, const server::SetupChoice& choice,
                          HostNs now) {
   HostNs& silent_until_ns = silent_until_ns_.at(static_cast<std::size_t>(received.input));

@@ -1,6 +1,6 @@
 #pragma once
-// What ROS 2's programs ask of the daemon, by the rules that hold for viewers: one driver at a
-// time, velocities never arm, and old messages are ignored.
+// Carries out requests of ROS 2 programs, by the rules that hold for viewers: one driver at a time,
+// velocities never arm, and old messages are ignored.
 
 #include <array>
 #include <memory>
@@ -19,10 +19,10 @@ namespace tp100::live {
 
 class Ros2Requests {
  public:
-  /// One line about a stream that is ignored is enough for this long, and one about a refusal.
+  /// Shortest time between two lines about an ignored stream, and between two about refusals.
   static constexpr HostNs kQuietNs = 10 * kNsPerS, kRefusedQuietNs = kNsPerS;
-  /// A message that starts the robot has none of its topic before it for this long: what a node
-  /// repeats starts nothing again after a STOP.
+  /// A message starts the robot only after its topic was silent for this long, so that a node that
+  /// repeats one does not start the robot again after a STOP.
   static constexpr HostNs kSilenceNs = 2 * kNsPerS;
   /// A start that cannot begin this long after its course is in force is refused.
   static constexpr HostNs kStartTimeoutNs = 3 * kNsPerS;
@@ -31,14 +31,14 @@ class Ros2Requests {
   explicit Ros2Requests(server::Controls& controls) : controls_(controls) {}
 
   // One thread, not the real-time one.
-  /// A step: whether the robot may start, be driven or be placed follows from the last one.
+  /// Takes a step; the last one decides whether the robot may start, be driven or be placed.
   void observe(const StepRecord& record);
   void take(const ros2::Received& received, HostNs now);
   /// The newest answer to a node, once.
   std::optional<messages::Event> take_answer();
 
   // Any thread:
-  /// The course that is in force; empty: none. Call it before the choice of it is answered.
+  /// Sets the course in force; empty: none. Call it before its choice is answered.
   void set_course(const std::string& name);
   /// A line for log and viewers.
   void say(HostNs now, const std::string& text);
@@ -48,7 +48,7 @@ class Ros2Requests {
   bool take_stop();
 
  private:
-  /// What threads of the controls write, which may outlive these requests.
+  /// Written by threads of the controls, which may outlive these requests.
   struct Shared {
     void say(messages::Event event, bool answers);
     std::mutex mutex;

@@ -17,7 +17,7 @@ struct ServiceSettings {
   HostNs watchdog_ns = 0;  ///< longest time between two watchdog messages; 0: no limit
 };
 
-/// From NOTIFY_SOCKET, WATCHDOG_USEC and WATCHDOG_PID of the environment.
+/// Reads NOTIFY_SOCKET, WATCHDOG_USEC and WATCHDOG_PID of the environment.
 ServiceSettings service_settings();
 
 class ServiceNotice {
@@ -49,7 +49,8 @@ class ServiceNotice {
 /// Waits for disks when the loop has ended, and feeds the watchdog meanwhile.
 class LastWait {
  public:
-  /// From now on 5 s in all; the unit's TimeoutStopSec is longer. `cycles`: the loop's last count.
+  /// The 5 s for all waits begin now; the unit's TimeoutStopSec is longer. `cycles`: the loop's
+  /// last count.
   LastWait(ServiceNotice& notice, std::uint64_t cycles) : notice_(notice), cycles_(cycles) {}
 
   /// `done_by(deadline)` waits until the work is done. False: not within the 5 s.

@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using course::Bundled;
 
-// A robot that was stopped has come to rest, and the gyro has seen it, in less.
+// A stopped robot comes to rest, and its standstill is detected, in less time.
 constexpr HostNs kChangeTimeoutNs = 3 * kNsPerS;
 constexpr const char* kBusyDisk = "the disk does not answer; try again later";
 
@@ -33,7 +33,7 @@ struct FieldList {
   std::vector<double> all{};
 };
 
-/// All but nonce and token, which are the session's.
+/// All fields, with nonce and token, which the session sets, at 0.
 std::vector<double> fields(wire::Parameters parameters) {
   parameters.boot_nonce = parameters.token = 0;
   FieldList list;
@@ -88,8 +88,8 @@ bool is_file(const std::string& path) {
   return fs::is_regular_file(path, error);
 }
 
-/// Throws SetupError if a daemon that is started with this configuration alone could not find its
-/// files, or they do not fit together.
+/// Throws SetupError if a daemon that was started with this configuration alone could not find its
+/// files, or if these do not fit together.
 void require_start(const course::TextFile& configuration) {
   const config::Configuration read =
       config::parse_configuration(configuration.text, configuration.path);
@@ -104,7 +104,7 @@ void require_start(const course::TextFile& configuration) {
   require_fit(config::parse_run(files));
 }
 
-/// Unless `check`, puts `next` in the place of the configuration file, and that into FILE.bak.
+/// Unless `check`, replaces the configuration file by `next` and keeps the old one as FILE.bak.
 /// Returns the answer.
 std::string replaced(const course::TextFile& now, const std::string& next, bool check) {
   const auto differences = config::parameter_differences(now, {now.path, next});

@@ -27,12 +27,13 @@ class SetupChanger {
   // Any thread; none of these waits for the disk.
   /// Answers when the loop has made the change, with what is then in force.
   void choose(const server::SetupChoice& choice, Answer answer);
-  /// The robot is at `at`, or without it at the course's start.
+  /// Places the robot at `at`, or without it at the course's start.
   void place(const std::optional<Pose>& at, Answer answer);
   void save(const server::SetupFile& file, const Answer& answer);
   void remove(const server::SetupFile& file, const Answer& answer);
   void check(const server::SetupFile& file, const Answer& answer);
-  /// Of the configuration file as it is on the disk then; what it replaces is kept as FILE.bak.
+  /// Changes the configuration file as it is on the disk then; the previous file is kept as
+  /// FILE.bak.
   void save_parameters(const server::ParameterSave& asked, const Answer& answer);
   /// Exchanges the configuration file and FILE.bak.
   void restore_parameters(bool check, const Answer& answer);
@@ -50,10 +51,10 @@ class SetupChanger {
     std::string text;                              ///< of the event
     std::uint64_t step = 0;                        ///< the first with it
   };
-  /// Call it with each record before any other takes it: returns the change whose first step it is.
-  /// Then call finish().
+  /// Call it with each record before anything else takes the record: returns the change of which it
+  /// is the first step. Then call finish().
   std::optional<Made> take(const StepRecord& next);
-  /// The change is in force everywhere: answers.
+  /// Answers the request: the change is in force everywhere.
   void finish();
   /// Answers a change that the loop did not make. Call it regularly.
   void tick();

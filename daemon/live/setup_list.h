@@ -14,11 +14,11 @@ inline constexpr std::size_t kMaxOutline = 200;
 /// Throws SetupError if the course, the robot and the set-up of this run do not fit together.
 void require_fit(const config::RunSetup& run);
 
-/// All files with what a viewer shows of them, and whether each fits the rest of `run`, which is in
-/// force. Waits for the disk.
+/// All files with what a viewer shows of them, and whether each fits the rest of `run`, the present
+/// one. Waits for the disk.
 std::string setup_list(const config::SetupFiles& files, const config::LoadedRun& run);
 
-/// What is wrong with a file that may be only a draft, as JSON (CHANNELS.md, file_check): its first
+/// Checks a file that may be only a draft; the result is JSON (CHANNELS.md, file_check): its first
 /// error with its place, else whether it fits the rest of `run`, and a course's length and time.
 /// Reads nothing.
 std::string checked_file(const config::LoadedRun& run, course::Bundled kind,

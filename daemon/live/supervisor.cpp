@@ -25,9 +25,9 @@ namespace tp100::live {
 namespace {
 namespace asio = boost::asio;
 
-constexpr std::chrono::milliseconds kTick{10}, kWorldTick{2};  // poses leave for a world at a tick
+constexpr std::chrono::milliseconds kTick{10}, kWorldTick{2};  // poses go to a world at a tick
 constexpr HostNs kStatsPeriodNs = kNsPerS;
-// Faults after which the robot may return: without --go the daemon waits for a new start.
+// Faults after which the robot may recover: without --go the daemon waits for a new start.
 constexpr FaultMask kRecoverable = fault_bit(Fault::link_lost) | fault_bit(Fault::robot_rebooted) |
                                    fault_bit(Fault::stop_requested) | fault_bit(Fault::world_lost);
 
@@ -287,7 +287,7 @@ void Supervisor::State::take_records() {
   }
 }
 
-// Before the first step with the change goes anywhere.
+// Runs before anything else receives the first step with the change.
 void Supervisor::State::change_setup(const SetupChanger::Made& made) {
   const messages::Event event{.at_ns = monotonic_now(), .kind = "setup", .text = made.text};
   if (made.run != nullptr) {
@@ -337,7 +337,7 @@ void Supervisor::State::on_run_state(const RunChange& change) {
   if (change.to == RunState::kAborted) {
     figures.faults = change.faults | (change.from == change.to ? figures.faults : 0);
     if (ending && status == 0) {
-      // The completed run is failed after all.
+      // The completed run has failed after all.
       status = 1;
       figures.result = "aborted";
     }

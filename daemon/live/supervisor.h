@@ -1,8 +1,8 @@
 #pragma once
 // The second thread of `tp100d run`: ports, log, operator, signals, figures. Exchanges data with
-// the real-time thread through its rings only. It takes STOP from the operator and feeds the
-// watchdog: until the robot is disarmed it never waits for a disk, nor for a lock that is held by a
-// thread waiting for one.
+// the real-time thread through its rings only. Because it accepts STOP from the operator and feeds
+// the watchdog, it waits, until the robot is disarmed, neither for a disk nor for a lock that is
+// held by a thread waiting for one.
 
 #include <memory>
 #include <optional>
@@ -34,7 +34,7 @@ struct SupervisorSettings {
   bool ran_before = false;  ///< as in StartFacts
   std::optional<double> duration_s;
   std::string stats_path;
-  std::string course;  ///< names for log and figures; an empty course is none
+  std::string course;  ///< names for log and figures; empty: no course
   std::string robot;
   std::string setup;
   bool verbose = false;  ///< log the loop's timing once a second

@@ -1,6 +1,6 @@
 #pragma once
-// The operator at the terminal: is asked for a start, starts, or stops (core/start_rule.h). Asio
-// stays in the source file.
+// The operator at the terminal, who is asked for a start, starts, or stops (core/start_rule.h).
+// Asio stays in the source file.
 
 #include <memory>
 #include <string>

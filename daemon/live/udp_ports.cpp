@@ -20,7 +20,7 @@ using boost::asio::ip::udp;
 
 // More datagrams than this at once are a flood: operator and log are served first.
 constexpr int kMaxAtOnce = 32;
-// An image is for people and a recording; a slow network does no harm.
+// Images are for people and recordings only, so a slow network does no harm.
 constexpr HostNs kMaxImageAgeNs = 2 * kNsPerS;
 
 /// Throws SetupError: unknown host.

@@ -29,8 +29,8 @@ class CameraPort {
   /// Shows and records an image (JPEG) that was taken at host time `at`; must not block.
   using Show = std::function<void(HostNs at, std::string jpeg)>;
 
-  /// Listens at settings.listen, "udp:[HOST:]PORT"; without a host, only this machine is received.
-  /// Throws SetupError: a bad address, or a port that is in use.
+  /// Listens at settings.listen, "udp:[HOST:]PORT"; without a host, only datagrams of this machine
+  /// are received. Throws SetupError: a bad address, or a port that is in use.
   CameraPort(boost::asio::io_context& context, const config::CameraSettings& settings, Give give,
              Show show);
   ~CameraPort();

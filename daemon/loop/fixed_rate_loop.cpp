@@ -100,7 +100,7 @@ void FixedRateLoop::run() {
   if (port_.fd >= 0) client_.closed(monotonic_now());
 }
 
-// Ends the cycle, at the latest before the next one begins.
+// Does the cycle's deferred work, at the latest before the next cycle begins.
 void FixedRateLoop::after_write() {
   if (pending_ns_ == 0) return;
   const HostNs began = monotonic_now();

@@ -1,7 +1,8 @@
 #pragma once
-// The real-time thread: owns the descriptor while it works and makes one cycle per period: read →
-// received → step → write → wrote → deferred work; the latter after a pause if the robot paces the
-// loop. Ports are passed through lock-free queues; nothing here wakes another thread.
+// The real-time thread: uses the port's descriptor until it is lost, and makes one cycle per
+// period: read → received → step → write → wrote → deferred work; the last after a pause if the
+// robot paces the loop. Ports are passed through lock-free queues; nothing here wakes another
+// thread.
 
 #include <atomic>
 #include <cstddef>
@@ -23,7 +24,7 @@ struct LoopSettings {
   /// A cycle begins with the robot's sample; the period is then the deadline's base.
   bool robot_paced = false;
   HostNs spin_ns = 60 * kNsPerUs;  ///< last part of the wait; not when waiting for a robot's sample
-  OverrunPolicy overrun = OverrunPolicy::kSkipMissed;  ///< a robot's samples follow no grid
+  OverrunPolicy overrun = OverrunPolicy::kSkipMissed;  ///< not used if the robot paces the loop
   ThreadRequest thread{};
 };
 
@@ -84,7 +85,7 @@ class LoopClient {
   /// Bytes to write, in order.
   virtual std::span<const std::uint8_t> output() = 0;
   virtual void written(std::size_t n) = 0;
-  /// The port did not accept the bytes in time.
+  /// The port did not accept the bytes in time: they are to be dropped.
   virtual void drop_output() = 0;
 
   /// True while bytes should be read as soon as they arrive, because their time of arrival matters.

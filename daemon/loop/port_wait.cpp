@@ -68,8 +68,8 @@ bool PortWait::readable(HostNs until) {
   return of[0].revents != 0;
 }
 
-// Without an announcement the question costs nothing; after one it could wait for the worker that
-// is still delivering.
+// Without an announcement FIONREAD costs nothing; after one it could wait for the worker that is
+// still delivering.
 bool PortWait::may_read() {
   if (!by_signal_ || take_signal()) return true;
   int bytes = 0;

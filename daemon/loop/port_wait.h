@@ -1,25 +1,25 @@
 #pragma once
-// Waits for a port's bytes, and says when a read would not wait.
+// Waits for a port's bytes, and tells when a read would not block.
 
 #include "core/time.h"
 
 namespace tp100::loop {
 
 /// Waits for a port's bytes until a deadline. poll() and read() of a terminal without bytes wait
-/// for the kernel's worker that may be about to deliver some; it runs at ordinary priority, and on
-/// a busy machine a real-time thread stands still with it for hundreds of milliseconds. So a
-/// terminal announces bytes by SIGIO to this thread, which waits for the signal instead.
+/// for the kernel's worker that may be about to deliver some. It runs at ordinary priority, and on
+/// a busy machine blocks a real-time thread for hundreds of milliseconds. Therefore a terminal
+/// announces bytes by SIGIO to this thread, which waits for the signal instead.
 ///
 /// The timer is set in advance: where a hypervisor provides the clock, setting one takes as long as
 /// a whole reply, and before the thread sleeps the kernel may not transmit what was just written.
-/// It already runs when bytes are awaited, and is set again as soon as it expires.
+/// Therefore it already runs when bytes are awaited, and is set again as soon as it expires.
 ///
-/// All calls but construction from one thread, in which SIGIO becomes blocked; nothing here
-/// allocates, locks or logs.
+/// Call everything except the constructor from one thread, in which SIGIO becomes blocked; nothing
+/// here allocates, locks or logs.
 class PortWait {
  public:
   /// `spare_ns`: the timer expires by itself this long after a deadline that was met. With half a
-  /// period, that is between two samples. Throws SetupError if the system provides no timer.
+  /// period, it expires between two samples. Throws SetupError if the system provides no timer.
   explicit PortWait(HostNs spare_ns);
   ~PortWait();
   PortWait(const PortWait&) = delete;
@@ -28,8 +28,8 @@ class PortWait {
   /// The port to wait for from now on, non-blocking.
   void watch(int fd);
   /// True: the port has bytes, an end or an error. False: `until` has come, or an earlier timer
-  /// expired, or bytes were announced that have been read: check the time and call again. Of a
-  /// terminal, an end shows at the deadline only, by may_read().
+  /// expired, or bytes were announced that have been read: check the time and call again. The end
+  /// of a terminal is detected only at the deadline, by may_read().
   bool readable(HostNs until);
   /// Whether to read now. A terminal is only to be read if it has bytes or has hung up.
   bool may_read();

@@ -26,7 +26,7 @@ constexpr rlim_t kEnoughLockable = 256U << 20U;
 constexpr std::size_t kStackTouched = 64U << 10U;
 constexpr int kWorkerNice = -20;
 
-// Root is permitted anyway, unless the capability was removed.
+// Root needs no such limit, unless the capability was removed.
 std::string by_limit(const std::string& limit, const std::string& capability) {
   if (::geteuid() == 0) return "start the container with --cap-add " + capability;
   return "echo \"$USER - " + limit +
@@ -75,8 +75,8 @@ void touch_stack() {
   for (std::size_t i = 0; i < stack.size(); i += 1024) stack[i] = 0;
 }
 
-/// Whether /proc/PID is of an unbound worker of the kernel. Any program may take its name, but is
-/// no child of kthreadd.
+/// Whether /proc/PID is of an unbound worker of the kernel. Any program may have such a name, but
+/// only a kernel thread is a child of kthreadd.
 bool is_unbound_worker(const std::filesystem::path& process) {
   std::string text;
   if (!std::getline(std::ifstream(process / "comm"), text) || !text.starts_with("kworker/u"))

@@ -13,17 +13,17 @@ struct Privilege {
   std::string fix;  ///< how to get it; empty if granted
 };
 
-/// For the whole process.
+/// Privileges for the whole process.
 struct ProcessRequest {
   bool lock_memory = true;
   bool hold_cpu_latency = true;  ///< keep the processor out of deep sleep: halves the wake-up time
   /// Schedule the kernel's unbound workers before ordinary programs (nice -20), if CAP_SYS_NICE
-  /// permits it; else nothing is said. They carry the bytes of every tty, ptys too, to its reader:
-  /// beside a browser they waited for 200 ms and more, which ends a run.
+  /// permits it; a refusal is not reported. They carry the bytes of every tty, also of a pty, to
+  /// its reader: beside a browser they waited for 200 ms and more, which ends a run.
   bool raise_kernel_workers = true;
 };
 
-/// For one thread.
+/// Privileges for one thread.
 struct ThreadRequest {
   int priority = 80;  ///< SCHED_FIFO; 0: ordinary scheduling
   int cpu = -1;       ///< -1: any
@@ -48,7 +48,7 @@ class RealTimeProcess {
   bool workers_raised_ = false;
 };
 
-/// For the calling thread; also sets its timer slack to 1 ns and touches its stack.
+/// Requests them for the calling thread; also sets its timer slack to 1 ns and touches its stack.
 std::vector<Privilege> apply_to_this_thread(const ThreadRequest& request);
 
 }  // namespace tp100::loop

@@ -53,7 +53,7 @@ Json schema_of_value(const Json& value) {
 // An older truth does not describe the present.
 constexpr HostNs kTruthHoldsNs = kNsPerS;
 
-/// What the messages of a step are made of.
+/// Inputs of the messages of a step.
 struct StepView {
   const Messages& messages;
   const StepRecord& record;

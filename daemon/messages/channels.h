@@ -67,7 +67,7 @@ class StepMessages {
   StepMessages(const Messages& messages, bool recorded)
       : messages_(messages), recorded_(recorded) {}
 
-  /// The robot's true pose; it describes the steps of the next second.
+  /// Takes the robot's true pose, which is used for the steps of the next second.
   void take_truth(const Truth& truth) {
     truth_ = truth;
     truth_is_new_ = true;

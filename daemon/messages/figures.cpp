@@ -8,7 +8,7 @@
 namespace tp100::messages {
 namespace {
 
-// As nanoseconds it fits into 64 bits.
+// Longest duration; as nanoseconds it fits into 64 bits.
 constexpr double kLongestUs = 1e15;
 
 }  // namespace
@@ -28,7 +28,7 @@ Durations durations_of(const Histogram& histogram) {
 
 LatenessCounts lateness_counts_of(const Histogram& histogram) {
   LatenessCounts counts{};
-  // Another thread may add meanwhile.
+  // Another thread may add values meanwhile; no difference may become negative because of that.
   std::uint64_t below = 0;
   for (std::size_t i = 0; i < kLatenessEdgesUs.size(); ++i) {
     const auto edge_ns = static_cast<std::uint64_t>(kLatenessEdgesUs[i]) * 1000U;

@@ -44,14 +44,14 @@ void to_json(Json& json, const Durations& durations) {
 
 /// Adds a duration, unless it is negative, not a number or longer than 30 years.
 void add_us(Histogram& histogram, double us);
-/// Those of a histogram of nanoseconds.
+/// The durations of a histogram of nanoseconds.
 Durations durations_of(const Histogram& histogram);
 
 /// Upper edges of the lateness histogram [us]; an additional last bin counts everything above.
 inline constexpr std::array<int, 13> kLatenessEdgesUs{1,   2,   5,    10,   20,   50,   100,
                                                       200, 500, 1000, 2000, 5000, 10000};
 using LatenessCounts = std::array<std::uint64_t, kLatenessEdgesUs.size() + 1>;
-/// A histogram of nanoseconds in these bins; each edge is exact to the width of a bucket.
+/// A histogram of nanoseconds in these bins; each edge is exact to within the width of a bucket.
 LatenessCounts lateness_counts_of(const Histogram& histogram);
 
 /// The real-time loop since its start.
@@ -61,7 +61,7 @@ struct LoopFigures {
   Durations sample_wire{}, sample_wait{}, sample_age{};  ///< see live::SampleLatency
   LatenessCounts lateness_counts{};
   std::vector<std::pair<std::string, bool>> privileges;
-  /// Steps and events dropped because a ring out of the loop was full.
+  /// Steps and events dropped because a ring from the loop to other threads was full.
   std::uint64_t lost_records = 0, lost_events = 0;
 
   /// Calls visit(name, durations) for each of them.
@@ -106,11 +106,11 @@ struct StopFigures {
   double acknowledged_ms = 0.0;
 };
 
-/// Who drives by hand.
+/// The client that drives by hand.
 struct DriverFigures {
   std::string by;        ///< empty: nobody
-  bool fresh = false;    ///< by fresh input
-  std::string asked_by;  ///< who else asked for the wheel just now; empty: nobody
+  bool fresh = false;    ///< the driver's input is fresh
+  std::string asked_by;  ///< who else asked for the wheel in the last seconds; empty: nobody
 };
 
 /// Run, session and the operations possible now.

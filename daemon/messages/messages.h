@@ -74,7 +74,7 @@ class Messages {
 
   std::string estimate(const StepRecord& record, const std::optional<Truth>& truth) const;
   std::string sample(const Sample& sample, HostNs now) const;
-  /// Of a record whose command is valid.
+  /// The record's command must be valid.
   std::string command(const StepRecord& record) const;
   std::string slip(const StepRecord& record) const;
   std::string course() const;

@@ -13,7 +13,7 @@ namespace {
 constexpr double kThicknessM = 0.004;
 constexpr double kLiftM = 0.004;
 
-// Red, blue and green as in the paper, and two for estimates to come.
+// Red, blue and green as in the paper, and two for future estimates.
 constexpr std::array<Colour, 5> kColours = {{{0.90, 0.20, 0.18, 1.0},
                                              {0.26, 0.53, 0.96, 1.0},
                                              {0.20, 0.72, 0.35, 1.0},

@@ -9,7 +9,7 @@
 
 namespace tp100::messages {
 
-/// What is known of the daemon at one moment.
+/// The daemon's figures at one moment.
 struct DaemonMetrics {
   StateFigures state{};
   LoopFigures loop{};

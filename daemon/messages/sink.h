@@ -1,5 +1,5 @@
 #pragma once
-// Interface of everything that takes the results of steps: recorder, server, worlds.
+// Interface of everything that receives the results of steps: recorder, server, worlds.
 
 #include <vector>
 
@@ -25,7 +25,7 @@ class Sink {
     (void)at;
     (void)truth;
   }
-  /// From the next record on, another course, robot or set-up is in force; at host time `at`.
+  /// From the next record on, at host time `at`, another course, robot or set-up is in force.
   virtual void take_setup(const RunContext& run_context, HostNs at) {
     (void)run_context;
     (void)at;

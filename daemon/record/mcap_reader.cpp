@@ -21,7 +21,7 @@ using Span = std::span<const std::uint8_t>;
 
 std::string text_of(Span bytes) { return {bytes.begin(), bytes.end()}; }
 
-// Our own files' are a thousandth of these.
+// Those of our own files are a thousandth of these limits.
 constexpr std::uint64_t kMaxDirectory = std::uint64_t{64} << 20;
 constexpr std::uint64_t kMaxMetadata = std::uint64_t{1} << 20;
 
@@ -185,7 +185,7 @@ Span McapReader::State::read(std::uint64_t offset, std::uint64_t bytes, Bytes& b
   return buffer;
 }
 
-// The summary is used only if all of it makes sense.
+// The summary is used only if all of it is valid.
 void McapReader::State::read_summary() {
   const std::uint64_t tail = kMcapRecordHead + kMcapFooterSize + kMcapMagic.size();
   if (size < kMcapMagic.size() + tail) return;

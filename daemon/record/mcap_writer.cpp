@@ -262,13 +262,13 @@ bool McapWriter::open_index() {
   }
 }
 
-// If the disk refuses it, it stays in memory.
+// If the disk refuses the index, it stays in memory.
 void McapWriter::set_index_aside() {
   if (chunk_group_.records.size() < kIndexBytes || !open_index()) return;
   if (index_->append(chunk_group_.records) == 0) chunk_group_.records.clear();
 }
 
-// Omits the older part if that cannot be read: readers find chunks without an index, too.
+// If the older part cannot be read, it is omitted: readers also find chunks without an index.
 Bytes McapWriter::chunk_index() const {
   Bytes index;
   if (index_ != nullptr) {

@@ -56,7 +56,7 @@ class McapWriter {
   std::uint64_t open_since_ns() const { return open_since_ns_; }
   /// Writes the open chunk, unless it is empty.
   void end_chunk();
-  /// Discards the open chunk.
+  /// Discards the open chunk without writing it.
   void drop_chunk();
 
   /// Writes the end of the file. The file is complete if it has no error afterwards.

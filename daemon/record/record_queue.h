@@ -80,7 +80,7 @@ struct Entry {
 /// The last entries that were taken from the queue, for a recording that looks back. One thread.
 class RecentEntries {
  public:
-  /// Those of the last `span_ns`; 0: none.
+  /// Keeps those of the last `span_ns`; 0: none.
   explicit RecentEntries(HostNs span_ns) : span_ns_(span_ns) {}
 
   void add(HostNs at_ns, EntryKind kind, std::span<const std::uint8_t> payload) {
@@ -92,7 +92,7 @@ class RecentEntries {
       entries_.pop_front();
     }
   }
-  /// All of them, oldest first; they are kept no longer.
+  /// All of them, oldest first; the list is then empty.
   std::deque<Entry> take() {
     bytes_ = 0;
     return std::exchange(entries_, {});

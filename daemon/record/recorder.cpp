@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t kQueueBytes = std::size_t{16} << 20;
 constexpr auto kTakeTimeout = std::chrono::milliseconds(50);
 constexpr std::size_t kMaxRequests = 16;
-// A recording that looks back holds at most so many inputs of the steps before it: twenty minutes.
+// Most bytes of inputs of earlier steps in a recording that looks back: twenty minutes.
 constexpr std::uint64_t kMaxBeforeLookBack = 50'000'000;
 constexpr const char* kSlow = "the disk has not served earlier requests; try again later";
 
@@ -110,7 +110,7 @@ struct Recorder::State {
       }
     }
   }
-  // For instance out of memory: the robot must not stop because of it.
+  // An error such as lack of memory must not stop the robot.
   void fail(const std::exception& error) {
     const std::string path = writer == nullptr ? std::string() : writer->path();
     writer.reset();
@@ -321,7 +321,7 @@ void Recorder::ask_end(std::uint64_t number, Answer answer) {
     if (number == 0 ? state_->shown() == 0 : number != state_->number) {
       why = "nothing is recorded";
     } else {
-      // Never refused: each end belongs to a begin that was not.
+      // An end is never refused: each belongs to a begin that was accepted.
       state_->request({.number = std::exchange(state_->number, 0), .answer = std::move(answer)});
       return;
     }

@@ -3,8 +3,8 @@
 // of every step, what viewers see, and what is needed to replay it. A chunk reaches the file every
 // half second, so that a kill loses less than the last second.
 //
-// A recording may begin at any step, even one that is over, and is replayable all the same: the
-// inputs that led there, which a history keeps (step_history.h), come first in it.
+// A recording may begin at any step, even a past one, and can still be replayed: it begins with the
+// inputs that led there, which a history keeps (step_history.h).
 
 #include <chrono>
 #include <functional>
@@ -19,7 +19,7 @@
 namespace tp100::record {
 
 struct RecorderSettings {
-  /// None: a recording that does not begin with the first step cannot be replayed.
+  /// Without it, a recording that does not begin with the first step cannot be replayed.
   std::optional<HistorySettings> history{};
   HostNs look_back_ns = 0;  ///< how long steps and messages are kept for ask_look_back()
   bool blocking = false;    ///< wait for a full queue: for programs in virtual time
@@ -56,14 +56,13 @@ class Recorder : public messages::Sink {
   ~Recorder() override;
 
   // Any thread; none of these waits for the disk.
-  /// A recording begins here: what is taken after this call is in it. Returns its number; 0:
-  /// refused, since another is running or asked for, or the disk has not served the requests
-  /// before.
+  /// Begins a recording of what is taken after this call. Returns its number; 0: refused, since
+  /// another is running or requested, or the disk has not served the earlier requests.
   std::uint64_t ask_begin(Make make, const Answer& answer);
   /// As ask_begin(), for a recording that begins look_back_ns ago and ends when another recording
   /// begins. It is not in number() and status(), and two of them share no step.
   std::uint64_t ask_look_back(Make make, const Ended& ended);
-  /// Recording `number`, or whichever there is if that is 0, ends here.
+  /// Ends recording `number`, or the current one if that is 0.
   void ask_end(std::uint64_t number, Answer answer);
   /// Discards the history before step `next`, which restarts the step with another course, robot or
   /// set-up: a recording that begins or looks back later cannot contain it. End a running recording

@@ -19,11 +19,11 @@ namespace tp100::record {
 /// valid during the call only. Times are within 2^60 ns of zero, inputs and truth finite; results
 /// of steps may be any numbers.
 struct RecordingVisitor {
-  /// A step before the recording: its inputs, nothing else.
+  /// A step before the recording: only its inputs.
   std::function<void(const StepRecord&)> before{};
   std::function<void(const StepRecord&)> step{};
   std::function<void(HostNs at, const Pose& truth)> truth{};
-  /// JSON of the other topics; all of them if `topics` is empty.
+  /// JSON of the other topics: of those in `topics`, or of all if that is empty.
   std::function<void(const std::string& topic, std::uint64_t unix_ns, std::string_view json)>
       message{};
   std::set<std::string> topics{};
@@ -49,7 +49,7 @@ class Recording {
   const std::map<std::string, std::string>& facts() const;
   /// Host time of t_s = 0; 0 if the file does not contain it.
   HostNs start_ns() const;
-  /// Unix time of t_s = 0; 0 if the file does not contain it. Any number.
+  /// Unix time of t_s = 0, unchecked: any number; 0 if the file does not contain it.
   std::int64_t start_unix_ns() const;
   /// Text of a file as it was loaded ("course.toml", "robot.toml", "tp100.toml"); empty: none.
   std::string file(const std::string& name) const;

@@ -37,8 +37,8 @@ class RecordingFile {
 };
 
 /// Tells other programs that the open file is in use until it is closed (a shared flock), so that
-/// nobody deletes it; readers and writers of recordings do so. A disk without such locks is left
-/// alone.
+/// nobody deletes it; readers and writers of recordings do so. On a disk without such locks it does
+/// nothing.
 void mark_in_use(int descriptor);
 
 /// A recording that is in use for as long as this exists; a missing one is no error.

@@ -137,7 +137,7 @@ void RecordingWriter::write(std::uint16_t channel, HostNs at, std::span<const st
   if (active_) writer_.message(channel, log_ns, data);
 }
 
-// As long as there is room, it includes room for the end of the file.
+// Always keeps enough space free for the end of the file.
 void RecordingWriter::end_chunk() {
   const std::uint64_t room = file_.room();
   if (writer_.needed() > room) return end_early("the disk is full");
@@ -149,14 +149,14 @@ void RecordingWriter::end_chunk() {
                "); the file has no end, tp100d recover makes it whole";
     return;
   }
-  // The next chunk is unlikely to be more than twice as large as this one.
+  // Assumes that the next chunk is at most twice as large as this one.
   const std::uint64_t next = 2 * (file_.size() - before) + writer_.needed();
   if (file_.size() + next > settings_.max_bytes)
     end_early("record.max_mb, " + std::to_string(settings_.max_bytes / 1'000'000) +
               " MB, is reached");
 }
 
-// Omits the open chunk, which would not fit.
+// Discards the open chunk, which would not fit, and writes the end of the file.
 void RecordingWriter::end_early(const std::string& why) {
   writer_.drop_chunk();
   finish();

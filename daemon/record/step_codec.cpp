@@ -164,8 +164,8 @@ class SchemaWriter {
   }
 };
 
-/// The first exchanges on a busy machine may yield any drift, but device time is host time divided
-/// by 1 + drift.
+/// The first exchanges on a busy machine may yield any drift, even one near -1; but device time is
+/// host time divided by 1 + drift.
 bool has_device_time(const ClockState& clock, HostNs at) {
   const auto since_ns = static_cast<double>(at - clock.reference_host_ns);
   return std::abs(since_ns * 1e-3 / (1.0 + clock.drift)) <= static_cast<double>(kLongestTime);

@@ -23,7 +23,7 @@ concept Number = std::is_arithmetic_v<T>;
 class Results {
  public:
   struct Entry {
-    std::string_view name;  ///< without those of the structures around it
+    std::string_view name;  ///< without the names of the structures around it
     std::uint64_t bits;
     bool real;
   };

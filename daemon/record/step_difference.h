@@ -25,11 +25,11 @@ std::optional<StepDifference> first_difference(const StepRecord& recorded,
 struct LargestDifference {
   double length_m = 0.0;   ///< of all results in metres: positions, errors, progress
   double angle_rad = 0.0;  ///< of all in radians, around the circle
-  double other = 0.0;      ///< of all other numbers; of values above 1 relative
+  double other = 0.0;      ///< of all other numbers; relative for values above 1
   bool decided = false;    ///< a truth value, an enumeration or an integer differs
 
   void add(const StepRecord& recorded, const StepRecord& computed);
-  /// Nothing was decided otherwise, and no number differs by more than `limit`.
+  /// `decided` is false, and no number differs by more than `limit`.
   bool within(double limit) const;
 };
 

@@ -56,7 +56,7 @@ void StepHistory::close_block() {
   span.bytes += span.open.size();
   if (span.bytes > settings_.max_bytes) return give_up(more_than(settings_.max_bytes));
   if (span.bytes <= settings_.memory_bytes) {
-    // A copy has no spare capacity.
+    // Copied, because a copy has no spare capacity.
     span.blocks.push_back({Bytes(span.open), 0});
     span.open.clear();
     return;
@@ -103,7 +103,7 @@ std::string StepHistory::read(
   return {};
 }
 
-// Returns memory and disk.
+// Frees memory and disk.
 void StepHistory::give_up(std::string problem) {
   newest_ = {.first = newest_.first,
              .began_ns = newest_.began_ns,

@@ -1,7 +1,7 @@
 #pragma once
 // Keeps the inputs of the steps since the last restart of the step (StepInputs::restart), so that a
 // recording that begins later can be replayed: a step's state is the result of all inputs since.
-// The first megabytes stay in memory, what a long run adds goes to a file. One thread.
+// The first megabytes stay in memory; later ones go to a file. One thread.
 
 #include <cstdint>
 #include <functional>
@@ -18,7 +18,7 @@ namespace tp100::record {
 
 struct HistorySettings {
   std::string folder{};                   ///< of the file, made if absent; empty: memory only
-  std::uint64_t max_bytes = 300'000'000;  ///< the history stops beyond: two hours at 200 Hz
+  std::uint64_t max_bytes = 300'000'000;  ///< the history stops there: two hours at 200 Hz
   std::uint64_t memory_bytes = 8'000'000;
 };
 
@@ -33,7 +33,7 @@ class StepHistory {
   /// Discards the steps before number `next`, which restarts with another course, robot or set-up.
   void forget(std::uint64_t next);
   /// Passes the inputs of all steps that are needed before step `first`, oldest first, in blocks
-  /// (step_codec.h). Returns why they are incomplete, in words, or nothing. Above `max_bytes`
+  /// (step_codec.h). Returns why they are incomplete, in one line, or nothing. Above `max_bytes`
   /// nothing is passed.
   std::string read(std::uint64_t first, std::uint64_t max_bytes,
                    const std::function<void(std::span<const std::uint8_t> block)>& each) const;

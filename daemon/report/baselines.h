@@ -1,6 +1,5 @@
 #pragma once
-// The simpler forms of the model on the encoder counts and the gyro of a run: what a run keeps for
-// them.
+// What a run keeps to evaluate the simpler forms of the model: its encoder counts and its gyro.
 
 #include <cstdint>
 #include <optional>
@@ -11,7 +10,7 @@
 
 namespace tp100::report {
 
-/// What the robot measured up to a sample; only differences have a meaning.
+/// Sums of the robot's measurements up to a sample; only their differences have a meaning.
 struct Measured {
   DeviceUs device_us = 0;
   std::int64_t left_counts = 0;
@@ -35,14 +34,14 @@ class MeasuredMotion {
   double bias_radps_ = 0.0;
 };
 
-/// The forms of one robot; without any, a run is not judged by them.
+/// The forms of one robot; without any, a run is not compared with them.
 struct Baselines {
   model::PerBaseline<std::optional<model::TrackParameters>> forms{};  ///< nothing: not fitted
   double counts_per_metre = 0.0;
   double gyro_bias_radps = 0.0;  ///< of MeasuredMotion, when the run began
 };
 
-/// The forms in the robot's file, and those that are not fitted. The bias is still to be set.
+/// The forms in the robot's file, and those that need no fit. The caller sets the bias.
 Baselines baselines_of(const course::Robot& robot, double turning_threshold_radps);
 
 }  // namespace tp100::report

@@ -30,7 +30,7 @@ struct Range {
   }
   void widen() {
     if (low > high) low = 0.0, high = 1.0;
-    // A range below a millionth of the values exceeds their printed digits.
+    // The printed digits cannot show a range below a millionth of the values.
     const double least = std::max(std::abs(low), std::abs(high)) * 1e-6;
     const double margin =
         high - low > least ? (high - low) * 0.05 : std::max(std::abs(low) * 0.1, 1e-3);
@@ -210,7 +210,7 @@ std::string box(const PlotArea& area, double y, std::vector<double> values) {
   std::vector<double> beyond = values;
   std::erase_if(beyond, [&](double value) { return value >= low && value <= high; });
   std::sort(beyond.begin(), beyond.end());
-  // Of thousands, no more than the image can show.
+  // Of thousands of values only as many as the image can show.
   const std::size_t every = beyond.size() / 100 + 1;
   for (std::size_t i = 0; i < beyond.size(); ++i)
     if (i % every == 0 || i + 1 == beyond.size()) out += dot(area.x(beyond[i]), y, 2, kValueColour);

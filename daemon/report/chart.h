@@ -15,7 +15,7 @@ struct ChartSeries {
   std::vector<std::pair<double, double>> points = {};
   bool dashed = false;
   bool marks = false;  ///< a dot at every point, no line
-  bool broad = false;  ///< a band that a line upon it leaves visible
+  bool broad = false;  ///< drawn as a broad band, visible under a line
 };
 
 struct Chart {

@@ -21,7 +21,7 @@ inline constexpr std::array kColours = {
     Colour{"model", "#c42b24", "#ff5b52"}, Colour{"odometry", "#1c61bd", "#4d9fff"},
     Colour{"fused", "#12733d", "#3ad07c"}, Colour{"left", "#0f6f9c", "#58b7e8"},
     Colour{"right", "#a04f0c", "#f0a35e"},
-    // What is none of these: one value, one run of several.
+    // For everything else: one value, one run of several.
     Colour{"value", "#6a4aa5", "#b79df2"}, Colour{"run-2", "#0b7285", "#4fd1e0"},
     Colour{"run-3", "#b0246e", "#ff85c0"}, Colour{"run-4", "#7a4a1a", "#d9a066"},
     Colour{"run-5", "#4d6b00", "#b4d94a"}, Colour{"run-6", "#3f4ea8", "#93a4ff"},
@@ -39,7 +39,7 @@ constexpr const char* colour_of(PoseSource source) {
 }
 
 inline constexpr std::size_t kRunColours = 8;
-/// Of one of several runs; repeats after kRunColours.
+/// The colour of one of several runs; repeats after kRunColours.
 constexpr const char* colour_of_run(std::size_t run) {
   return kColours[7 + run % kRunColours].light;
 }

@@ -11,13 +11,13 @@
 namespace tp100::report {
 namespace {
 
-/// The runs and what they are judged by, one each.
+/// The runs and the errors of each.
 struct Compared {
   const std::vector<ComparedRun>& runs;
   const std::vector<std::optional<RunFigures>>& judged;
 };
 
-/// One figure of every run. Smaller is better, but for those without a direction.
+/// One figure of every run. Smaller is better, except for figures without a direction.
 struct FigureOfRuns {
   std::string name, unit;
   int places = 2;
@@ -74,7 +74,7 @@ void add_tracking_figures(Figures& figures) {
                      }});
 }
 
-/// All that is known of at least one run.
+/// All figures that are known for at least one run.
 Figures all_figures(const Compared& all) {
   Figures figures = {
       {"duration", "s", 2, false, [](const RecordedRun& run, const std::optional<RunFigures>&) {
@@ -98,7 +98,7 @@ Figures all_figures(const Compared& all) {
   return figures;
 }
 
-/// Value minus that of the base run, with sign, unit and what it means.
+/// Value minus that of the base run, with sign and unit, marked if it is better.
 Cell difference(const FigureOfRuns& figure, double value, double base) {
   if (!std::isfinite(value) || !std::isfinite(base)) return "-";
   const double unit = std::pow(10.0, -figure.places);
@@ -129,7 +129,7 @@ Rows difference_rows(const Compared& all) {
   return rows;
 }
 
-/// Runs that differ from the base run in what was driven: their differences say little.
+/// Names of the runs whose course or set-up differs from that of the base run.
 std::string unlike_base(const Compared& all) {
   std::string names;
   for (const ComparedRun& one : all.runs)

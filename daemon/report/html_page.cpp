@@ -51,7 +51,7 @@ bool numeric(const std::string& text) {
   return end != text.c_str() && (*end == '\0' || *end == ' ');
 }
 
-/// Columns but the first with something else than numbers below the head.
+/// Columns, except the first, with anything but numbers below the head.
 std::vector<bool> text_columns(const Rows& rows) {
   std::vector<bool> columns;
   for (std::size_t i = 1; i < rows.size(); ++i) {
@@ -126,7 +126,7 @@ void HtmlPage::paragraph(const std::string& text) { body_ += "<p>" + escaped(tex
 
 void HtmlPage::table(const Rows& rows, const std::string& caption) {
   const std::vector<bool> texts = text_columns(rows);
-  // A box that scrolls has to be within reach of the keyboard.
+  // A box that scrolls must be reachable by keyboard.
   body_ += "<div class='scroll' tabindex='0' role='group' aria-label='" + escaped(caption) +
            "'><table><caption>" + escaped(caption) + "</caption>\n";
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -135,7 +135,7 @@ void HtmlPage::table(const Rows& rows, const std::string& caption) {
     for (std::size_t j = 0; j < rows[i].size(); ++j) {
       const Cell& cell = rows[i][j];
       const bool is_text = j < texts.size() && texts[j];
-      // The corner above the names of the rows is no head.
+      // The empty corner above the names of the rows is no header cell.
       const std::string& as = cell.text.empty() ? "td" : tag;
       body_ += "<" + as + (as == "th" ? " scope='col'" : "") + classes(cell, is_text) + ">" +
                escaped(cell.text) + "</" + as + ">";
@@ -148,7 +148,7 @@ void HtmlPage::table(const Rows& rows, const std::string& caption) {
 void HtmlPage::figures(const std::vector<std::string>& svgs, const std::string& caption) {
   const std::string text = "<figcaption>" + escaped(caption) + "</figcaption>";
   const bool several = svgs.size() > 1;
-  // Above several figures, a caption says what all of them are of.
+  // Above several figures, the caption is common to all of them.
   body_ += several ? "<figure class='wide'>" + text : "<figure>";
   for (const std::string& figure : svgs) body_ += figure;
   body_ += (several ? "" : text) + "</figure>\n";

@@ -12,12 +12,12 @@ namespace tp100::report {
 /// `text` with HTML's and SVG's five special characters escaped.
 std::string escaped(const std::string& text);
 
-/// How a cell is shown. What it means is in its text or its column as well.
+/// How a cell is shown. Its text or its column expresses the same.
 enum class Mark { kNone, kMissed, kBetter };
 
 /// One cell of a table.
 struct Cell {
-  /// From anything that makes a string.
+  /// From anything that a string can be made from.
   template <class Text>
   requires std::constructible_from<std::string, Text> Cell(Text&& content, bool is_missed = false)
       : Cell(std::forward<Text>(content), is_missed ? Mark::kMissed : Mark::kNone) {}
@@ -39,7 +39,7 @@ class HtmlPage {
   void verdict(bool good, const std::string& text);
   /// Names and values, below each other.
   void facts(const std::vector<std::pair<std::string, Cell>>& list);
-  /// Also an entry of the table of contents.
+  /// A heading, which is also an entry of the table of contents.
   void heading(const std::string& text);
   void paragraph(const std::string& text);
   /// Columns of numbers are aligned to the right. A table wider than the screen scrolls in itself.

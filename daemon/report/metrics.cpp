@@ -172,9 +172,10 @@ bool turns_at(const course::Path& path, double progress_m) {
   });
 }
 
-/// Of the points [begin, end), all while the robot turns at one place: some are compared with the
-/// path before it, one with the place itself, the others with the path after it. Which one is
-/// chosen as for the Frechet distance: so that the largest distance is smallest.
+/// Adds the deviations of the points [begin, end), at all of which the robot turns at one place:
+/// some are compared with the path before it, one with the place itself, the others with the path
+/// after it. That one is chosen as for the Frechet distance: so that the largest distance is
+/// smallest.
 void add_turn(const course::Path& path, const TrajectoryPoint* begin, const TrajectoryPoint* end,
               std::vector<Deviation>& deviations) {
   const double at_m = begin->progress_m;
@@ -375,7 +376,7 @@ RunFigures figures(const RunResult& run, const course::Course& course) {
                                    : pose_errors(run.points, estimate);
   }
   for (std::size_t i = 0; i < model::kBaselines.size(); ++i) {
-    // On a stand the truth is what the estimates say.
+    // On a stand the truth is an estimate itself.
     if (!run.baselines.forms[i] || run.setup == "stand") continue;
     const std::vector<Pose> poses =
         baseline_poses(run, model::kBaselines[i], *run.baselines.forms[i]);

@@ -27,9 +27,9 @@ struct Deviation {
 
 /// Compares the true poses with the path in its order, one deviation per point: with the part up to
 /// 0.3 m before and after the controller's progress, but not with the path beyond a turn on the
-/// spot, where it may fold back. The place of the turn has to be reached too: one of the poses
-/// there is compared with it, those before with the path before it, and those after with the path
-/// after it. While turning on the spot, yaw is compared with the commanded turn.
+/// spot, where it may fold back. The place of the turn must also be reached: one of the poses there
+/// is compared with it, those before with the path before it, and those after with the path after
+/// it. While turning on the spot, yaw is compared with the commanded turn.
 std::vector<Deviation> deviations(const course::Path& path,
                                   const std::vector<TrajectoryPoint>& points);
 
@@ -45,7 +45,7 @@ struct DisturbanceResponse {
   /// From the end of the disturbance until the robot stayed within 1 cm and 3 deg for 0.5 s;
   /// nothing: never.
   std::optional<double> settling_s{};
-  /// To the other side of the path, until that half second ended.
+  /// Greatest distance to the other side of the path, until that half second ended.
   double overshoot_m = 0.0;
   double shortcut_m = 0.0;  ///< length of path that was skipped; 0: none
 };
@@ -83,8 +83,8 @@ struct TrackingErrors {
   int false_alarms = 0;  ///< disturbances that the controller detected although there was none
 };
 
-/// In what share of the instants the true pose lay within two standard deviations of the fused
-/// one, by the filter's own figures. 0.95 if they are true and errors are normal.
+/// Share of the instants at which the true pose lay within two of the filter's standard deviations
+/// of the fused pose: 0.95 if these are right and errors are normal.
 struct Coverage {
   double position = 0.0;  ///< x and y, each counted by itself
   double yaw = 0.0;
@@ -93,8 +93,8 @@ Coverage coverage(const std::vector<TrajectoryPoint>& points);
 
 /// All figures of one run.
 struct RunFigures {
-  /// From start to end, disturbances included; of a source that is blind to them, piece by piece
-  /// between them. Nothing where the run has no such estimate.
+  /// From start to end, disturbances included; for a source that is blind to them, piece by piece
+  /// between them. Nothing if the run has no such estimate.
   PerSource<std::optional<PoseErrors>> estimates{};
   /// Simpler forms of the model on the same counts, piece by piece between disturbances like the
   /// model. Nothing of a form that was not fitted to the robot, and on a stand.
@@ -116,8 +116,8 @@ PoseErrors pose_errors_between(const std::vector<TrajectoryPoint>& points,
                                const std::vector<DisturbanceWindow>& disturbances,
                                const PoseOf& estimate);
 
-/// What pose_errors_between() judges: a pose for each point, none within a disturbance, and the
-/// points at which it was reset.
+/// The poses that pose_errors_between() compares with the truth: one for each point, none within a
+/// disturbance, and the points at which it was reset.
 struct RestartedPoses {
   std::vector<std::optional<Pose>> poses;
   std::vector<std::size_t> restarts;

@@ -1,5 +1,5 @@
 #pragma once
-// What the page of one run and that of several have in common: texts and rows of tables.
+// Parts that the page of one run and that of several have in common: texts and rows of tables.
 
 #include <cstdint>
 #include <optional>
@@ -13,13 +13,13 @@
 
 namespace tp100::report {
 
-/// With so many decimals; "-" if it is not finite.
+/// `value` with `count` decimals; "-" if it is not finite.
 std::string decimals(double value, int count);
-/// On one line of bounded length.
+/// `text` on one line of bounded length.
 std::string plain(const std::string& text);
 /// Course, robot, set-up.
 std::string title_of(const RecordedRun& run);
-/// When the run was driven, as far as the recording says.
+/// When the run was driven, if the recording has the date.
 std::string date_of(const RecordedRun& run);
 /// Program and version that drove it.
 std::string program_of(const RecordedRun& run);
@@ -29,7 +29,7 @@ Cell outcome(const RecordedRun& run);
 /// Head and rows of errors against the truth.
 extern const Rows::value_type kPoseHead;
 Rows::value_type pose_row(const std::string& name, const PoseErrors& errors);
-/// A row for each simpler form of the model that was judged.
+/// Adds a row for each simpler form of the model whose errors are known.
 void add_baselines(Rows& rows, const std::string& run, const RunFigures& judged);
 extern const char* const kBaselinesCaption;
 

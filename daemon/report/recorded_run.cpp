@@ -17,7 +17,7 @@ namespace {
 
 // Twenty minutes at 200 Hz; beyond it every second point is dropped.
 constexpr std::size_t kMaxKeptPoints = std::size_t{1} << 18;
-// No robot gets farther.
+// No robot drives farther than this.
 constexpr double kFarthest = 1e6;
 constexpr double kEndToleranceM = 0.15;
 constexpr std::size_t kLongestEvent = std::size_t{1} << 16;
@@ -33,7 +33,7 @@ bool plausible(const Pose& pose) {
       [](double value) { return std::abs(value) <= kFarthest; });
 }
 
-/// Of one run.
+/// Distributions of one run.
 struct Times {
   Histogram jitter{}, sample_age{}, world_age{};
 };
@@ -78,7 +78,7 @@ class Reader {
   double step_jitter_us_ = 0.0;
   double cross_track_squares_ = 0.0;
   std::uint64_t estimated_steps_ = 0;
-  // Of the newest sample seen, and of the last point.
+  // Times of the newest sample seen, and of the last point.
   DeviceUs device_us_ = -1;
   HostNs point_ns_ = std::numeric_limits<HostNs>::min();
   double behind_x_m_ = 0.0, behind_y_m_ = 0.0;
@@ -208,7 +208,7 @@ void Reader::thin() {
   samples_ = 0;
 }
 
-// It follows the step that used the sample of that time.
+// The truth follows the step that used the sample of that time.
 void Reader::truth(HostNs at, const Pose& pose) {
   if (at != point_ns_ || !plausible(pose)) return;
   TrajectoryPoint& point = run_.result.points.back();
@@ -221,7 +221,7 @@ void Reader::truth(HostNs at, const Pose& pose) {
 
 // Only events that cannot be derived from the steps.
 void Reader::event(std::uint64_t unix_ns, std::string_view text) {
-  // Valid until 2116, and no sum overflows.
+  // Below 2^62 ns, which is in 2116, so that no sum overflows.
   if (text.size() > kLongestEvent || unix_ns >> 62 != 0 || start_unix_ns_ >> 62 != 0) return;
   const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
   const auto field = [&](const char* name) -> std::string {
@@ -241,7 +241,7 @@ void Reader::event(std::uint64_t unix_ns, std::string_view text) {
                     .bad = field("level") == "error"});
 }
 
-// The start of each is recorded; its duration is in the course.
+// The recording has the start of each disturbance, the course its duration.
 void Reader::disturbances() {
   if (run_.run_context.course == nullptr) return;
   const std::vector<course::Disturbance>& planned = run_.run_context.course->disturbances;

@@ -21,7 +21,7 @@ struct Figure {
 };
 
 /// Path, yaw, errors of the estimates, tracking, slip, jitter; climb angle if the course has
-/// obstacles. Figures that need the truth are omitted if it is not known.
+/// obstacles. Without the truth, figures that need it are omitted.
 std::vector<Figure> figures_of(const RecordedRun& run);
 
 /// A run in a comparison: its name in legends, and its points thinned to what a figure can show.

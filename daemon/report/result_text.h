@@ -16,7 +16,7 @@ namespace tp100::report {
 std::string result_json(const RunResult& run, const RunFigures& figures);
 
 /// The result as text: several lines, at most 100 columns, with notes on which values are the
-/// paper's and which are ours.
+/// paper's and which are our own.
 std::string result_table(const RunResult& run, const RunFigures& figures);
 
 /// Errors that the paper prints for a course, in its own units; negative: not printed. Its mean

@@ -33,9 +33,9 @@ inline PoseSd pose_sd(const FilterFigures& filter) {
 struct TrajectoryPoint {
   double t_s = 0.0;  ///< from the start of the run
   Pose truth{};      ///< exact pose of the reference point; on a stand the steering pose
-  Pose world{};      ///< in the course's world, judged against the path; behind `truth` by the
-                     ///< distance that virtual obstacles cost
-  PerSource<Pose> estimates{};  ///< of use where RunResult::has_estimate()
+  Pose world{};  ///< in the course's world, compared with the path; behind `truth` by the distance
+                 ///< that virtual obstacles cost
+  PerSource<Pose> estimates{};  ///< valid where RunResult::has_estimate()
   PoseSd fused_sd{};            ///< of the fused pose, which is odometry's without a camera
   /// Along the path, as estimated by the controller; distinguishes crossing segments.
   double progress_m = 0.0;
@@ -64,7 +64,7 @@ struct CameraFigures {
   double nis_half_band() const { return kNormal95 * std::sqrt(2.0 * kNisDegrees / judged); }
 };
 
-/// Of a step of the run.
+/// Figures as of a step of the run.
 inline CameraFigures camera_figures(const FilterFigures& filter) {
   return {.used = filter.camera_used,
           .rejected = filter.camera_rejected,
@@ -93,7 +93,7 @@ struct RunResult {
   Baselines baselines{};
   std::vector<std::pair<std::string, double>> loop;  ///< figures of the loop by name
 
-  /// The run has everything that the estimate is made from.
+  /// Whether the run has all inputs of the estimate.
   bool has_estimate(PoseSource source) const { return has_camera || !needs_camera(source); }
 };
 

@@ -16,7 +16,7 @@ constexpr double kBelongsS = 1.0;
 // Both ends of the tracks stand on a slope that differs from their ramp's by less than this.
 constexpr double kOnRampRad = 0.5 * kRadPerDeg;
 constexpr double kRobotM = 0.15;
-// The obstacle class has to be known this long after the body begins to lean.
+// The obstacle class must be known this long after the body begins to lean.
 constexpr double kClassifiedWithinS = 0.5;
 
 Slope slope_of(const Pose& pose) {

@@ -20,10 +20,10 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kChunkBytes = std::size_t{1} << 20U;
 
-// Readers since Humble take this version; later ones say more of what a bag from elsewhere lacks.
+// Readers since Humble accept this version; later versions have more fields, which this bag lacks.
 constexpr int kMetadataVersion = 5;
 
-/// As rosbag2 writes it: enums of rmw as numbers, no limit as the largest duration.
+/// As rosbag2 writes it: enums of rmw as numbers, the largest duration for no limit.
 std::string qos_text(const Qos& qos) {
   const std::string endless = "\n    sec: 9223372036\n    nsec: 854775807\n";
   return "- history: 1\n  depth: " + std::to_string(qos.depth) +
@@ -33,7 +33,7 @@ std::string qos_text(const Qos& qos) {
          "  avoid_ros_namespace_conventions: false";
 }
 
-/// `text` in double quotes: what JSON writes is YAML, too.
+/// `text` in double quotes: a JSON string is valid YAML.
 std::string quoted(const std::string& text) {
   std::string out;
   text::JsonWriter(out).value(text);
@@ -91,7 +91,7 @@ class Bag {
               quoted(qos_text(channel.text.qos)) +
               "\n      message_count: " + std::to_string(channel.messages) + "\n";
     }
-    // The same facts of the bag and of its only file.
+    // The facts that the bag and its only file have in common.
     const auto facts = [&](const std::string& indent) {
       return indent + "starting_time:\n" + indent +
              "  nanoseconds_since_epoch: " + std::to_string(begin_ns) + "\n" + indent +

@@ -9,7 +9,7 @@
 namespace tp100::ros2 {
 namespace {
 
-// Beyond what any robot can do, and any room has.
+// Faster than any robot, and larger than any room.
 constexpr double kMaxVelocity = 100.0, kMaxPlaceM = 100.0;
 constexpr double kQuaternionError = 0.01;
 constexpr std::int64_t kMaxStampNs = std::int64_t{1} << 62U;
@@ -64,7 +64,7 @@ std::optional<Pose> pose_of(const std_msgs::Header& header, const geometry_msgs:
 }  // namespace
 
 const std::array<InputText, kInputCount>& inputs() {
-  // Of velocities the newest counts; an old one must not be sent again.
+  // Best effort, because only the newest velocity counts and an old one must not be sent again.
   static const std::array<InputText, kInputCount> kInputs = {{
       {Input::kVelocity, "/cmd_vel", &geometry_msgs::Twist::kType, {.reliable = false}},
       {Input::kVelocityStamped,

@@ -16,7 +16,7 @@
 
 namespace tp100::ros2 {
 
-/// What other programs are told about a message type.
+/// The description of a message type for other programs.
 struct MessageType {
   std::string_view name;      ///< as ROS 2 prints it: nav_msgs/msg/Odometry
   std::string_view dds_name;  ///< the same for DDS: nav_msgs::msg::dds_::Odometry_
@@ -123,11 +123,11 @@ class CdrReader {
   bool ok_ = true;
 };
 
-/// The message in these bytes; nothing: they are none of that type, whole, and little-endian.
+/// The message in these bytes; nothing unless they are a complete one of that type, little-endian.
 template <class Message>
 std::optional<Message> deserialized(std::span<const std::uint8_t> bytes) {
   constexpr std::size_t kHeader = 4, kPadding = 3;
-  // The last two bytes may say how much is padding.
+  // The last two bytes of the header may give the size of the padding.
   if (bytes.size() < kHeader || bytes[0] != 0 || bytes[1] != 1) return std::nullopt;
   CdrReader reader(bytes.subspan(kHeader));
   Message message{};

@@ -30,9 +30,9 @@ namespace {
 
 constexpr int kLastDomain = 232;  // by the ports that RTPS derives from the number
 
-// Messages reach Cyclone DDS as CDR: it needs no description of their types but the name.
+// Messages are passed to Cyclone DDS as CDR, so it needs only the names of their types.
 
-/// A message; nothing is said of keys, because ROS 2's topics have none.
+/// A message; without keys, because ROS 2's topics have none.
 struct CdrData : ddsi_serdata {
   CdrData(const ddsi_sertype* of, ddsi_serdata_kind as, Bytes content)
       : ddsi_serdata{}, bytes(std::move(content)), size(static_cast<std::uint32_t>(bytes.size())) {
@@ -45,10 +45,10 @@ struct CdrData : ddsi_serdata {
   std::uint32_t size;
 };
 
-// More than any message has that is taken; of a longer one nothing is kept.
+// Longer than any message that is read; longer ones are not kept.
 constexpr std::size_t kLargestTaken = 4096;
 
-/// A message of the network, in fragments that may overlap.
+/// A message from the network, in fragments that may overlap.
 ddsi_serdata* received(const ddsi_sertype* type, ddsi_serdata_kind kind, const nn_rdata* fragments,
                        size_t size) {
   Bytes bytes;
@@ -84,7 +84,7 @@ ddsi_serdata* shared(const ddsi_serdata* data, size_t from, size_t size, ddsrt_i
 
 const ddsi_serdata_ops& data_operations() {
   static const ddsi_serdata_ops kOperations = [] {
-    ddsi_serdata_ops ops{};  // messages are taken as CDR: those that make samples of it stay null
+    ddsi_serdata_ops ops{};  // messages are read as CDR: operations that decode it stay null
     ops.from_ser = received;
     ops.from_ser_iov = received_at_once;
     ops.from_keyhash = [](const ddsi_sertype* type, const ddsi_keyhash*) -> ddsi_serdata* {
@@ -123,7 +123,7 @@ const ddsi_sertype_ops& type_operations() {
       ddsi_sertype_fini(type);
       delete type;
     };
-    // Names and operations are compared before.
+    // Cyclone DDS compares names and operations before.
     ops.equal = [](const ddsi_sertype*, const ddsi_sertype*) { return true; };
     ops.hash = [](const ddsi_sertype*) -> std::uint32_t { return 0; };
     return ops;
@@ -155,8 +155,8 @@ std::string dds_configuration(const std::string& interface) {
   if (!std::all_of(interface.begin(), interface.end(), may_be))
     throw SetupError("ros2.interface = \"" + text::one_line(interface) +
                      "\": not a network interface; `ip link` lists them");
-  // The loopback interface multicasts where it does not say so; where it cannot, participants are
-  // found at the ports that ROS 2's own look at, too.
+  // The loopback interface can multicast although it does not report so; if it cannot, participants
+  // are found at the ports where ROS 2's own participants look, too.
   const bool local = interface == "lo";
   return "<CycloneDDS><Domain id=\"any\"><General><Interfaces><NetworkInterface name=\"" +
          interface + "\"" + (local ? " multicast=\"true\"" : "") + "/></Interfaces></General>" +
@@ -180,8 +180,8 @@ std::set<int> datagram_sockets() {
   return out;
 }
 
-/// Cyclone DDS sends through one interface but listens at all addresses. From now on what was
-/// opened since `before` receives nothing of other machines.
+/// Cyclone DDS sends through one interface but listens at all addresses. Makes the sockets that
+/// were opened since `before` receive nothing from other machines.
 void receive_of_this_machine_only(const std::set<int>& before) {
   constexpr std::string_view kDevice = "lo";
   for (const int fd : datagram_sockets())
@@ -192,8 +192,8 @@ void receive_of_this_machine_only(const std::set<int>& before) {
                        "), and would receive from other machines; set ros2.enabled to false");
 }
 
-/// Threads started during its lifetime have small stacks. Where memory is locked, each takes its
-/// whole stack from the machine: 8 MB by default, of which those of Cyclone DDS need little.
+/// Threads started during its lifetime have small stacks. With locked memory each thread occupies
+/// its whole stack: 8 MB by default, of which the threads of Cyclone DDS need little.
 class SmallStacks {
  public:
   SmallStacks() {
@@ -237,16 +237,16 @@ struct QosOf {
   dds_qos_t* dds;
 };
 
-/// One topic's publisher.
+/// The publisher of one topic.
 struct Writer {
   dds_entity_t entity = 0;
   const ddsi_sertype* type = nullptr;
 
-  /// A reliable message that cannot be kept for a subscriber displaces an older one.
+  /// If a subscriber is slow, a reliable message replaces an older one that is kept for it.
   void write(Bytes cdr) const { dds_writecdr(entity, new CdrData(type, SDK_DATA, std::move(cdr))); }
 };
 
-/// One topic's reader.
+/// The subscription to one topic.
 struct Reader {
   Input input{};
   dds_entity_t entity = 0;
@@ -313,7 +313,7 @@ struct Participant::State {
   void join(const config::Ros2Settings& settings) {
     const dds_domainid_t number = domain_of(settings);
     const std::string configuration = dds_configuration(settings.interface);
-    // What Cyclone DDS says is why it fails.
+    // The log of Cyclone DDS has the reason of a failure.
     std::string why;
     dds_set_log_sink(
         [](void* out, const dds_log_data_t* line) {
@@ -361,7 +361,7 @@ struct Participant::State {
     throw SetupError("[ros2]: topic " + name + " is impossible (" + dds_strretcode(-entity) +
                      "); set ros2.enabled to false");
   }
-  /// Tells ROS 2's graph of the node, its publishers and subscriptions.
+  /// Announces the node, its publishers and subscriptions to ROS 2's graph.
   void announce(const std::string& node) {
     graph = writer("ros_discovery_info", rmw_dds_common::ParticipantEntitiesInfo::kType,
                    {.transient_local = true, .depth = 1});

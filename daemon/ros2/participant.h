@@ -1,5 +1,5 @@
 #pragma once
-// A participant of a ROS 2 domain, without ROS: any ROS 2 program finds a node with these topics.
+// A participant of a ROS 2 domain, without ROS: ROS 2 programs see it as a node with these topics.
 
 #include <functional>
 #include <memory>
@@ -15,8 +15,8 @@ namespace tp100::ros2 {
 
 class Participant {
  public:
-  /// Joins the domain as `node`, which publishes and takes these topics. The threads that it starts
-  /// have the caller's scheduling and processors: to be called from an ordinary thread, before a
+  /// Joins the domain as `node`, which publishes `published` and subscribes to `taken`. Its threads
+  /// inherit the caller's scheduling and processors: call it from an ordinary thread, before a
   /// real-time loop starts. Throws SetupError: no such interface or domain, or this build has no
   /// DDS.
   Participant(const config::Ros2Settings& settings, const std::string& node,
@@ -26,10 +26,10 @@ class Participant {
   Participant& operator=(const Participant&) = delete;
 
   /// Publishes a message as TopicMessages makes it, on one of the topics. Allocates, and waits for
-  /// no subscriber: one that is slow misses the older of the messages that are kept. One thread.
+  /// no subscriber: a slow one misses the older of the kept messages. One thread.
   void write(Topic topic, Bytes cdr);
-  /// Calls `receive` for what has arrived since the last call, of each topic in order; of more than
-  /// a few at once the newest. One thread.
+  /// Calls `receive` for what has arrived since the last call, in order for each topic; if many
+  /// have arrived, for the newest. One thread.
   void take(const std::function<void(const Received&)>& receive);
 
  private:

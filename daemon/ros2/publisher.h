@@ -31,7 +31,7 @@ class Publisher : public messages::Sink {
     messages_.begin(at, send_);
   }
 
-  /// What was answered to a node.
+  /// Publishes an answer to a node.
   void answer(const messages::Event& answer) { messages_.answer(answer); }
 
  private:

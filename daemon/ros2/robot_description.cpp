@@ -33,7 +33,7 @@ std::string joint(const char* name, const char* type, const char* child, const s
   return text + "  </joint>\n";
 }
 
-/// `name` without characters that mean something in XML.
+/// `name` without characters that have a meaning in XML.
 std::string plain(const std::string& name) {
   std::string out = text::one_line(name);
   for (char& c : out)
@@ -45,7 +45,7 @@ std::string plain(const std::string& name) {
 
 std::string robot_description(const course::Robot& robot) {
   const course::ShapeValues& shape = robot.shape;
-  // The robot file has the width of a shoe and of the body for the emulated robot only.
+  // In the robot file, only the emulated robot has the widths of shoe and body.
   const double shoe_m = robot.emulated.body.shoe_width_m;
   const double radius_m = shape.wheel_radius_m, half_gauge_m = shape.gauge_m / 2.0;
   const double belly_m = radius_m, front_m = shape.axle_spacing_m / 2.0;

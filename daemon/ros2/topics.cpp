@@ -48,7 +48,7 @@ geometry_msgs::TransformStamped transform_of(const std_msgs::Header& header, con
                         .rotation = rotation_of(pose)}};
 }
 
-/// Of x, y, z and the rotations about x, y, z, or of their rates.
+/// Covariance of x, y, z and the rotations about x, y, z, or of their rates.
 std::array<double, 36> covariance_of(const PlanarCovariance& planar) {
   std::array<double, 36> covariance{};
   constexpr std::size_t kX = 0, kY = 1, kYaw = 5;
@@ -65,7 +65,7 @@ std::array<double, 36> covariance_of(const PlanarCovariance& planar) {
   return covariance;
 }
 
-/// Of three independent axes.
+/// Covariance of three independent axes.
 std::array<double, 9> covariance_of(double variance) {
   return {variance, 0.0, 0.0, 0.0, variance, 0.0, 0.0, 0.0, variance};
 }
@@ -280,7 +280,7 @@ void TopicMessages::take(const StepRecord& record, const Send& send) {
   if (virtual_time_) send(Topic::kClock, serialized(rosgraph_msgs::Clock{stamp(now)}));
   for (std::uint32_t i = 0; i < record.inputs.samples.size(); ++i) {
     const Sample& sample = record.inputs.samples[i];
-    // What the robot only repeats is no new measurement.
+    // A value that the robot only repeats is no new measurement.
     if (sample.imu_age != 0) continue;
     send(Topic::kImu, serialized(imu_of({stamp(sample.measured_ns), kImuLink}, sample)));
   }

@@ -14,7 +14,7 @@
 
 namespace tp100::ros2 {
 
-/// The course's frame: of poses that do not drift.
+/// The course's frame, for poses that do not drift.
 inline constexpr const char* kMap = "map";
 
 enum class Topic : std::uint8_t {
@@ -50,13 +50,13 @@ struct TopicText {
 /// All topics, in the enum's order.
 const std::array<TopicText, kTopicCount>& topics();
 
-/// Of the live daemon: all but those of simulations.
+/// Topics of the live daemon: all except those of simulations.
 inline constexpr std::array kLiveTopics = {
     Topic::kOdometry, Topic::kTransforms,      Topic::kStaticTransforms, Topic::kFusedPose,
     Topic::kImu,      Topic::kJointStates,     Topic::kBatteryState,     Topic::kPath,
     Topic::kState,    Topic::kRobotDescription};
 
-/// Of simulations, beside those.
+/// Additional topics of simulations.
 inline constexpr std::array kVirtualTopics = {Topic::kGroundTruth, Topic::kClock};
 
 /// Message of /ground_truth: the robot's true pose in the course's world.
@@ -70,10 +70,9 @@ class TopicMessages {
   /// `virtual_time`: also on /clock. The clock of headers is `clock`'s Unix time.
   TopicMessages(messages::RunContext run_context, messages::PublishClock clock, bool virtual_time);
 
-  /// Another course, robot or set-up is in force; begin() sends what is of it.
+  /// Another course, robot or set-up is in force; begin() then sends its messages.
   void change_setup(messages::RunContext run_context);
-  /// What the daemon last answered to a node: the next message of /tp100/state has it, and all
-  /// after it.
+  /// Sets the last answer to a node, for the next messages of /tp100/state.
   void answer(const messages::Event& answer);
   /// Sends what does not change: /robot_description, /tf_static, and /path if there is a course.
   void begin(HostNs at, const Send& send) const;

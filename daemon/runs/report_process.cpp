@@ -22,8 +22,8 @@ namespace {
 constexpr std::size_t kMaxKept = 4096;
 constexpr std::size_t kMaxLine = 300;
 
-/// How the program begins: standard error into `errors`, standard output into a file, no other
-/// files, no blocked signals.
+/// The state in which the program begins: standard error into `errors`, standard output into a
+/// file, no other files, no blocked signals.
 class Beginning {
  public:
   Beginning(int errors, const std::string& output) {
@@ -62,7 +62,8 @@ class Beginning {
   posix_spawnattr_t attributes_{};
 };
 
-/// Keeps the end of what arrives until its writers are gone; false: `until` came first.
+/// Reads until all writers have closed the pipe, and keeps the last part; false: `until` came
+/// first.
 bool read_all(int from, std::chrono::steady_clock::time_point until, std::string& kept) {
   std::array<char, 1024> part{};
   for (;;) {
@@ -101,8 +102,8 @@ std::string ReportProcess::run(const std::vector<std::string>& arguments,
     ::close(ends[0]);
     return arguments[0] + ": cannot be started: " + std::strerror(error);
   }
-  // Every other thread of the machine goes first. Not among what posix_spawn() can do; refused, it
-  // works all the same.
+  // Every other thread of the machine has priority. posix_spawn() cannot set this; if it is
+  // refused, the program works all the same.
   const sched_param priority{};
   ::sched_setscheduler(pid, SCHED_IDLE, &priority);
   ::setpriority(PRIO_PROCESS, static_cast<id_t>(pid), 19);
@@ -110,7 +111,7 @@ std::string ReportProcess::run(const std::vector<std::string>& arguments,
   const bool in_time = read_all(ends[0], std::chrono::steady_clock::now() + limit, written);
   ::close(ends[0]);
   if (!in_time) ::kill(pid, SIGKILL);
-  // It is not reaped before, so that stop() kills no other process.
+  // The process is reaped only after pid_ is cleared, so that stop() cannot kill another process.
   siginfo_t ended{};
   while (::waitid(P_PID, static_cast<id_t>(pid), &ended, WEXITED | WNOWAIT) < 0 && errno == EINTR) {
   }

@@ -1,6 +1,6 @@
 #pragma once
-// A program that works for a while beside the real-time loop, one at a time: without a copy of this
-// process's locked memory, as fork() would make, and with none of its files.
+// Runs a program beside the real-time loop, one at a time: without a copy of this process's locked
+// memory, which fork() would make, and without its open files.
 
 #include <chrono>
 #include <mutex>

@@ -47,7 +47,7 @@ void write_run(text::JsonWriter& json, const Run& run, bool active) {
   json.end_array().end_object();
 }
 
-/// A folder of its own within `folder`, which no list shows; removed at the end.
+/// A temporary folder within `folder`, which no list shows; removed at the end.
 class WorkFolder {
  public:
   /// Throws SetupError.
@@ -131,7 +131,7 @@ std::string RunArchive::json() {
   json_ = text;
   active_ = active;
   listed_ = changes;
-  // The time after reading, so that a slow disk is not read continuously.
+  // The time is taken after reading, so that a slow disk is not read continuously.
   read_ = std::chrono::steady_clock::now();
   return text;
 }
@@ -238,7 +238,7 @@ std::string RunArchive::make_report(const std::string& run, const std::string& w
   require_run(runs, run, active);
   if (!with.empty()) require_run(runs, with, active);
   if (with == run) throw SetupError("compare needs two different runs");
-  // Until the program has opened it.
+  // Marks the recordings as in use until the program has opened them.
   const record::UsedFile used(recording(run)), other(recording(with.empty() ? run : with));
   const WorkFolder work(settings_.folder);
   std::vector<std::string> arguments = {settings_.program, with.empty() ? "report" : "compare",

@@ -1,6 +1,6 @@
 #pragma once
-// The recorded runs as viewers see and manage them: list, notes, deletion, reports. Disks and
-// programs are waited for in threads of its own.
+// The recorded runs as viewers see and manage them: list, notes, deletion, reports. Threads of its
+// own wait for disks and programs.
 
 #include <chrono>
 #include <cstdint>
@@ -37,8 +37,8 @@ class RunArchive {
   /// Ends a report that is being made.
   ~RunArchive() { process_.stop(); }
 
-  /// The answer to GET /api/runs (CHANNELS.md), as of the last second and after every change made
-  /// here. Contains names only, no paths. Waits for the disk; any thread.
+  /// The answer to GET /api/runs (CHANNELS.md), at most a second old, and never from before a
+  /// change made here. Contains names only, no paths. Waits for the disk; any thread.
   std::string json();
 
   // Any thread; none of these waits for the disk.
@@ -48,7 +48,7 @@ class RunArchive {
   void report(const std::string& run, const Answer& answer);
   /// Makes compare-WITH.html in the folder of `run`.
   void compare(const std::string& run, const std::string& with, const Answer& answer);
-  /// What `tp100d identify` finds in these runs, and the robot file that it makes of theirs.
+  /// Answers with the report of `tp100d identify` on these runs, and the robot file that it makes.
   /// `measured`: the text of its file of hand measurements; empty: none.
   void identify(const std::vector<std::string>& runs, const std::string& measured,
                 const Answer& answer);
@@ -67,9 +67,9 @@ class RunArchive {
 
   const ArchiveSettings settings_;
   std::mutex mutex_;    // guards what follows; never held while waiting for a disk or a program
-  std::string making_;  // the run that is reported; empty: none
+  std::string making_;  // the run of which a report is being made; empty: none
   std::string json_;    // the newest list
-  std::string active_;  // as it says
+  std::string active_;  // the run being recorded when json_ was made
   std::chrono::steady_clock::time_point read_{};
   std::uint64_t changes_ = 0, listed_ = 0;  // made here; known to the list
   ReportProcess process_;

@@ -50,7 +50,7 @@ bool is_folder(const fs::path& path) {
   return ::lstat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode);
 }
 
-/// Of a regular file, not of what a link names. Throws SetupError.
+/// Reads the note from a regular file, following no link. Throws SetupError.
 RunNote read_note(const fs::path& path) {
   std::string text(kMaxNoteFile + 1, '\0');
   std::ifstream file(path, std::ios::binary);
@@ -61,7 +61,7 @@ RunNote read_note(const fs::path& path) {
   return parse_run_note(text, kRunNoteFile);
 }
 
-/// False: not a folder of its own.
+/// Fills in `run`. False: not a folder, or a link.
 bool look_at(const fs::path& folder, Run& run) {
   if (!is_folder(folder)) return false;
   struct stat status {};
@@ -193,11 +193,11 @@ RunNote change_note(const std::string& folder, const std::string& run,
   const fs::path path = run_path(folder, run);
   Run found;
   look_at(path, found);
-  // One that cannot be read is replaced.
+  // A note that cannot be read is replaced.
   RunNote note = changed(found.note, change);
   if (const std::string why = why_not(note); !why.empty()) throw SetupError(why);
   const fs::path file = path / kRunNoteFile;
-  // Written directly, a link or a pipe would lead elsewhere.
+  // A link or a pipe would be written through, to somewhere else.
   const fs::file_status status = fs::symlink_status(file);
   if (fs::exists(status) && !fs::is_regular_file(status))
     throw SetupError(run + "/" + kRunNoteFile + ": not a file; delete it by hand");
@@ -220,7 +220,7 @@ void delete_run(const std::string& folder, const std::string& run) {
                        text::one_line(at->path().filename().string()) + "; delete it by hand");
     files.push_back(at->path());
   }
-  // The note, which keeps it, goes last.
+  // The note, which protects the run, is deleted last.
   std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
     return std::pair(a.filename() == kRunNoteFile, a) < std::pair(b.filename() == kRunNoteFile, b);
   });

@@ -14,10 +14,11 @@
 namespace tp100::runs {
 
 inline constexpr std::size_t kMaxFileName = 128;
-/// Of a run or of one of its files: letters, digits, '-', '_' and '.', no '.' first.
+/// Whether a run or one of its files may have this name: letters, digits, '-', '_' and '.', no '.'
+/// first.
 bool is_run_name(std::string_view name);
 
-/// What a file of a run is, by the end of its name.
+/// The type of a file of a run, by the end of its name.
 struct RunFileType {
   std::string_view end;  ///< ".mcap"
   std::string_view kind;
@@ -65,13 +66,14 @@ class OpenFile {
   int fd_;
 };
 
-/// Opens a regular file of a run for reading, or nothing: no such file may be read. No link is
-/// followed. The file is in use (record/recording_file.h) while it is open. `bytes`: its size.
+/// Opens a regular file of a run for reading; an empty result: there is none that may be read. No
+/// link is followed. The file is in use (record/recording_file.h) while it is open. `bytes`: its
+/// size.
 OpenFile open_run_file(const std::string& folder, const std::string& run, const std::string& file,
                        std::uint64_t& bytes);
 
-/// Changes the note of a run; one that is empty then is removed. Returns the new one. Throws
-/// SetupError: no such run, text that is not taken, or the disk.
+/// Changes the note of a run; a note that is then empty is removed. Returns the new note. Throws
+/// SetupError: no such run, invalid text, or an error of the disk.
 RunNote change_note(const std::string& folder, const std::string& run, const RunNoteChange& change);
 
 /// Deletes a run with all its files. Throws SetupError, and deletes nothing: no such run, its

@@ -21,7 +21,7 @@ std::span<const text::Key<RunNote>> keys() {
   return kKeys;
 }
 
-/// Also no line break, unless `lines`.
+/// Valid UTF-8 without control characters, and without line breaks unless `lines`.
 bool is_text(std::string_view text, bool lines) {
   while (!text.empty()) {
     const std::size_t length = text::utf8_length(text);

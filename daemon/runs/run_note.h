@@ -1,6 +1,6 @@
 #pragma once
-// What people say of a recorded run: a name, a note, tags. Kept as run.toml beside the recording. A
-// run with this file is never deleted by itself (run_folder.h).
+// What people note about a recorded run: a name, a note, tags. Kept as run.toml beside the
+// recording. A run with this file is never deleted automatically (run_folder.h).
 
 #include <optional>
 #include <string>
@@ -19,15 +19,15 @@ struct RunNote {
   bool empty() const { return name.empty() && note.empty() && tags.empty() && !keep; }
 };
 
-/// What changes; the rest stays.
+/// A change of a note: absent fields stay as they are.
 struct RunNoteChange {
   std::optional<std::string> name{}, note{}, tags{};
   std::optional<bool> keep{};
 };
 RunNote changed(RunNote note, const RunNoteChange& change);
 
-/// Why these texts are not taken, in one line: too long, not UTF-8, control characters; empty: they
-/// are.
+/// Why these texts are invalid, in one line: too long, not UTF-8, control characters; empty: they
+/// are valid.
 std::string why_not(const RunNote& note);
 
 /// Throws SetupError (file:line:column). `file` is only used in messages.

@@ -51,7 +51,7 @@ std::uint32_t dos_time(std::time_t at) {
 
 RunZip::RunZip(const std::string& folder, const std::string& run, std::uint64_t max_plain_bytes)
     : folder_(folder), run_(run) {
-  // The name has to be that of a run before anything is opened by it.
+  // The name is checked before anything is opened by it.
   const std::vector<std::string> names = files_of(folder, run);
   used_.emplace(folder + "/" + run + "/" + record::kRecordingFile);
   for (const std::string& name : names) {

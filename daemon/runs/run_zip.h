@@ -30,7 +30,7 @@ class RunZip {
   RunZip(const std::string& folder, const std::string& run,
          std::uint64_t max_plain_bytes = 0xFFFF'FFFE);
 
-  /// Of the whole archive, in bytes.
+  /// Size of the whole archive, in bytes.
   std::uint64_t size() const { return size_; }
 
   /// Writes the next bytes of the archive into `into`, 1 kB or more, and returns how many. 0: none

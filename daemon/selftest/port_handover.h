@@ -14,7 +14,7 @@ class PortHandover {
  public:
   // The check:
   void ask();
-  /// Waits until the port is given; nothing: it was not, and is not wanted any more.
+  /// Waits until the port is given; nothing: it was not, and the request is withdrawn.
   std::optional<std::string> wait(std::chrono::milliseconds limit);
   /// The port is closed again.
   void end();

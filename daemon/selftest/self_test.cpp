@@ -42,7 +42,7 @@ void SelfTest::take_setup(const messages::RunContext& run_context, HostNs /*at*/
 }
 
 void SelfTest::take(const StepRecord& record) {
-  // However it was pressed.
+  // Whoever requested the STOP.
   for (std::size_t i = 0; i < record.inputs.requests.size(); ++i)
     if (record.inputs.requests[i] == OperatorRequest::kStop) wheels_up_.stop();
   std::string json;

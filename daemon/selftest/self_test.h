@@ -1,6 +1,6 @@
 #pragma once
 // `tp100d doctor` from within the running daemon, for its machine and its port, with the same
-// findings. Nothing moves but in wheels_up().
+// findings. Nothing moves except in wheels_up().
 
 #include <chrono>
 #include <mutex>
@@ -22,7 +22,7 @@ class SelfTest : public messages::Sink {
  public:
   using Answer = server::Controls::Answer;
 
-  /// As they are in force: with the command line's values.
+  /// Configuration and robot in force, with the command line's values.
   SelfTest(config::Configuration configuration, const course::Robot& robot);
 
   // The supervisor's thread:

@@ -8,7 +8,7 @@
 namespace tp100::selftest {
 namespace {
 
-// As long as `tp100d doctor` takes for both.
+// The same durations as in `tp100d doctor`.
 constexpr HostNs kTestNs = kNsPerS;
 constexpr HostNs kTimeoutNs = 5 * kNsPerS;
 
@@ -68,7 +68,7 @@ void SessionMonitor::measure(const StepRecord& record) {
 }
 
 void SessionMonitor::follow_commands(const StepRecord& record) {
-  // A record that was dropped on its way to this thread most likely had a command.
+  // A record that was dropped on its way to this thread most likely contained a command.
   const std::uint64_t missing = record.step > step_ + 1 ? record.step - step_ - 1 : 0;
   step_ = record.step;
   if (session_ != SessionState::kReady || record.inputs.session_number != session_number_) {

@@ -1,6 +1,6 @@
 #pragma once
-// What doctor has to know of a robot, from the session that the running daemon has with it: the
-// port is never opened a second time. Pure; one thread.
+// Collects what doctor needs to know of a robot from the session that the running daemon has with
+// it: the port is never opened a second time. Pure; one thread.
 
 #include <cstddef>
 #include <cstdint>
@@ -48,14 +48,14 @@ class SessionMonitor {
   int refused_parameter_ = -1;
   SessionState session_ = SessionState::kClosed;
 
-  // Of the commands: the robot confirms the sequence of the last one.
+  // State of the commands: the robot confirms the sequence of the last one.
   std::uint64_t step_ = 0;
   std::uint32_t session_number_ = 0;
   std::uint16_t sent_ = 0;
   std::optional<std::uint16_t> awaited_{};
   HostNs awaited_since_ns_ = 0;
 
-  // Of a probe.
+  // State of a probe.
   enum class Probing { kNo, kAsked, kWaiting, kMeasuring, kDone };
   Probing probing_ = Probing::kNo;
   HostNs begun_ns_ = 0, ready_ns_ = 0, ended_ns_ = 0;

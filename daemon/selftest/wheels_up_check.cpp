@@ -16,7 +16,7 @@ namespace {
 
 constexpr auto kHandoverLimit = std::chrono::seconds(2);
 
-/// The worst of it, in one line.
+/// The worst finding, in one line.
 std::string end_of(const doctor::Findings& findings) {
   for (const doctor::Finding& finding : findings)
     if (finding.severity == doctor::Severity::kError) return finding.name + ": " + finding.seen;

@@ -17,7 +17,7 @@
 
 namespace tp100::selftest {
 
-/// Why something is refused while a check is on.
+/// Reason of refusals while a check is under way.
 inline constexpr const char* kTracksRun = "a check of the tracks is under way; wait for its end";
 
 class WheelsUpCheck : public doctor::Operator {
@@ -29,11 +29,11 @@ class WheelsUpCheck : public doctor::Operator {
   // Any thread; none of these waits for the robot.
   /// Sets the robot to examine.
   void choose(const course::Robot& robot);
-  /// Begins a check, for which the port must be given to handover() within 2 s; `token` is set.
-  /// Returns why it is impossible, in one line; empty: it begins.
+  /// Begins a check and sets `token`; the port must be given to handover() within 2 s. Returns why
+  /// it is impossible, in one line; empty: the check begins.
   std::string begin(const server::Driver& viewer, HostNs now, std::string& token);
-  /// The viewer still watches, and perhaps answers. Tells as JSON how far it is (CHANNELS.md).
-  /// Returns why it is impossible, in one line.
+  /// The viewer still watches, and may answer. Writes the state of the check to `json`
+  /// (CHANNELS.md). Returns why it is impossible, in one line.
   std::string watch(const server::WheelsUpWatch& watch, HostNs now, std::string& json);
   /// The client of that Driver::id is gone: ends its check.
   void lose(const std::string& id);
@@ -72,7 +72,7 @@ class WheelsUpCheck : public doctor::Operator {
   unsigned question_number_ = 0;
   std::optional<std::string> answer_{};
   std::string result_;    // JSON; empty: not ended
-  std::string end_;       // as take_end() says
+  std::string end_;       // for take_end()
   bool lost_ = false;     // its viewer
   record::Worker check_;  // declared last: its jobs use the others
 };

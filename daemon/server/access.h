@@ -1,6 +1,6 @@
 #pragma once
 // Who may view and who may command: checks Host and Origin of a request against the settings. Pure,
-// but for random_name().
+// except random_name().
 
 #include <string>
 #include <string_view>
@@ -32,7 +32,7 @@ bool host_allowed(std::string_view host, const AccessRules& rules);
 bool fetch_site_allowed(std::string_view site);
 
 /// `origin` is the page's own ("http://" + host) or one of the rules. An absent origin is allowed:
-/// browsers always send it with WebSockets, so it is no browser's.
+/// browsers always send one with WebSockets, so this is not a browser.
 bool origin_allowed(std::string_view origin, std::string_view host, const AccessRules& rules);
 
 /// A name that nobody can guess: of a session, or the token of a driver.

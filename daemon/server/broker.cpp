@@ -8,7 +8,7 @@ namespace tp100::server {
 void Outbox::push_data(WebSocketFrame frame) {
   data_bytes_ += frame.size();
   data_.push_back(std::move(frame));
-  // One frame may always wait, however large.
+  // One frame, however large, may always wait.
   while (data_.size() > kMaxData || (data_bytes_ > kMaxDataBytes && data_.size() > 1)) {
     data_bytes_ -= data_.front().size();
     data_.pop_front();

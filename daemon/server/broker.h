@@ -38,8 +38,8 @@ class Outbox {
 
   /// Queues one data frame; drops older ones, and counts them, if there is no room.
   void push_data(WebSocketFrame frame);
-  /// Queues an answer; answers precede data and are never dropped. False: the client requests more
-  /// than it reads.
+  /// Queues an answer; answers precede data and are never dropped. False: no room, as the client
+  /// requests more than it reads.
   [[nodiscard]] bool push_reply(WebSocketFrame frame);
 
   bool empty() const { return data_.empty() && replies_.empty(); }
@@ -98,7 +98,7 @@ class Broker {
   /// Whether anyone receives the channel, now or on subscribing later.
   bool wanted(messages::Channel channel) const;
   void publish(messages::Channel channel, std::uint64_t unix_ns, std::string json);
-  /// What a new subscriber of `channel` receives, instead of the last messages.
+  /// Makes the message that a new subscriber of `channel` receives instead of the last messages.
   using Catch = std::function<std::shared_ptr<const std::string>(std::uint64_t& unix_ns)>;
   void catch_up(messages::Channel channel, Catch make);
 

@@ -140,7 +140,7 @@ void Connection::on_request() {
 // Browsers send no Origin where a page only displays a resource, as with <img>. Following a link to
 // the page is harmless; its frame-ancestors keep it out of frames.
 bool Connection::may_ask() const {
-  if (!header(http::field::origin).empty()) return true;  // which has been looked at
+  if (!header(http::field::origin).empty()) return true;  // which was checked already
   const Request& request = parser_->get();
   const bool followed_link = view(request["Sec-Fetch-Mode"]) == "navigate" &&
                              view(request["Sec-Fetch-Dest"]) == "document" &&
@@ -177,7 +177,7 @@ void Connection::ask_disk() {
   await_disk(busy);
 }
 
-// Drops answers of the disk that come too late.
+// Ignores answers of the disk that come too late.
 void Connection::on_disk(std::uint64_t question, const std::function<void()>& then) {
   if (question != question_) return;
   ++question_;
@@ -262,7 +262,7 @@ void Connection::write_part() {
           self->on_disk(question, [&] { self->on_part(got); });
         });
       });
-  // Cut short: closing the connection reports it to the reader.
+  // The body cannot be completed: closing the connection tells the reader so.
   if (asked)
     await_disk([this] {
       beast::error_code ignored;
@@ -274,7 +274,7 @@ void Connection::write_part() {
 void Connection::on_part(std::optional<std::size_t> got) {
   if (!got) return;  // as above
   if (*got == 0) {
-    // Nothing is written meanwhile, so that only this read detects a disconnect.
+    // Nothing is written meanwhile, so only this read detects a disconnect.
     char byte = 0;
     const ssize_t n = ::recv(stream_.socket().native_handle(), &byte, 1, MSG_PEEK | MSG_DONTWAIT);
     if (n > 0 || (n < 0 && errno == EAGAIN)) write_part();

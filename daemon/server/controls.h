@@ -20,7 +20,7 @@
 
 namespace tp100::server {
 
-/// What an operator chooses; what is not named stays.
+/// An operator's choice; what is not named stays as it is.
 struct SetupChoice {
   std::optional<std::string> course{};  ///< a name of the list; empty: none
   std::optional<std::string> robot{};   ///< a name of the list
@@ -36,13 +36,13 @@ struct SetupFile {
   bool replace = false;  ///< an existing one
 };
 
-/// Parameters for the configuration file; names, types and limits are right.
+/// Parameters for the configuration file, with checked names, types and limits.
 struct ParameterSave {
   std::vector<std::pair<std::string, messages::ParameterValue>> values{};
-  bool check = false;  ///< says what would change, and writes nothing
+  bool check = false;  ///< only reports what would change; writes nothing
 };
 
-/// What is examined at a time, in the order of `tp100d doctor`.
+/// The part that is examined at a time, in the order of `tp100d doctor`.
 enum class DoctorPart { kPort, kRobot, kMachine };
 
 /// A viewer's sign of life in the check of the tracks.
@@ -73,12 +73,12 @@ class Controls {
   virtual ~Controls() = default;
 
   // Each returns why it is impossible, in one line; empty: accepted.
-  /// At the course's start.
+  /// Starts a run at the course's start.
   virtual std::string start() = 0;
-  /// Where the last run ended.
+  /// Starts a run where the last one ended.
   virtual std::string go_on() = 0;
   virtual std::string hold() = 0;
-  /// Of a run on the course.
+  /// Pauses or resumes a run on the course.
   virtual std::string pause() = 0;
   virtual std::string resume() = 0;
   /// Cannot be refused.
@@ -88,7 +88,7 @@ class Controls {
                           const messages::ParameterValue& value) = 0;
 
   // Driving by hand. Each returns why it is impossible, in one line; empty: done.
-  /// `driver` takes the wheel and the robot is armed; `token` is set.
+  /// Gives `driver` the wheel, arms the robot and sets `token`.
   virtual std::string drive_take(const Driver& driver, HostNs now, std::string& token) = 0;
   virtual std::string drive(const DriveRequest& request, HostNs now) = 0;
   /// Stops and disarms the robot.
@@ -108,14 +108,14 @@ class Controls {
   /// from any thread.
   using Answer = std::function<void(const std::string& why, const std::string& json)>;
   virtual void choose(const SetupChoice& choice, Answer answer) = 0;
-  /// The robot is at `at`, or without it at the course's start.
+  /// Places the robot at `at`, or without it at the course's start.
   virtual void place(const std::optional<Pose>& at, Answer answer) = 0;
   virtual void save_file(const SetupFile& file, Answer answer) = 0;
   virtual void delete_file(const SetupFile& file, Answer answer) = 0;
   /// Answers with what is wrong with the text; writes nothing.
   virtual void check_file(const SetupFile& file, Answer answer) = 0;
   virtual void save_parameters(const ParameterSave& asked, Answer answer) = 0;
-  /// Exchanges the configuration file and the one that the last save has kept.
+  /// Exchanges the configuration file with the one that the last save has kept.
   virtual void restore_parameters(bool check, Answer answer) = 0;
   virtual void manage_run(const RunRequest& request, Answer answer) = 0;
   /// Answers with what `tp100d doctor` finds; nothing moves.
@@ -124,7 +124,7 @@ class Controls {
   /// Starts the check of the tracks for `viewer`, which must keep polling; sets `token`. Returns
   /// why it is impossible, in one line.
   virtual std::string wheels_up_begin(const Driver& viewer, HostNs now, std::string& token) = 0;
-  /// Answers at once with how far it is. Returns why it is impossible, in one line.
+  /// Answers at once with the state of the check. Returns why it is impossible, in one line.
   virtual std::string wheels_up_watch(const WheelsUpWatch& watch, HostNs now,
                                       std::string& json) = 0;
 
@@ -136,7 +136,7 @@ class Controls {
   virtual messages::LoopFigures loop() = 0;
   virtual messages::PortFigures port() = 0;
   virtual messages::RecordingFigures recording() = 0;
-  /// What a start requires now.
+  /// The consent that a start requires now.
   virtual StartConsent start_consent() = 0;
 };
 

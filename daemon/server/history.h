@@ -1,6 +1,6 @@
 #pragma once
-// What the channels of figures said over the last minutes, at a reduced rate, for pages that are
-// opened later. No socket; one thread; time is passed in.
+// The messages of the channels of figures over the last minutes, at a reduced rate, for pages that
+// are opened later. No socket; one thread; time is passed in.
 
 #include <array>
 #include <deque>
@@ -17,7 +17,7 @@ class History {
  public:
   static constexpr HostNs kIntervalNs = 200 * kNsPerMs;
   static constexpr HostNs kSpanNs = 300 * kNsPerS;
-  /// Of one channel; its oldest messages go first.
+  /// Limit of one channel; its oldest messages are dropped first.
   static constexpr std::size_t kMaxBytes = std::size_t{4} << 20;
 
   /// Whether the channel is kept at all, and a message of it is due.

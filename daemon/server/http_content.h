@@ -39,25 +39,26 @@ struct HttpAnswer {
   unsigned status = 200;
   std::string type = "text/plain; charset=utf-8";
   std::vector<std::pair<std::string, std::string>> headers;
-  std::string body;                        ///< or
-  std::span<const unsigned char> bytes{};  ///< or
-  runs::OpenFile file{};                   ///< or
-  std::unique_ptr<runs::RunZip> zip{};     ///< or nothing
+  std::string body;                        ///< the body, unless one of the next three has it
+  std::span<const unsigned char> bytes{};  ///< of a file of the page
+  runs::OpenFile file{};                   ///< a part of a file on the disk
+  std::unique_ptr<runs::RunZip> zip{};     ///< an archive, made while it is sent
   std::uint64_t offset = 0;                ///< of the part in the file
   std::uint64_t length = 0;                ///< of the body, wherever it is
 
   /// Whether read() has the body.
   bool on_disk() const { return file || zip; }
-  /// Reads the next bytes of a body on the disk, which it waits for, and returns how many; 0: call
-  /// it again. Nothing: the body cannot be completed.
+  /// Reads the next bytes of a body on the disk, waiting for it, and returns how many; 0: call it
+  /// again. Nothing: the body cannot be completed.
   std::optional<std::size_t> read(std::span<char> into);
 };
 
 /// Returns the content of /api/setup, /courses/NAME.toml and /robots/NAME.toml, or nothing. It may
-/// wait for the disk, in another thread than the server's.
+/// wait for the disk, and is called in another thread than the server's.
 using SetupContent = std::function<std::optional<std::string>(std::string_view path)>;
 
-/// The list of runs as JSON. It may wait for the disk, in another thread than the server's.
+/// The list of runs as JSON. It may wait for the disk, and is called in another thread than the
+/// server's.
 using RunList = std::function<std::string()>;
 
 /// Sources of the content.

@@ -60,7 +60,7 @@ std::string url_of(const LocalDaemon& daemon, std::string_view name) {
   std::string host = daemon.address;
   const bool any = host == "0.0.0.0" || host == "::";
   if (is_loopback(host) && !is_loopback(name)) return {};
-  // By the page's own name, so that the daemon takes its Origin.
+  // The page's own name, so that the daemon accepts its Origin.
   if (any || is_loopback(host)) host = name;
   if (host.find(':') != std::string::npos) host = "[" + host + "]";
   return "http://" + host + ":" + std::to_string(daemon.port) + "/";

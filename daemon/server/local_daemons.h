@@ -11,8 +11,8 @@
 
 namespace tp100::server {
 
-/// What a daemon announces. Every account of the machine can announce anything: a hint where to
-/// look, no proof of who answers there.
+/// What a daemon announces. Every account of the machine can announce anything: it is a hint where
+/// to look and does not prove who answers there.
 struct LocalDaemon {
   std::string address{};   ///< where it listens: an IPv4 or IPv6 address
   std::uint16_t port = 0;  ///< not 0
@@ -23,7 +23,7 @@ struct LocalDaemon {
 /// Makes a daemon known for as long as the object lives.
 class Announcement {
  public:
-  /// If the kernel refuses, nothing is announced: only other pages miss it.
+  /// If the kernel refuses, nothing is announced; then only other pages do not list this daemon.
   explicit Announcement(const LocalDaemon& daemon);
   ~Announcement();
   Announcement(const Announcement&) = delete;
@@ -33,11 +33,11 @@ class Announcement {
   int fd_;
 };
 
-/// Those in a table of Unix sockets as /proc/net/unix has it: the first 64, by port. Whatever is
+/// The daemons in a table of Unix sockets like /proc/net/unix: the first 64, by port. Whatever is
 /// not announced in exactly this form is skipped. Pure.
 std::vector<LocalDaemon> daemons_in(std::string_view table);
 
-/// Those that run now. Reads a table of the kernel's, no disk.
+/// The daemons that run now. Reads a table of the kernel and no disk.
 std::vector<LocalDaemon> local_daemons();
 
 /// Splits the text of `server.robots` into addresses of pages, each with a '/' at the end. Throws

@@ -120,7 +120,7 @@ void ParameterRequests::parameter_changed(const messages::ParameterText& paramet
   }
 }
 
-// The step decides: a run may have begun before a change of the steering pose reached it.
+// The step may have ignored a change of the steering pose, because a run began before it.
 void ParameterRequests::finish_overdue(HostNs now) {
   if (now < overdue_ns_) return;
   for (messages::ParameterText& parameter : parameters_) {

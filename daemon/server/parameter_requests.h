@@ -22,7 +22,7 @@ class ParameterRequests {
                     std::vector<messages::ParameterText> parameters);
 
   void get(Viewer& viewer, const GetParameters& wanted) const;
-  /// `may_command`: false for a client from which only STOP is taken.
+  /// `may_command`: false for a client from which only STOP is accepted.
   void set(Viewer& viewer, const SetParameters& wanted, bool may_command, HostNs now);
   void watch(Viewer& viewer, const ParameterSubscription& wanted);
   // Services; each returns why it is impossible, in one line; empty: answered later.
@@ -34,7 +34,8 @@ class ParameterRequests {
   void change_setup(std::vector<messages::ParameterText> parameters, HostNs now);
   /// The viewer is gone.
   void leave(const Viewer& viewer) { watched_.erase(viewer.id()); }
-  /// Call it regularly: corrects what the step did not accept.
+  /// Call it regularly: publishes the steering pose in use if the step did not accept a change of
+  /// it.
   void finish_overdue(HostNs now);
 
  private:

@@ -170,7 +170,7 @@ void Publisher::update_state(const StepRecord& record) {
   drive_refusal_ = snapshot.drive_refusal;
 }
 
-// A robot that is driven by hand can be taken over from whoever gives no input.
+// A robot that is driven by hand can be taken over from a driver who gives no input.
 std::string Publisher::why_not_drive() const {
   if (drive_refusal_ != StartRefusal::kDriven) return std::string(to_string(drive_refusal_));
   return state_.driver.fresh ? state_.driver.by + " drives" : std::string();

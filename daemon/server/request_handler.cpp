@@ -112,7 +112,7 @@ std::string RequestHandler::pause(const Viewer& viewer, bool on, HostNs now) {
 
 std::string RequestHandler::drive_take(const Viewer& viewer, HostNs now, std::string& token) {
   const Driver driver = driver_of(viewer);
-  // Asked again, whoever drives already gets a new token.
+  // A driver who asks again gets a new token.
   const std::string& why = publisher_.state().why_not_drive;
   const messages::DriverFigures figures = controls_.driver(now);
   if (!why.empty() && figures.by.empty()) return why;

@@ -208,7 +208,7 @@ void Server::State::accept() {
       serve_connection(std::move(socket), shared);
       return accept();
     }
-    // Out of descriptors: do not retry at once.
+    // Probably out of descriptors: do not retry at once.
     pause.expires_after(kAcceptPause);
     pause.async_wait([this](boost::system::error_code cancelled) {
       if (!cancelled) accept();

@@ -46,7 +46,7 @@ class Server : public messages::Sink {
 
   /// "http://127.0.0.1:8765/"; empty: off.
   const std::string& url() const;
-  /// Why it is not the usual port, in one line; empty: it is, or another one was configured.
+  /// Why this is not the usual port, in one line; empty: it is, or another one was configured.
   const std::string& note() const;
   /// Starts the thread, and lets other daemons of this machine find it.
   void start();
@@ -64,7 +64,7 @@ class Server : public messages::Sink {
   void stop_pressed(const std::string& by);
   /// The robot acknowledged a STOP at host time `at`.
   void stop_answered(HostNs at);
-  /// Waits until all of that is published on the channels; a second at most.
+  /// Waits until all that was taken is published on the channels; a second at most.
   void flush();
   /// Whether a client's request still waits for the disk; the destructor would wait, too.
   bool waits_for_disk();

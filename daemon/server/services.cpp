@@ -151,7 +151,7 @@ const std::vector<Row>& rows() {
   return kRows;
 }
 
-/// The text of an argument; nothing: there is none, or it is no text.
+/// The text of an argument; nothing: it is absent or not a text.
 std::optional<std::string> text_of(const Arguments& arguments, std::string_view name) {
   for (const RequestField& field : arguments)
     if (const auto* text = std::get_if<std::string>(&field.value); text && field.name == name)
@@ -159,7 +159,7 @@ std::optional<std::string> text_of(const Arguments& arguments, std::string_view 
   return std::nullopt;
 }
 
-/// Whether every argument is a text, but for a truth value of that name.
+/// Whether every argument is a text, except a truth value of that name.
 bool texts_only(const Arguments& arguments, std::string_view truth = {}) {
   return std::all_of(arguments.begin(), arguments.end(), [&](const RequestField& field) {
     return field.name == truth ? std::holds_alternative<bool>(field.value)
@@ -323,7 +323,7 @@ std::string read_parameters(const Arguments& arguments,
 
 namespace {
 
-/// Of run_identify.
+/// Reads the arguments of run_identify.
 std::string read_drives(const Arguments& arguments, RunRequest& request) {
   request.what = RunRequest::What::kIdentify;
   request.measured = text_of(arguments, "measured").value_or("");

@@ -1,6 +1,6 @@
 #pragma once
-// The services of the protocol, and the arguments of their requests: what is wrong with them. Pure.
-// Treats them as hostile.
+// The services of the protocol, and checks of the arguments of their requests, which are treated as
+// hostile. Pure.
 
 #include <cstdint>
 #include <optional>
@@ -47,33 +47,33 @@ enum class Service : std::uint32_t {
 /// All of them, in the enum's order.
 const std::vector<ServiceText>& services();
 
-// Each returns why the arguments are refused, in one line; empty: they are not.
+// Each returns why the arguments are refused, in one line; empty: they are accepted.
 /// Whether the service knows their names.
 std::string unknown_argument(Service service, const Arguments& arguments);
-/// Of start; `here`: where the last run ended.
+/// Reads those of start; `here`: start where the last run ended.
 std::string read_start(const Arguments& arguments, bool& here);
-/// Of record_start; it may stay empty.
+/// Reads that of record_start; it may stay empty.
 std::string read_record_name(const Arguments& arguments, std::string& name);
-/// Of choose.
+/// Reads those of choose.
 std::string read_choice(const Arguments& arguments, SetupChoice& choice);
-/// Of place; nothing: at the course's start.
+/// Reads those of place; nothing: at the course's start.
 std::string read_place(const Arguments& arguments, std::optional<Pose>& at);
-/// Of file_save, file_delete and file_check.
+/// Reads those of file_save, file_delete and file_check.
 std::string read_file(const Arguments& arguments, SetupFile& file);
-/// Of run_note, run_delete, run_report, run_compare and run_identify.
+/// Reads those of run_note, run_delete, run_report, run_compare and run_identify.
 std::string read_run(Service service, const Arguments& arguments, RunRequest& request);
 
-/// Of parameters_save: names of `known` that may be saved, each with a value that it takes.
+/// Reads those of parameters_save: names of `known` that may be saved, each with an allowed value.
 std::string read_parameters(const Arguments& arguments,
                             const std::vector<messages::ParameterText>& known,
                             ParameterSave& asked);
-/// Of doctor.
+/// Reads that of doctor.
 std::string read_part(const Arguments& arguments, DoctorPart& part);
-/// Of wheels_up_begin: somebody has confirmed that the tracks are free.
+/// Checks that of wheels_up_begin: a person has confirmed that the tracks are free.
 std::string read_wheels_up(const Arguments& arguments);
-/// Of wheels_up_watch.
+/// Reads those of wheels_up_watch.
 std::string read_watch(const Arguments& arguments, WheelsUpWatch& watch);
-/// Of parameters_restore.
+/// Reads that of parameters_restore.
 std::string read_check(const Arguments& arguments, bool& check);
 
 /// The response of stop.

@@ -10,7 +10,7 @@ namespace tp100::server {
 namespace {
 
 constexpr std::size_t kMaxName = 64;
-// Beyond what any robot can do; the step limits to what this one can.
+// Faster than any robot; the step limits it to what this one can do.
 constexpr double kMaxVelocity = 100.0;
 constexpr double kMaxInputMs = 1e15;
 // Clocks of two machines drift apart by less than this.

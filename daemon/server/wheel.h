@@ -40,12 +40,12 @@ class Wheel {
   /// A client that was refused counts as asking for this long.
   static constexpr HostNs kAskNs = 5 * kNsPerS;
 
-  /// Gives the wheel to `driver` and returns the token; the previous one is ignored from now on.
-  /// Nothing while another driver's input is fresh; that driver is then shown who asks.
+  /// Gives the wheel to `driver` and returns the token; the previous token is ignored from now on.
+  /// Returns nothing while another driver's input is fresh; that driver is then shown who asks.
   std::optional<std::string> take(const Driver& driver, HostNs now);
   /// The input with the host time at which the person gave it; nothing if the token does not hold
-  /// the wheel. A message that was delayed on its way, or whose time does not go on, is as old as
-  /// the person's input.
+  /// the wheel. A message that was delayed on its way, or that repeats an input, has the age of the
+  /// person's input.
   std::optional<VelocityInput> drive(const DriveRequest& request, HostNs now);
   /// False: the token does not hold the wheel.
   bool release(std::string_view token);

@@ -12,7 +12,7 @@ namespace {
 // Search distance for a block, and greatest error of a pose when the nose rises next to one.
 constexpr double kAheadM = 0.3;
 constexpr double kMapErrorM = 0.08;
-// So close to a block, only a riser causes a nose-up pitch this large.
+// This close to a block, only a riser causes a nose-up pitch this large.
 constexpr double kNoseUpRad = 3.0 * kRadPerDeg;
 // If approached at a larger angle, the tracks touch one after the other: only statics apply.
 constexpr double kSquareRad = 30.0 * kRadPerDeg;
@@ -74,8 +74,8 @@ bool TerrainFollower::begin_climb(const Pose& pose, const std::optional<Attitude
   active_ = &*found;
   active_->climb.reset(0.0);
   if (!measured) return true;
-  // The nose is up already: the climb has progressed that far, and less far ahead than on the
-  // level.
+  // The nose is up already: the climb is advanced to that pitch, over which the robot covered less
+  // horizontal distance than on level ground.
   model::StepClimb& climb = active_->climb;
   while (climb.state().pitch_rad > measured->pitch_rad && climb.state().travel_m < kNoticedM)
     climb.advance(kNoticeStepM, kNoticeStepM / kNoticeMps);

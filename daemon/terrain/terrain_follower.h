@@ -20,11 +20,11 @@ model::ClimbGeometry climb_geometry(const course::ShapeValues& shape);
 
 /// The robot's contact at the end of the last interval, and the ground during it.
 struct ContactState {
-  /// Its slope is minus the pitch on ramps and blocks alike. Eq 6 has no slip on a block; the
-  /// emulated body on the paper's block (37 mm) has: while the nose is up the tracks push against
-  /// 0.41 of the weight in the mean and slip 0.212 where they slip 0.160 on the level (0.203 by the
-  /// slope table), while it hangs down behind the block the weight pushes with 0.22 and they slip
-  /// 0.154 (0.118 by the table, whose downhill part is ours).
+  /// Its slope is minus the pitch on ramps and blocks alike. Eq 6 has no slip on a block, but the
+  /// emulated body slips on the paper's block (37 mm). With the nose up, the tracks push against
+  /// 0.41 of the weight on average and slip 0.212, instead of 0.160 on level ground (0.203 by the
+  /// slope table). With the nose down behind the block, the weight pushes with 0.22 and they slip
+  /// 0.154 (0.118 by the table, whose downhill part is our own).
   model::Incline incline{};
   double height_m = 0.0;  ///< of the reference point
   double pitch_rad = 0.0;
@@ -47,7 +47,7 @@ class TerrainFollower {
   /// only; whether the course may be driven at all is decided by require_climbable.
   TerrainFollower(const World& world, const course::ShapeValues& shape);
 
-  /// The robot was moved: it is on none of the obstacles.
+  /// The robot was moved: it is not on any obstacle.
   void restart();
 
   /// One interval of `dt_s` that begins at `pose` with `distance_m` along the ground, without slip.

@@ -53,7 +53,7 @@ constexpr double kSettledRad = 1e-5;
 // Tilts that converge at least this fast are extrapolated to their limit (Aitken's delta squared),
 // which is then no farther than the last change.
 constexpr double kClosesIn = 0.5;
-// Reached only beside walls that no track climbs.
+// Greater tilts occur only beside walls that no track climbs.
 constexpr double kSteepestRad = 1.2;
 // More pieces than this never lie under one robot.
 constexpr std::size_t kMaxProfiles = 8;
@@ -137,7 +137,7 @@ void Profile::lift(const Places& places, ObstacleClass what, std::span<double> w
                    std::span<ObstacleClass> ground) const {
   const double radius = places.radius_m;
   const double last = static_cast<double>(wheel.size()) - 1.0;
-  // Each corner and each edge is below a few neighbouring positions only.
+  // Each corner and each edge lies below only a few neighbouring positions.
   const auto each = [&](double from_m, double to_m, const auto& height_at) {
     const double from = std::max(std::ceil((from_m - places.first_m) / places.step_m), 0.0);
     const double to = std::min(std::floor((to_m - places.first_m) / places.step_m), last);
@@ -230,7 +230,8 @@ World::Support World::support(double x_m, double y_m, double cos_yaw, double sin
     ground.fill(ObstacleClass::kNone);
     for (std::size_t n = 0; n < count; ++n)
       under[n]->profile.lift({middle - half, step, radius}, under[n]->ground, wheel, ground);
-    // Places are those of the wheels' centres; the track touches the ground radius * s further on.
+    // Positions are those of the wheels' centres; the track touches the ground radius * s further
+    // on.
     const double com = shape_.com_forward_m * c - shape_.com_height_m * s + half;
     const SupportLine line = support_line(wheel, com / step);
     const double slope = line.rise / step;

@@ -88,7 +88,7 @@ SupportLine support_line(const WheelHeights& wheel, double com);
 struct ContactPose {
   double height_m = 0.0;   ///< of the reference point above the floor
   double slope_rad = 0.0;  ///< climb angle along the heading, nose-up positive
-  double pitch_rad = 0.0;  ///< the same as REP-103 has it: nose-up negative
+  double pitch_rad = 0.0;  ///< the same by REP-103: nose-up negative
   double roll_rad = 0.0;   ///< left side up positive
   ObstacleClass obstacle = ObstacleClass::kNone;
   const course::Surface* surface = nullptr;  ///< under the reference point; null: ordinary floor

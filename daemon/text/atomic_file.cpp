@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kBlock = std::size_t{1} << 16;
 
-// Read once, before there is a second thread: reading the mask changes it for a moment.
+// Read once, before there is a second thread, because reading the mask changes it for a moment.
 const mode_t kMask = [] {
   const mode_t mask = ::umask(0);
   ::umask(mask);

@@ -1,5 +1,5 @@
 #pragma once
-// Writes a result file completely or not at all; what is known of files besides their content.
+// Writes a result file completely or not at all; and properties of files besides their content.
 
 #include <cstdint>
 #include <memory>
@@ -41,7 +41,7 @@ class FileReplacement {
 bool is_file_name(std::string_view name, std::size_t most = 64);
 
 /// Creates the folder for results and its parents if absent; empty is the working folder. Throws
-/// SetupError, which names `option` as what to give another value.
+/// SetupError, which asks for another value of `option`.
 void make_folder(const std::string& path, const std::string& option = "--out");
 
 /// When the file was last written, in seconds since 1970; 0: not known.

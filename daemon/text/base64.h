@@ -1,5 +1,5 @@
 #pragma once
-// Base64 (RFC 4648, with padding), in which JSON carries bytes.
+// Base64 (RFC 4648, with padding), for bytes in JSON.
 
 #include <optional>
 #include <string>
@@ -9,7 +9,7 @@ namespace tp100::text {
 
 std::string base64(std::string_view bytes);
 
-/// The bytes of such a text; nothing if it is none.
+/// The bytes of such a text; nothing if it is invalid.
 std::optional<std::string> from_base64(std::string_view text);
 
 }  // namespace tp100::text

@@ -1,5 +1,5 @@
 #pragma once
-// Text of messages to the user: numbers, foreign text, the name that was probably meant.
+// Text for messages to the user: numbers, text from elsewhere, the name that was probably meant.
 
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #pragma once
-// Writes JSON text straight into a string, for the step channels at 200 messages a second. NaN and
-// infinity are not numbers there: such a field is left out, an element null. Writes valid UTF-8
+// Writes JSON text straight into a string, for the step channels at 200 messages a second. JSON has
+// no NaN and no infinity: such a field is left out, such an element is null. Writes valid UTF-8
 // only.
 
 #include <charconv>

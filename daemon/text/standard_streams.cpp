@@ -28,7 +28,7 @@ std::string unknown(const char* kind, const std::string& word,
   return std::string("unknown ") + kind + " '" + one_line(word) + "'" + suggestion(word, known);
 }
 
-/// The first argument that looks like an option and is none of `command`; empty: there is none.
+/// The first argument that looks like an option but is not one of `command`; empty: there is none.
 std::string unknown_option(int argc, char** argv, const Subcommand& command) {
   for (int i = 2; i < argc; ++i) {
     const std::string word = std::string(argv[i]).substr(0, std::string_view(argv[i]).find('='));
@@ -46,8 +46,8 @@ std::string plain_number(std::string_view text) {
                                                   : number_text(std::strtod(copy.c_str(), nullptr));
 }
 
-/// What CLI11 says of a value outside its range: "--timeout: Value abc not in range 1 to 2".
-/// Empty if the text has another form.
+/// Rewords CLI11's message about a value outside its range: "--timeout: Value abc not in range 1 to
+/// 2". Empty if the text has another form.
 std::string wrong_value(std::string_view what) {
   constexpr std::string_view kValue = ": Value ", kRange = " not in range ", kTo = " to ";
   const std::size_t value = what.find(kValue), range = what.rfind(kRange), to = what.rfind(kTo);
@@ -64,7 +64,7 @@ std::string wrong_value(std::string_view what) {
          plain_number(what.substr(to + kTo.size()));
 }
 
-/// What CLI11 says of `argv`, in the words of our other messages.
+/// CLI11's message about `argv`, in the words of our other messages.
 std::string reworded(std::string_view what, int argc, char** argv) {
   constexpr std::string_view kNoNumber = "Could not convert: ";
   constexpr std::string_view kUnexpected = "The following argument was not expected: ";

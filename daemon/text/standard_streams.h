@@ -32,8 +32,8 @@ std::vector<Subcommand> subcommands_of(const App& app) {
 }
 
 /// Same for a wrong command line, with a pointer to the --help of the subcommand, if it is one of
-/// `known`. `what`, which may be any text, gives way to an unknown subcommand or option, with the
-/// one that was probably meant. Returns 2.
+/// `known`. If the command line has an unknown subcommand or option, the message names that, with
+/// the one that was probably meant, instead of `what`, which may be any text. Returns 2.
 int report_usage_error(const char* program, std::string_view what, int argc = 0,
                        char** argv = nullptr, const std::vector<Subcommand>& known = {});
 
@@ -42,7 +42,7 @@ int report_usage_error(const char* program, std::string_view what, int argc = 0,
 int run_program(const char* program, const std::function<int()>& run);
 
 /// Opens /dev/null in place of each closed standard stream, so that no port or file of the program
-/// gets its number and then receives log lines.
+/// gets the stream's number and then receives log lines.
 void claim_standard_streams();
 
 /// Flushes standard output. On failure prints one line on standard error, and returns status 2

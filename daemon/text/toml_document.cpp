@@ -175,7 +175,7 @@ struct TomlTable::State {
 
   void finish() const {
     if (const auto names = unasked(); !names.empty()) {
-      // The first in the file, so that the user works from top to bottom.
+      // The first one in the file, so that the user works from top to bottom.
       const auto first = std::min_element(
           names.begin(), names.end(), [this](std::string_view a, std::string_view b) {
             const auto pa = position_of_key(a), pb = position_of_key(b);

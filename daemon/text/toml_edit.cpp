@@ -21,7 +21,7 @@ class Editor {
  public:
   Editor(const std::string& text, const std::string& file)
       : text_(text), file_(file), line_end_(text.find("\r\n") == text.npos ? "\n" : "\r\n") {
-    // Says what is wrong as every reader does.
+    // Throws the same errors as every other reader.
     const TomlDocument checked(text, file);
     root_ = toml::parse(text);
   }
@@ -42,7 +42,7 @@ class Editor {
     } else if (table->is_inline()) {
       fail(holder, "is written on one line");
     } else {
-      // A table without a header of its own has dotted keys.
+      // The keys of a table without a header of its own are dotted.
       const bool headed =
           table == &root_ || text_.compare(offset(table->source().begin), 1, "[") == 0;
       added_[end_of(*table)] += std::string(headed ? key : name) + line;
@@ -51,7 +51,7 @@ class Editor {
 
   std::string result() const {
     std::string out = text_, end;
-    // From the end, so that the places of the others stay.
+    // From the end, so that the other places stay valid.
     auto added = added_.rbegin();
     const auto add_from = [&](std::size_t least) {
       for (; added != added_.rend() && added->first >= least; ++added) {

@@ -13,7 +13,7 @@ struct File {
   std::string_view mime;  ///< for Content-Type
   std::string_view encoding;  ///< for Content-Encoding: "gzip", or empty for bytes as they are
   std::string_view etag;      ///< for ETag, quotes included; changes with the content
-  std::span<const unsigned char> bytes;  ///< the body as it goes out
+  std::span<const unsigned char> bytes;  ///< the body as it is sent
 };
 
 /// Every file, ascending by path. The same in every call; any thread.

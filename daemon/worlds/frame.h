@@ -1,5 +1,5 @@
 #pragma once
-// Converts between the frames of worlds and ours. Ours ("ros", REP-103): metres, radians,
+// Converts between the frames of external worlds and ours. Ours ("ros", REP-103): metres, radians,
 // right-handed, x forward, y left, z up; so nose-up is a negative pitch and a turn to the left a
 // positive yaw.
 //

@@ -21,7 +21,7 @@ namespace tp100::worlds {
 inline constexpr std::int64_t kWorldVersion = 1;
 inline constexpr std::size_t kMaxWorldDatagram = 1200;
 
-// What a world says beyond these is a mistake of the world.
+// Greater values in a world's message are a mistake of the world.
 inline constexpr double kMaxPlaceM = 1000.0;
 inline constexpr double kMaxYawRad = 1e4;
 /// A robot that leans further than this lies on its back.

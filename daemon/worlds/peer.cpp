@@ -101,7 +101,7 @@ std::optional<WorldSample> Peer::receive(std::string_view datagram, std::uint16_
 
 void Peer::welcome(const WorldMessage& message, std::uint16_t port, HostNs now) {
   if (welcomed_) {
-    // The world replied to the second of two hellos, too.
+    // The world also replied to the second of two hellos.
     ++(port == port_ ? counters_.accepted : counters_.foreign);
     return;
   }
