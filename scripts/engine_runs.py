@@ -1,5 +1,5 @@
-"""What the scripts around the game engine Godot share: files and settings, courses, programs beside each other, and one run
-in real time with the engine as the world.
+"""Shared by the scripts around the game engine Godot: files and settings, courses, concurrent programs, and one run in
+real time with the engine as the world.
 """
 import bisect
 import contextlib
@@ -20,7 +20,7 @@ import time
 import tomllib
 
 ROOT = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
-# The paper's overhead camera, but without errors: it gives where the robot truly is.
+# The paper's overhead camera without errors: it gives the robot's true pose.
 EXACT_CAMERA = """rate_hz = 100.0
 delay_ms = 5.0
 delay_jitter_ms = 0.0
@@ -30,9 +30,9 @@ noise_deg = 0.0
 bias_m = 0.0
 dropped = 0.0
 """
-PATIENCE_S = 60.0  # for a program to begin
-LONGEST_S = 300.0  # of a run; a course takes at most 60 s
-POINTS = 200       # of a path in the page
+PATIENCE_S = 60.0  # longest start of a program
+LONGEST_S = 300.0  # longest run; a course takes at most 60 s
+POINTS = 200       # per path in the page
 BEFORE_OTHERS = ("chrt", "--rr", "1")
 
 
@@ -52,12 +52,12 @@ def bundled(name, folder):
 
 
 def engine_environment(variable, settings):
-    """With the settings of the engine's project; it knows no locale C."""
+    """The environment with the settings of the engine's project; the engine does not support the locale C."""
     return os.environ | {variable: json.dumps(settings), "LANG": "en_US.UTF-8", "LC_ALL": "en_US.UTF-8"}
 
 
 class Course:
-    """A course file: its name, what it is called by, the points of its path, and whether somebody pushes the robot."""
+    """A course file: its name, the argument that names it, the points of its path, and whether it has disturbances."""
 
     def __init__(self, given):
         self.given, self.name = given, os.path.basename(given).removesuffix(".toml")
@@ -77,12 +77,12 @@ class Course:
 
 
 class NotBegun(Exception):
-    """A program did not come up."""
+    """A program did not start."""
 
 
 class Programs(contextlib.ExitStack):
-    """The programs of one run, whose output is in `folder`; they end with it, and with the thread that began it. In real
-    time they go before all others of this machine, if it allows that.
+    """The programs of one run, with their output in `folder`; they end with the context, and with the thread that
+    opened it. In real time they have priority over all others of this machine, if permitted.
     """
 
     def __init__(self, folder, real_time=False):
@@ -92,7 +92,7 @@ class Programs(contextlib.ExitStack):
         self.before = BEFORE_OTHERS if allowed else ()
 
     def start(self, name, *command, stdin=subprocess.DEVNULL, at_once=True):
-        """`at_once`: before all others from its first instruction on, see go_first()."""
+        """`at_once`: with priority from the first instruction on, see go_first()."""
         before = ("setpriv", "--pdeathsig", "TERM", *(self.before if at_once else ()))
         with open(self.log_of(name), "w") as log:
             process = subprocess.Popen([*before, *command], stdin=stdin, stdout=log,
@@ -101,8 +101,8 @@ class Programs(contextlib.ExitStack):
         return process
 
     def go_first(self, process):
-        """From now on it and what it has started go before all others. A program that computes for long until it is ready
-        calls this then: meanwhile the kernel's worker must deliver the bytes of other runs' robots."""
+        """Gives the process and its children priority over all others. For a program that computes for long until it is
+        ready, call this only then: meanwhile the kernel's worker must deliver the bytes of other runs' robots."""
         pids = [process.pid] if self.before else []
         for pid in pids:
             subprocess.run([*self.before[:-1], "--all-tasks", "--pid", self.before[-1], str(pid)])
@@ -122,7 +122,7 @@ class Programs(contextlib.ExitStack):
         return os.path.join(self.folder, name + ".log")
 
     def wait_for_line(self, name, process, pattern):
-        """What `pattern` finds in a program's output, as soon as it does."""
+        """Waits until `pattern` matches a program's output; returns the match."""
         until_s = time.monotonic() + PATIENCE_S
         while time.monotonic() < until_s:
             over = process.poll() is not None
@@ -137,8 +137,8 @@ class Programs(contextlib.ExitStack):
 
 
 class Truth(threading.Thread):
-    """Where the robot truly is, over the monotonic time, as its exact camera says it. An engine that sends "follow" hears it,
-    too, and at the end that it is over.
+    """The robot's true pose over monotonic time, received from its exact camera. Forwarded to an engine that sends
+    "follow", which is also told when it is over.
     """
 
     def __init__(self):
@@ -175,7 +175,7 @@ class Truth(threading.Thread):
         self.socket.close()
 
     def at(self, t_s):
-        """The place at this time; None outside of what was seen."""
+        """The pose at this time; None outside the recorded times."""
         i = bisect.bisect_right(self.at_s, t_s)
         if i == 0 or i == len(self.at_s):
             return None
@@ -193,7 +193,7 @@ def poses_of(programs, recording):
 
 
 def report_of(programs, recording, folder):
-    """The metrics of a recording, whose report is written to a folder, and when it began on the monotonic clock."""
+    """Writes the report of a recording to a folder; returns its metrics and when it began on the monotonic clock."""
     subprocess.run([programs + "/tp100d", "report", recording, "--out", folder], check=True, stdout=subprocess.DEVNULL)
     with open(folder + "/metrics.json") as file:
         metrics = json.load(file)
@@ -210,8 +210,8 @@ def thinned(points):
 
 
 def errors(poses, truth, start_s, disturbed):
-    """Of odometry and model against the truth, in cm, and the true path; nothing without a truth. Encoders cannot feel a
-    disturbance: the model is then not judged."""
+    """Errors of odometry and model against the truth [cm], and the true path; nothing without a truth. With
+    disturbances, which encoders do not measure, the model is not judged."""
     off = {"model": [], "odometry": []}
     path = []
     for pose in poses:
@@ -229,7 +229,7 @@ def errors(poses, truth, start_s, disturbed):
 
 
 def judge(programs, folder, truth, disturbed):
-    """What came of a run, from its recording and its daemon's figures."""
+    """The result of a run, from its recording and its daemon's figures."""
     recordings = glob.glob(folder + "/*/run.mcap")
     if not recordings:
         return {"completed": False, "cause": last_line(folder + "/daemon.log")}
@@ -250,7 +250,7 @@ def judge(programs, folder, truth, disturbed):
 
 
 def drive(options, programs, course, run, folder):
-    """One run in real time, and what came of it."""
+    """Drives one run in real time and returns its result."""
     shutil.rmtree(folder, ignore_errors=True)
     os.makedirs(folder)
     link = os.path.join(folder, "robot")
@@ -263,7 +263,7 @@ def drive(options, programs, course, run, folder):
                               options.robot, at_once=False)
         world = "udp:" + beside.wait_for_line("engine", engine, r"listening at (\S+)").group(1)
         beside.go_first(engine)
-        # On the stand there is nothing to see.
+        # On the stand the robot does not move: no camera.
         camera = ["--camera=" + folder + "/camera.toml", "--camera-to", truth.address] if run["setup"] == "flat" else []
         robot = beside.start("robot", programs + "/tp100-sim", "robot", "--link", link, "--board", run["board"], "--setup",
                              run["setup"], "--robot", options.robot, "--course", course.given, "--seed", str(run["seed"]),

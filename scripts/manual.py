@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""scripts/manual.py PROGRAM FOLDER: writes into FOLDER what PROGRAM's --help says, as a man page (NAME.1.gz) and as
-completion for bash (NAME.bash) and zsh (_NAME)."""
+"""scripts/manual.py PROGRAM FOLDER: generates from PROGRAM's --help a man page (NAME.1.gz) and completion for bash
+(NAME.bash) and zsh (_NAME) in FOLDER."""
 import gzip
 import os
 import re
@@ -14,7 +14,7 @@ FILES = (("/etc/tp100/NAME.toml", "configuration of the service tp100d@NAME"),
          ("/usr/share/tp100", "courses, robots and cameras by name, every key of the configuration, and the firmware"),
          ("/var/lib/tp100/NAME", "what the service writes: the seconds around a fault"))
 SEE_ALSO = ("tp100d", "tp100-camera", "tp100-campaign", "tp100-flash", "tp100-sim")
-# What may follow an option, by the name of its value.
+# Possible values of an option, by the name of its value.
 WORDS = {"SETUP": "stand flat terrain", "BOARD": "native avr", "MODEL": "paper extended odometry fused",
          "ENGINE": "parallel slurm one"}
 BUNDLED = {"COURSE": "courses", "ROBOT": "robots"}
@@ -55,7 +55,7 @@ class Command:
             yield names, re.split(r"[ :=]", value)[0] if takes else "", text
 
     def follows(self):
-        """What the first positional argument is called; empty: there is none."""
+        """Name of the first positional argument; empty: none."""
         if not self.positionals:
             return ""
         name, kind = (self.positionals[0][0].split() + [""])[:2]
@@ -181,7 +181,7 @@ def main(program, folder):
     version = subprocess.run([program, "--version"], check=True, capture_output=True, text=True).stdout.strip()
     os.makedirs(folder, exist_ok=True)
     with open(os.path.join(folder, top.name + ".1.gz"), "wb") as file:
-        # Without a time the same program gives the same bytes.
+        # Without a time stamp, so that the same program gives the same bytes.
         file.write(gzip.compress(manual(top, subcommands, version).encode(), 9, mtime=0))
     for name, text in ((top.name + ".bash", bash(top, subcommands)), ("_" + top.name, zsh(top, subcommands))):
         with open(os.path.join(folder, name), "w", encoding="utf-8") as file:

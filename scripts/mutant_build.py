@@ -1,5 +1,5 @@
-"""scripts/mutate's copy of the working tree in build/mutate: it holds all chosen mutants at once, each behind a switch
-(TP100_MUTANT=NUMBER in the environment), and notes which of them a program reaches (TP100_MUTANTS_REACHED=FILE).
+"""The copy of the working tree for scripts/mutate in build/mutate: it holds all chosen mutants at once, each behind a
+switch (TP100_MUTANT=NUMBER in the environment), and records which a program reaches (TP100_MUTANTS_REACHED=FILE).
 
 copy_tree() and configure() prepare it; build() weaves the mutants in, compiles, and takes out what does not compile.
 """
@@ -16,10 +16,10 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 WORK = ROOT / 'build/mutate'
 SOURCE, STATE = WORK / 'source', WORK / 'state'
-# Where the preset has it: ccache knows what lies there by the path from the source.
+# In the preset's place relative to the source, which ccache needs for its hits.
 BUILD = SOURCE / 'build/dev'
 JOBS = os.cpu_count() or 1
-NUMBERS = 1 << 16  # that a mutant may have
+NUMBERS = 1 << 16  # range of mutants' numbers
 
 MUTANT_H = '''#ifndef TP100_MUTANT_H
 #define TP100_MUTANT_H
@@ -77,8 +77,8 @@ def git(*words):
 
 
 def copy_tree(woven, left=()):
-    """Brings the copy to what the working tree is, with the texts of `woven` ({path: text}) in their places; touches
-    only what differs, and nothing that is among `left` and there already. Returns a hash of the working tree."""
+    """Updates the copy to the state of the working tree, with the files of `woven` ({path: text}) replaced; writes only
+    files that differ, and none of `left` that exist already. Returns a hash of the working tree."""
     listed = git('ls-files', '--cached', '--others', '--exclude-standard', '-z').split('\0')
     digest = hashlib.sha256()
     kept = set()
@@ -118,7 +118,7 @@ def configure():
         if not path.exists() or path.read_text() != text:
             path.write_text(text)
     subprocess.run(['cc', '-O2', '-c', WORK / 'mutant.c', '-o', WORK / 'mutant.o'], check=True)
-    # The flags of the preset dev, but each file by itself: one mutant more compiles one file anew.
+    # The flags of the preset dev, but each file by itself, so that one more mutant recompiles only one file.
     preset = next(p for p in json.loads((ROOT / 'CMakePresets.json').read_text())['configurePresets']
                   if p['name'] == 'dev')
     flags = [f'-D{name}={value}' for name, value in preset['cacheVariables'].items()]
@@ -132,7 +132,7 @@ def environment(**more):
 
 
 def compile_arguments():
-    """A function of a file: what a compiler has to be told to read it; of a header what a source beside it needs."""
+    """A function that maps a file to the compiler's arguments for it; for a header, those of a source beside it."""
     arguments = {}
     for entry in json.loads((BUILD / 'compile_commands.json').read_text()):
         words = shlex.split(entry['command'])
@@ -164,7 +164,7 @@ def weave_all(chosen):
 
 
 def refused(output, texts, places):
-    """The ids that the compiler's messages speak of."""
+    """The ids of the mutants to which the compiler's messages refer."""
     ids = set()
     for message in ('error:', 'required from', ''):
         for match in re.finditer(r'^(\S+?):(\d+):(\d+):\s+' + message, output, re.M):
@@ -189,8 +189,8 @@ def refused(output, texts, places):
 
 
 def build(chosen, tests):
-    """Builds the test executables with all mutants in them; takes out of `chosen` what does not compile. Returns the
-    hash of the tree, and what was taken out."""
+    """Builds the test executables with all mutants in them; removes from `chosen` those that do not compile. Returns
+    the hash of the tree, and the removed mutants."""
     kept = STATE / 'refused'
     known = set(kept.read_text().splitlines()) if kept.exists() else set()
     dropped = {}
@@ -207,7 +207,7 @@ def build(chosen, tests):
     while True:
         texts, places = weave_all(chosen)
         tree = copy_tree(texts)
-        # A header that does not compile would fail hundreds of sources.
+        # Headers first: one that does not compile would fail hundreds of sources.
         headers = [path for path in texts if path.endswith('.h')]
         good, now = STATE / 'headers', hashlib.sha256(''.join(map(texts.get, headers)).encode()).hexdigest()
         if not good.exists() or good.read_text() != now:

@@ -1,7 +1,7 @@
-"""scripts/mutate's finder: small wrong changes of C++ sources, and the sources that hold many of them at once.
+"""The finder of scripts/mutate: small wrong changes of C++ sources, and sources that contain many of them at once.
 
-find() reads a file with libclang and names every change; weave() writes the file with some of them behind a switch
-that is read when the program runs (TP100_MUTANT(id) of mutant.h), so that one build serves them all.
+find() reads a file with libclang and lists every change; weave() returns the file with some of them behind a run-time
+switch (TP100_MUTANT(id) of mutant.h), so that one build is enough for all.
 """
 import dataclasses
 import re
@@ -26,7 +26,7 @@ INTEGERS = {TypeKind.UCHAR, TypeKind.USHORT, TypeKind.UINT, TypeKind.ULONG, Type
 
 @dataclasses.dataclass(frozen=True)
 class Site:
-    """text[begin:end] becomes `other`. A statement includes its semicolon; `cast` is the type that both have to get."""
+    """text[begin:end] becomes `other`. A statement includes its semicolon; `cast`: type to which both are cast."""
     begin: int
     end: int
     other: str
@@ -89,7 +89,7 @@ class _Finder:
                 self.declarations(child)
 
     def initial(self, declaration, above):
-        """Only the value of a variable: what else an expression is in belongs to its type."""
+        """Visits only the value of a variable: other expressions in a declaration belong to its type."""
         children = list(declaration.get_children())
         begin, end = self.range(declaration)
         if not children or not children[-1].kind.is_expression() or children[-1].extent.end.offset != end:
@@ -99,7 +99,7 @@ class _Finder:
         self.visit(children[-1], declaration, above + [declaration])
 
     def visit(self, cursor, parent, above):
-        """above: what encloses the cursor, outermost first, for changes that a conditional operator cannot hold."""
+        """above: the enclosing nodes, outermost first, for changes that cannot be written as a conditional operator."""
         if not self.here(cursor):
             return
         begin, end = self.range(cursor)
@@ -157,7 +157,7 @@ class _Finder:
             return False
         if parent.kind in {CursorKind.CASE_STMT, CursorKind.DEFAULT_STMT}:
             return before.endswith(':')
-        # The body comes behind the parenthesis that ends the head, or behind else or do.
+        # The body follows the parenthesis that ends the head, or else or do.
         return (before.endswith(')') and before.count('(') == before.count(')')) or \
             re.search(r'\b(else|do)$', before) is not None
 
@@ -195,8 +195,8 @@ class _Finder:
             self.replaced(begin, end, at, at + len(operator), SWAPS[operator], above)
 
     def replaced(self, begin, end, at, to, other, above):
-        """The expression with text[at:to] changed. Of class types the two may differ in type (Eigen's have one for
-        each formula): then the statement, or the value of the variable, is taken twice."""
+        """The expression with text[at:to] changed. With class types the two may differ in type (Eigen has a type for
+        each formula): then the whole statement, or the variable's value, is duplicated instead."""
         statement, cast = False, ''
         for outer in reversed(above):
             outer_begin, outer_end = self.range(outer)
@@ -275,8 +275,7 @@ def changed(value, floating):
 
 
 def find(path, shown, arguments):
-    """The mutants of a file, in the order of the text. `shown` is its name in results; `arguments` those of the
-    compiler."""
+    """The mutants of a file, in the order of the text. `shown`: its name in results; `arguments`: the compiler's."""
     with open(path, encoding='latin-1', newline='') as file:
         text = file.read()
     unit = Index.create().parse(path, args=arguments, options=TranslationUnit.PARSE_DETAILED_PROCESSING_RECORD)
@@ -297,7 +296,7 @@ def find(path, shown, arguments):
 
 
 def lines(text, site):
-    """The lines of a site, as they are and as they become, each in one line."""
+    """The lines of a site before and after the change, each joined into one line."""
     begin = text.rfind('\n', 0, site.begin) + 1
     end = text.find('\n', site.end)
     before, head, tail = text[begin:end], text[begin:site.begin], text[site.end:end]
@@ -313,12 +312,12 @@ def weave(text, mutants, head):
     for number, mutant in mutants.items():
         for site in mutant.sites:
             groups.setdefault((site.begin, site.end, site.statement, site.cast), []).append((number, site.other))
-    # Outer ones first; of two at the same place the statement is outside.
+    # Outer sites first; of two at the same place the statement is the outer one.
     order = sorted(groups, key=lambda group: (group[0], -group[1], not group[2], group[3]))
     places = []
 
     def write(begin, end, inside, at):
-        """text[begin:end] with the groups `inside` it; `at` is its offset in what is written."""
+        """text[begin:end] with the groups `inside` it woven in; `at` is its offset in the output."""
         out, last = '', begin
         while inside:
             group = inside.pop(0)

@@ -1,4 +1,4 @@
-"""The overhead camera of scripts/overhead: where it hangs, its files and settings, and the engine that renders its images."""
+"""The overhead camera of scripts/overhead: its mounting, files and settings, and the engine that renders its images."""
 import contextlib
 import math
 import os
@@ -11,26 +11,26 @@ import time
 
 from engine_runs import PATIENCE_S, ROOT, engine_environment, fail
 
-# The camera: a sensor of 800x500, 2.5 m above the floor, a little aside and tilted towards the fence's middle.
+# The camera: a sensor of 800x500, 2.5 m above the floor, slightly off-centre and tilted towards the fence's middle.
 LENS = {"width_px": 800, "height_px": 500, "cx_px": 396.0, "cy_px": 253.5, "k1": -0.09, "k2": 0.02}
 HEIGHT_M, ASIDE_M, TURNED_DEG = 2.5, (0.07, -0.05), 3.0
 # Rows are exposed for 8 ms, the last one 4 ms after the first: subframes every 2 ms, 4 in a row's mean.
 SPACING_S, IN_EXPOSURE, LAST_ROW_BEGINS = 0.002, 4, 2
-NOISE = 0.012  # standard deviation, of white
+NOISE = 0.012  # standard deviation, as a share of white
 MARKER_M, MARKER_HEIGHT_M, FLOOR_MARKER_M, FLOOR_MARKER_OUT_M = 0.10, 0.08, 0.12, 0.12
 BOARD, BOARD_M = "charuco:7x5:0.04:0.03", (0.32, 0.24)
 SHEET_PX = 1024
 
 
 def box(fence):
-    """Of a fence: least x, most x, least y, most y."""
+    """Bounds of a fence: least x, largest x, least y, largest y."""
     corners = fence.get("corners_m") or [(fence["min_x_m"], fence["min_y_m"]), (fence["max_x_m"], fence["max_y_m"])]
     x, y = zip(*corners)
     return min(x), max(x), min(y), max(y)
 
 
 def undistorted(radius):
-    """Length of the ray of a distorted one."""
+    """Undistorted length of the ray with this distorted length."""
     r = radius
     for _ in range(20):
         r = radius / (1 + LENS["k1"] * r * r + LENS["k2"] * r ** 4)
@@ -80,7 +80,7 @@ class Camera:
         os.remove(view)
         drawing = self.read(file)
         side = re.search(r'width="([\d.]+)mm"', drawing)
-        # A power of two: halved again and again by the engine, another number of pixels loses its last ones.
+        # A power of two: the engine halves the size repeatedly, which would cut pixels off other sizes.
         self.write(os.path.basename(file), re.sub(r'(width|height)="[\d.]+mm"', rf'\1="{SHEET_PX}"', drawing))
         return {"file": file, "side_m": float(side[1]) / 1000, "size_m": size_m}
 
@@ -89,7 +89,7 @@ class Camera:
             return file.read()
 
     def settings(self, camera_program):
-        """Of the engine, but for the drive."""
+        """The engine's settings except those of the drive."""
         lens = self.lens
         widest = [max(abs(edge - centre) for edge in (0, size)) / lens["focal_px"] for size, centre in
                   ((lens["width_px"], lens["cx_px"]), (lens["height_px"], lens["cy_px"]))]
@@ -97,7 +97,7 @@ class Camera:
         return {
             "lens": lens, "noise": NOISE, "subframe_spacing_s": SPACING_S, "in_exposure": IN_EXPOSURE,
             "last_row_begins": LAST_ROW_BEGINS,
-            # A little more than the lens sees, at the same scale.
+            # Slightly larger than the lens's field of view, at the same scale.
             "pinhole": {"focal_px": lens["focal_px"], "width_px": 2 * math.ceil(widest[0] * wider * lens["focal_px"] + 2),
                         "height_px": 2 * math.ceil(widest[1] * wider * lens["focal_px"] + 2)},
             "place": {"x_m": self.place[0], "y_m": self.place[1], "height_m": HEIGHT_M, "middle_x_m": self.middle[0],
@@ -108,7 +108,7 @@ class Camera:
 
 
 def engine():
-    """Starts the rendering, off screen. The engine's time is the drive's."""
+    """The command that starts off-screen rendering. The engine's time is the drive's."""
     return ["xvfb-run", "-a", "-s", "-screen 0 64x64x24", "godot3-runner", "--video-driver", "GLES2", "--audio-driver",
             "Dummy", "--resolution", "64x64", "--fixed-fps", "500", "--path", os.path.join(ROOT, "sim/godot"),
             "res://overhead.tscn"]
@@ -116,7 +116,7 @@ def engine():
 
 @contextlib.contextmanager
 def rendering(settings):
-    """The engine, and the socket from which its images come; it ends with the context if it has not before."""
+    """The engine and the socket that delivers its images; the engine ends with the context at the latest."""
     with socket.create_server(("127.0.0.1", 0)) as server:
         settings |= {"port": server.getsockname()[1]}
         world = subprocess.Popen(engine(), env=engine_environment("TP100_OVERHEAD", settings), stdout=subprocess.DEVNULL,
@@ -129,7 +129,7 @@ def rendering(settings):
                     connection, _ = server.accept()
                     break
                 except TimeoutError:
-                    # An engine whose scripts cannot be read goes on without them.
+                    # With a time limit: if the engine cannot read its scripts, it keeps running without them.
                     if world.poll() is not None or time.monotonic() > until_s:
                         fail("the engine did not come up; its messages are above")
             connection.settimeout(None)
@@ -142,7 +142,7 @@ def rendering(settings):
 
 
 def render(settings, reader):
-    """Renders images into the standard input of `reader`, a command; seconds that it took."""
+    """Renders images into the standard input of the command `reader`; returns the seconds that it took."""
     began = time.monotonic()
     with rendering(settings) as (world, connection):
         finder = subprocess.Popen(reader, stdin=connection.fileno(), stdout=sys.stderr)

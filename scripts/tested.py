@@ -18,14 +18,14 @@ import xml.etree.ElementTree
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 MOST_SECOND_TRIES = 3
-# Shorter tests do not matter to the others.
+# Shorter tests do not affect the others.
 LONG_S = 10
-# Of a processor. A neighbour makes a test longer, and so the share smaller, but never larger: a test that computes has
-# a small share only on a busy machine, since it runs whenever a processor is idle.
+# Shares of a processor. Tests that run at the same time make a test longer and its share smaller, never larger: a test
+# that computes has a small share only on a busy machine, since it runs whenever a processor is idle.
 COMPUTES, WAITS = 0.8, 0.2
 REASONS = (
     re.compile(r": Skipped\n(.*?)\n\s*\[  SKIPPED \]", re.S),  # GoogleTest
-    re.compile(r"^(?:\S+: )?skipped: (.*)$", re.M),  # what ends with status 77
+    re.compile(r"^(?:\S+: )?skipped: (.*)$", re.M),  # tests that end with status 77
 )
 
 

@@ -39,11 +39,11 @@ import urllib.request
 import websocket
 
 SUBPROTOCOLS = ["foxglove.sdk.v1", "foxglove.websocket.v1"]
-# The daemon asks for 20 to 50 inputs a second.
+# The daemon requires 20 to 50 inputs per second.
 INPUT_PERIOD_S = 0.03
-# The daemon ends a report that takes longer.
+# The daemon aborts a report that takes longer.
 REPORT_S = 600.0
-# A silent robot is given up after 5 s; a slow disk takes longer.
+# A silent robot takes 5 s to detect; a slow disk takes longer.
 DOCTOR_S = 60.0
 
 
@@ -85,7 +85,7 @@ class Robot:
         self.close()
 
     def close(self):
-        """Ends the connection. A robot that this client drives by hand stops."""
+        """Ends the connection. If this client drives the robot by hand, the robot stops."""
         self._socket.close()
 
     # What the robot does.
@@ -99,7 +99,7 @@ class Robot:
         return self._newest("/estimate")
 
     def pose(self, source=None):
-        """{"x_m", "y_m", "yaw_rad"}; `source`: "model", "odometry", "fused" or "truth", without it the one that steers."""
+        """{"x_m", "y_m", "yaw_rad"}; `source`: "model", "odometry", "fused" or "truth"; default: the steering pose."""
         estimate = self.estimate()
         pose = estimate.get(source or estimate["steering"])
         if pose is None:
@@ -157,8 +157,8 @@ class Robot:
 
     def start(self, where="start", patience_s=3.0):
         """Starts the course, from its "start" or from "here", where the last run ended; returns once the run is under
-        way. The robot moves: asking a person first is the caller's duty. `patience_s`: for a robot that is still coming
-        to rest, and for the run to begin."""
+        way. The robot moves: the caller must ask a person first. `patience_s`: longest wait for the robot to come to
+        rest, and for the run to begin."""
         self._when_possible("start", patience_s)
         self.call("start", **{"from": where})
         for message in self.messages("/state", patience_s):
@@ -171,14 +171,14 @@ class Robot:
         return self.call("stop")["acknowledged"]
 
     def drive_by_hand(self, patience_s=3.0):
-        """Arms the robot and takes the wheel: `with robot.drive_by_hand() as wheel: wheel.drive(...)`. `patience_s`: for
-        a robot that is still coming to rest."""
+        """Arms the robot and takes the wheel: `with robot.drive_by_hand() as wheel: wheel.drive(...)`. `patience_s`:
+        longest wait for the robot to come to rest."""
         self._when_possible("drive", patience_s)
         return Wheel(self)
 
     def examine(self):
-        """What `tp100d doctor` finds, while no run is under way: a list of {"severity", "name", "seen", "fix"}, with
-        severity "ok", "note", "warning" or "error". Nothing moves."""
+        """The findings of `tp100d doctor`, while no run is under way: a list of {"severity", "name", "seen", "fix"},
+        with severity "ok", "note", "warning" or "error". Nothing moves."""
         return [finding for part in ("port", "robot", "machine")
                 for finding in self.call("doctor", wait_s=DOCTOR_S, part=part)["findings"]]
 
@@ -193,7 +193,7 @@ class Robot:
             raise Lost(f"no list of runs: {error}") from error
 
     def note_run(self, run, **changes):
-        """Changes "name", "note", "tags" (words) or "keep" of a run; what is not named stays. Returns all of them."""
+        """Changes "name", "note", "tags" (words) or "keep" of a run; the others stay. Returns all of them."""
         return self.call("run_note", run=run, **changes)
 
     def delete_run(self, run):
@@ -209,12 +209,12 @@ class Robot:
         return self._page + self.call("run_compare", wait_s=REPORT_S, run=run, **{"with": other})["url"]
 
     def identify(self, runs, measured=""):
-        """What `tp100d identify` finds in these calibration drives ("found"), and the robot file of it ("text"), which
-        call("file_save", kind="robot", ...) keeps. `measured`: the text of its file of hand measurements."""
+        """The result of `tp100d identify` for these calibration drives ("found"), and the new robot file ("text"),
+        which call("file_save", kind="robot", ...) saves. `measured`: text of the file of measurements by hand."""
         return self.call("run_identify", wait_s=REPORT_S, runs=" ".join(runs), measured=measured)
 
     def _when_possible(self, what, patience_s):
-        # If it stays impossible, the request itself tells why.
+        # If it stays impossible, the request itself is refused with the reason.
         next((True for message in self.messages("/state", patience_s) if message["can"][what]), False)
 
     # The protocol.
@@ -302,7 +302,7 @@ class Robot:
 
 
 class Wheel:
-    """The robot is armed and driven by this program. Without a call of drive() for 150 ms it stands still."""
+    """The right to drive the armed robot by hand. Without a call of drive() for 150 ms the robot stands still."""
 
     def __init__(self, robot):
         self._robot = robot
@@ -315,8 +315,8 @@ class Wheel:
         self.release()
 
     def drive(self, speed_mps, yaw_rate_radps, duration_s=0.0):
-        """Asks for a ground speed and a turn (counter-clockwise positive), once or again and again for `duration_s`.
-        Raises Refused if this program does not drive any more."""
+        """Requests a ground speed and a yaw rate (counter-clockwise positive), once or repeatedly for `duration_s`.
+        Raises Refused if this program no longer drives."""
         until_s = time.monotonic() + duration_s
         while True:
             now_s = time.monotonic()

@@ -17,7 +17,7 @@ namespace {
 
 using namespace tp100::sim;
 
-/// A seed: 0 or more. CLI11 takes -7 for a large number.
+/// Checks a seed: 0 or more. CLI11 alone would accept -7 as a large number.
 std::string why_no_seed(const std::string& text) {
   const std::string most = std::to_string(std::numeric_limits<std::uint64_t>::max());
   const bool digits = text.find_first_not_of("0123456789") == std::string::npos;
@@ -70,7 +70,7 @@ void add_faults(CLI::App& app, std::vector<std::string>& faults) {
       ->allow_extra_args(false);
 }
 
-/// What the command line asks for.
+/// The requested command.
 using Action = std::function<int()>;
 
 void add_course_command(CLI::App& app, Action& action) {
@@ -286,7 +286,7 @@ void add_campaign_command(CLI::App& app, Action& action) {
   command->add_option("--out", campaign.out, "Folder of the campaign")
       ->type_name("FOLDER")
       ->required();
-  // Into an optional CLI11 would put nothing for an empty text.
+  // By a function, because CLI11 leaves an optional unset for an empty text.
   command
       ->add_option_function<std::string>(
           "--index", [](const std::string& runs) { campaign.index = runs; },
@@ -343,7 +343,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // A file that may not grow any more is an error like any other.
+  // Report a file at its size limit as an error instead of ending by a signal.
   std::signal(SIGXFSZ, SIG_IGN);
   return tp100::text::run_program("tp100-sim", [&] { return run(argc, argv); });
 }

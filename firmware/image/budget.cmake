@@ -1,7 +1,7 @@
 # cmake -D IMAGE=tp100.elf -P budget.cmake: prints what an image takes of the ATmega2560 and fails
 # above the budget.
 set(MAX_FLASH 40960)
-# The other half of the RAM is the stack's.
+# The other half of the RAM is left to the stack.
 set(MAX_RAM 4096)
 
 if(NOT EXISTS ${IMAGE})
@@ -24,7 +24,7 @@ sum(ram data bss noinit)
 cmake_path(GET IMAGE FILENAME name)
 message("${name}: flash ${flash} of ${MAX_FLASH} bytes, RAM ${ram} of ${MAX_RAM} bytes (static)")
 if(flash GREATER MAX_FLASH OR ram GREATER MAX_RAM)
-  # Or the next build would take the image for good.
+  # Otherwise the next build would treat the image as up to date.
   file(REMOVE ${IMAGE})
   message(FATAL_ERROR "${name} is above its budget: make it smaller or raise the budget in "
     "firmware/image/budget.cmake")

@@ -1,7 +1,7 @@
-// The second stage of booting (RP2040 data sheet, 2.8.1.3): the chip's ROM copies these 256 bytes into the RAM, checks
-// their CRC, which image.py puts in, and calls them with the flash as it woke up. They let the flash be read at
-// 0x10000000 by the plain command that every chip has (4.10.13: SSI registers), copy the whole program into the RAM and
-// start it there: no instruction waits for the flash afterwards.
+// The second boot stage (RP2040 data sheet, 2.8.1.3): the chip's ROM copies these 256 bytes into the RAM, checks their
+// CRC, which image.py puts in, and calls them with the flash in its power-up state. They make the flash readable at
+// 0x10000000 by the basic command that every flash chip has (4.10.13: SSI registers), copy the whole program into the
+// RAM and start it there: no instruction waits for the flash afterwards.
     .syntax unified
     .cpu cortex-m0plus
     .thumb
@@ -14,7 +14,7 @@
     ldr   r0, =0x001f0300
     str   r0, [r3, #0x00]       // CTRLR0: 32-bit frames, instruction and address before data
     movs  r0, #0
-    str   r0, [r3, #0x04]       // CTRLR1: one frame an access
+    str   r0, [r3, #0x04]       // CTRLR1: one frame per access
     ldr   r1, =0x180000f4
     ldr   r0, =0x03000218
     str   r0, [r1]              // SPI_CTRLR0: command 03h, 24 address bits, all on one line

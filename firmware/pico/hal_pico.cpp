@@ -25,7 +25,7 @@ const uint32_t kI2cHz = 400000;
 Quadrature left_encoder;
 Quadrature right_encoder;
 
-// Byte indices wrap by themselves; one place stays free to distinguish full from empty.
+// 8-bit indices wrap by themselves; one place stays free to distinguish full from empty.
 uint8_t received[256];
 volatile uint8_t received_head;
 volatile uint8_t received_tail;
@@ -35,7 +35,7 @@ volatile uint8_t sending_tail;
 
 uint8_t phase(unsigned a_pin) { return static_cast<uint8_t>((gpio_in() >> a_pin) & 3); }
 
-// What never comes keeps the board here, with its outputs low.
+// If the bits never come, the board stays here with its outputs low.
 void wait_for(Register& r, uint32_t bits) {
   while ((r & bits) != bits) {
   }
@@ -63,7 +63,7 @@ void begin_clocks() {
   xosc_startup() = pico::kCrystalHz / 1000 / 256;
   xosc_control() = 0xfab << 12 | 0xaa0;
   wait_for(xosc_status(), mask(31));
-  // The reference is the crystal, the system clock is the reference while its PLL starts.
+  // The crystal becomes the reference clock; the system runs from it while its PLL starts.
   clear_of(clk_sys_control()) = 1;
   wait_for(clk_sys_selected(), mask(0));
   clk_ref_control() = 2;
@@ -79,12 +79,12 @@ void begin_clocks() {
   wait_for(clk_sys_selected(), mask(1));
   clk_peri_control() = kClockEnable;
   clk_adc_control() = kClockEnable;
-  // A microsecond for timer and watchdog.
+  // One tick per microsecond for timer and watchdog.
   watchdog_tick() = mask(9) | pico::kCrystalHz / 1000000;
 }
 
 void begin_watchdog(PicoHal& hal) {
-  // Everything but both oscillators.
+  // The watchdog resets everything but the two oscillators.
   watchdog_restarts() = 0x1fffc;
   hal.kick_watchdog();
   set_of(watchdog_control()) = mask(30);
@@ -110,7 +110,7 @@ void begin_uart() {
   static_assert(pico::kSysHz * 4 % wire::kBaud == 0, "the baud rate is not exact");
   uart_divider() = pico::kUartDivider64 / 64;
   uart_fraction() = pico::kUartDivider64 % 64;
-  // 8N1 without the FIFOs: theirs come up to 64 us late, and the clock relation would show it.
+  // 8N1 without the FIFOs: they report bytes up to 64 us late, which would disturb the clock sync.
   uart_line() = 3 << 5;
   uart_control() = mask(0) | mask(8) | mask(9);
   uart_mask() = kUartRx;
@@ -161,7 +161,8 @@ void set_priority(unsigned irq, uint32_t priority) {
 }
 
 void begin_interrupts() {
-  // A byte takes 20 us and has one place to wait; an edge may wait longer, a tick longest.
+  // Priorities: the UART holds one received byte for 20 us; an edge may wait longer, the tick
+  // longest.
   set_priority(kIrqGpio, 1);
   systick_priority() = static_cast<uint32_t>(2) << 30;
   interrupt_enable() = mask(kIrqGpio) | mask(kIrqUart0);
@@ -173,8 +174,8 @@ void wait_us(uint32_t us) {
   }
 }
 
-// The ring oscillator's phase against the crystal's, over half a millisecond: another number at
-// each boot.
+// Hashes the phase of the ring oscillator against the crystal over half a millisecond, which
+// differs at each boot.
 uint32_t new_nonce() {
   uint32_t hash = 0x811C9DC5;
   for (unsigned i = 0; i < 256; ++i) {
@@ -224,7 +225,7 @@ void PicoHal::on_uart() {
 }
 
 void PicoHal::on_edge() {
-  // Before the phases are read, so that an edge after the reading comes again.
+  // Acknowledged before the phases are read, so that a later edge raises the interrupt again.
   gpio_interrupt(kLeftA) = both_edges(kLeftA) | both_edges(kLeftA + 1);
   gpio_interrupt(kRightA) = both_edges(kRightA) | both_edges(kRightA + 1);
   take_edge<1>(left_encoder, phase(kLeftA));
@@ -308,7 +309,7 @@ void PicoHal::i2c_recover() {
   release(kScl);
   gpio_control(kSda) = kSio;
   gpio_control(kScl) = kSio;
-  // A device cut off in the middle of a byte releases SDA within nine clocks; then a STOP.
+  // A device cut off in the middle of a byte releases SDA within nine clocks; a STOP follows.
   for (uint8_t i = 0; i < 9; ++i) {
     pull(kScl);
     wait_us(3);
@@ -344,7 +345,8 @@ void PicoHal::motors(int16_t left, int16_t right) {
   if (right > 0) directions |= mask(kRightForward);
   if (right < 0) directions |= mask(kRightBack);
   gpio_out_clear() = kDirections & ~directions;
-  // A level waits for the end of the PWM's period, but both inputs low let the motor coast at once.
+  // A new level takes effect at the end of the PWM's period, but a motor with both inputs low
+  // coasts at once.
   pwm7_levels() = static_cast<uint32_t>(pico::pwm_level(right)) << 16 | pico::pwm_level(left);
   gpio_out_set() = directions;
 }
@@ -356,7 +358,7 @@ uint16_t PicoHal::battery_mv() {
   return battery_mv_;
 }
 
-// The counter loses two a microsecond (erratum RP2040-E1).
+// The counter falls by two per microsecond (erratum RP2040-E1).
 void PicoHal::kick_watchdog() { watchdog_load() = 2 * kWatchdogUs; }
 
 wire::ResetCause PicoHal::reset_cause() {
@@ -383,8 +385,8 @@ void PicoHal::idle() {
   for (;;) {
     const uint8_t saved = lock();
     const bool work = work_;
-    // It wakes for an interrupt that is pending though interrupts are off, so none can slip in
-    // between.
+    // wfi also wakes for an interrupt that is pending while interrupts are off, so that none is
+    // missed.
     if (!work) __asm__ volatile("wfi" ::: "memory");
     if (work) work_ = false;
     unlock(saved);

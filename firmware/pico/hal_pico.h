@@ -23,11 +23,11 @@ class PicoHal final : public Hal {
  public:
   /// Clocks, outputs off, watchdog, then the rest. Call once, before any other call.
   void begin();
-  /// Takes what the chip's interrupts bring.
+  /// Called by the interrupts of UART and encoders, and by the timer tick.
   void on_uart();
   void on_edge();
   void raise_work() { work_ = true; }
-  /// Motors off past everything else, for a program that cannot be trusted any more.
+  /// Switches the motors off by the registers alone, for use after a processor fault.
   static void outputs_off();
 
   uint32_t micros() override;

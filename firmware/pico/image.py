@@ -9,7 +9,7 @@ RP2040 = 0xE48BFF56
 
 
 def crc32(data):
-    """CRC-32 as the ROM counts it: polynomial 0x04c11db7, highest bit first, begun with ones, not inverted."""
+    """CRC-32 as the ROM computes it: polynomial 0x04c11db7, highest bit first, initial value all ones, not inverted."""
     crc = 0xFFFFFFFF
     for byte in data:
         crc ^= byte << 24

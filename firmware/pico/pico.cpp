@@ -12,8 +12,8 @@ using namespace tp100::firmware;
 PicoHal hal;
 Firmware robot(hal);
 
-// A fault of the processor, or an interrupt that nobody asked for. The watchdog then starts the
-// board again.
+// Processor fault or unexpected interrupt: waits, motors off, until the watchdog restarts the
+// board.
 void on_defect() {
   PicoHal::outputs_off();
   for (;;) {
@@ -49,7 +49,7 @@ __attribute__((used, noreturn)) void start() {
   for (;;) robot.loop();
 }
 
-// What the compiler asks for where a pure virtual function could be called.
+// The compiler puts this into the table of a class with pure virtual functions.
 void __cxa_pure_virtual() { on_defect(); }
 
 /// Initial stack pointer, 15 vectors of the core, 26 of the chip (2.3.2).

@@ -32,7 +32,7 @@ inline Register& gpio_control(unsigned pin) { return at(0x40014004 + 8 * pin); }
 inline Register& pad(unsigned pin) { return at(0x4001c004 + 4 * pin); }
 const uint32_t kPadPullUp = mask(3), kPadInput = mask(6);
 const uint32_t kPadNoOutput = mask(7), kPadSchmitt = mask(1), kPad4mA = mask(4);
-/// Eight pins a register, four bits a pin.
+/// Eight pins per register, four bits per pin.
 inline Register& gpio_interrupt(unsigned pin) { return at(0x400140f0 + 4 * (pin / 8)); }
 inline Register& gpio_interrupt_enable(unsigned pin) { return at(0x40014100 + 4 * (pin / 8)); }
 constexpr uint32_t both_edges(unsigned pin) {
@@ -64,8 +64,8 @@ inline Register& pll_power(uint32_t pll) { return at(pll + 0x4); }
 inline Register& pll_feedback(uint32_t pll) { return at(pll + 0x8); }
 inline Register& pll_dividers(uint32_t pll) { return at(pll + 0xc); }
 
-// What the watchdog restarts (2.13.5), why the chip started (2.12.8), watchdog (4.7.6), timer
-// (4.6.5).
+// Parts that the watchdog restarts (2.13.5), cause of the chip's reset (2.12.8), watchdog (4.7.6),
+// timer (4.6.5).
 inline Register& watchdog_restarts() { return at(0x40010008); }
 inline Register& chip_reset() { return at(0x40064008); }
 inline Register& watchdog_control() { return at(0x40058000); }

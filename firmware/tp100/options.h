@@ -1,9 +1,9 @@
-// What can be chosen before the sketch is compiled.
+// Compile-time options of the sketch.
 #ifndef TP100_FIRMWARE_OPTIONS_H
 #define TP100_FIRMWARE_OPTIONS_H
 
-// Without its two slashes the line below simulates the robot inside the board: a bare Mega is
-// enough, and no pin ever drives a motor.
+// Uncomment the line below to simulate the robot inside the board: a bare Mega is enough, and no
+// pin ever drives a motor.
 
 // #define FAKE_ROBOT
 

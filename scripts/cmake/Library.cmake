@@ -6,31 +6,31 @@ add_library(tp100_options INTERFACE)
 target_compile_options(tp100_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast
   -Wnon-virtual-dtor -Woverloaded-virtual -Wdouble-promotion -Wformat=2 -Werror
-  # GCC says the first of paths that cannot happen, and the second of any type of a .cpp file that another one
+  # GCC gives the first warning for impossible paths, and the second for any type of a .cpp file that another one
   # includes, as unity builds do.
   $<$<CXX_COMPILER_ID:Clang>:-Wnull-dereference> $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>
-  # Bit-identical runs need the same rounding whatever the optimiser fuses, and on every processor: Eigen's packets sum
-  # in an order of their own, and those of ARM fuse.
+  # Bit-identical runs need the same rounding at every optimisation level and on every processor: no fused multiply-add,
+  # and no vectorised Eigen, which sums in another order and fuses on ARM.
   -ffp-contract=off
-  # Every checkout gives the same objects, which the compiler cache then has.
+  # Every checkout gives the same objects, so that the compiler cache works across checkouts.
   -fmacro-prefix-map=${CMAKE_SOURCE_DIR}/=)
 target_compile_definitions(tp100_options INTERFACE EIGEN_DONT_VECTORIZE)
 if(TP100_SANITIZE)
   target_compile_options(tp100_options INTERFACE
     -fsanitize=${TP100_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer
-    # Sanitizers make GCC report paths that cannot happen.
+    # With sanitizers, GCC warns of impossible paths.
     -Wno-null-dereference $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(tp100_options INTERFACE -fsanitize=${TP100_SANITIZE})
   if(TP100_SANITIZE MATCHES "address.*undefined")
-    # The address sanitizer sees these too; they take a third of the compiler's time.
+    # The address sanitizer detects these too, and they take a third of the compile time.
     target_compile_options(tp100_options INTERFACE -fno-sanitize=null,object-size)
   endif()
 endif()
 
 # tp100_library(FOLDER [DEPENDS folders...] [SOURCES generated files...] [EXCLUDE <regex>]
 #               [LIBRARIES targets...] [PRIVATE_LIBRARIES targets...])
-# Makes the target tp100_<FOLDER>, with / as _, of all .cpp files beside the CMakeLists.txt that calls it, but for
-# main.cpp and those that match EXCLUDE. Headers are included as "<FOLDER>/<header>.h".
+# Makes the target tp100_<FOLDER> (/ becomes _) from all .cpp files beside the calling CMakeLists.txt except main.cpp
+# and those that match EXCLUDE. Headers are included as "<FOLDER>/<header>.h".
 function(tp100_library folder)
   cmake_parse_arguments(LIB "" "EXCLUDE" "DEPENDS;SOURCES;LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
   string(REPLACE / _ name tp100_${folder})
@@ -61,11 +61,11 @@ endfunction()
 
 # tp100_test(NAME SOURCES ... DEPENDS folders... [LABELS ...] [LIBRARIES ...] [LONG <regex>]
 #            [ALL <regex>] [NIGHTLY <regex>] [COMPUTE <regex>])
-# Of the labels "realtime" says that a test waits more than it computes: many run at once, and nothing that computes beside
-# them; "threads" that it starts threads, or programs of ours that do: under the thread sanitizer only those are built
-# and run, the others have nothing that it could find. LONG, ALL and NIGHTLY match how names of tests (Suite.Name)
-# begin: LONG ones are started first, ALL and NIGHTLY ones are left to scripts/test --all and --nightly. COMPUTE ones of a
-# program with "threads" compute for long in threads that its other tests start too: under the thread sanitizer nightly.
+# Label "realtime": the test waits more than it computes, so that many such tests run at once, but no computing tests
+# beside them. Label "threads": it starts threads, or programs of the project that do; the thread sanitizer's build has
+# only these tests. LONG, ALL, NIGHTLY and COMPUTE match the beginnings of test names (Suite.Name): LONG tests are started
+# first, ALL and NIGHTLY ones are run only by scripts/test --all and --nightly. COMPUTE ones of a program with "threads"
+# compute for long in threads that its other tests start too; the thread sanitizer runs them nightly.
 function(tp100_test name)
   cmake_parse_arguments(TEST "" "LONG;ALL;NIGHTLY;COMPUTE" "SOURCES;DEPENDS;LABELS;LIBRARIES" ${ARGN})
   if(TP100_SANITIZE STREQUAL "thread" AND TEST_COMPUTE)
@@ -83,12 +83,12 @@ function(tp100_test name)
     set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL ON)
     return()
   endif()
-  # An emulator has no real time, and other tests start programs: tests/arm64 does that.
+  # Under an emulator there is no real time, and tests that start programs are run by tests/arm64.
   if(CMAKE_CROSSCOMPILING AND (NOT "${TEST_LABELS}" MATCHES "^(unit|unit;physics|)$"))
     set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL ON)
     return()
   endif()
-  # scripts/test runs these nightly only, and builds them then.
+  # scripts/test builds and runs these only with --nightly.
   if(TP100_SANITIZE MATCHES address AND "lockstep" IN_LIST TEST_LABELS)
     set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL ON)
     add_dependencies(lockstep_tests ${name})
@@ -96,18 +96,18 @@ function(tp100_test name)
   if(NOT TEST_LABELS)
     set(TEST_LABELS unit)
   endif()
-  # A program takes longer to start under a sanitizer than most of its tests: one start for all of them. Tests in real
-  # time may need a second try and so stay apart, as do programs with long tests or with such that are not always run.
+  # Under a sanitizer a program takes longer to start than most of its tests: start it once for all of them. Separate
+  # starts remain for realtime tests, which may need a second try, and for long tests or tests that are not always run.
   if(TP100_SANITIZE AND NOT "realtime" IN_LIST TEST_LABELS AND NOT TEST_LONG AND NOT TEST_ALL AND NOT TEST_NIGHTLY)
     add_test(NAME ${name} COMMAND ${name})
     set_tests_properties(${name} PROPERTIES LABELS "${TEST_LABELS}" TIMEOUT 600
       ENVIRONMENT "XDG_STATE_HOME=${CMAKE_BINARY_DIR}/state")
     return()
   endif()
-  # A parameter's value may print as bytes, which differ from build to build.
+  # Without values: a parameter's value may be printed as bytes, which differ from build to build.
   gtest_discover_tests(${name} TEST_PREFIX "${name}." NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60 PROPERTIES
     TIMEOUT 300 ENVIRONMENT "XDG_STATE_HOME=${CMAKE_BINARY_DIR}/state")
-  # Not among the properties above: discovery would keep the first of several labels only.
+  # Not among the properties above, because discovery would keep only the first of several labels.
   set(properties ${CMAKE_CURRENT_BINARY_DIR}/${name}_properties.cmake)
   set(text "foreach(test IN LISTS ${name}_TESTS)\n  set(labels \"${TEST_LABELS}\")\n")
   foreach(level ALL NIGHTLY)

@@ -1,10 +1,10 @@
 # The Debian packages: `cpack` in the build folder, or scripts/package. tp100-camera is a package of its own, so that a
-# robot's host need not carry OpenCV. Man pages and completion are written from what the programs' --help says.
+# robot's host does not need OpenCV. Man pages and completion are generated from the programs' --help.
 if(TP100_SANITIZE OR TP100_FUZZ OR NOT TP100_BUILD_FIRMWARE)
   return()
 endif()
 
-# A component is a binary package; what is installed below is of tp100 unless it says otherwise.
+# A component is a binary package; files installed below belong to tp100 unless stated otherwise.
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME tp100)
 set(programs tp100d tp100-sim)
 set(component_of_tp100-camera camera)
@@ -13,7 +13,7 @@ if(TARGET tp100-camera)
 endif()
 
 set(manual ${CMAKE_BINARY_DIR}/manual)
-# Where programs can be run from.
+# Folder from which programs can be run here: emulated when cross-compiling.
 set(runnable ${CMAKE_RUNTIME_OUTPUT_DIRECTORY})
 if(CMAKE_CROSSCOMPILING)
   set(runnable ${CMAKE_BINARY_DIR}/emulated)
@@ -25,7 +25,7 @@ if(CMAKE_CROSSCOMPILING)
       WORLD_READ WORLD_EXECUTE)
   endforeach()
 endif()
-# Scripts that are installed as tp100-NAME, and the program beside each that says its version.
+# Scripts that are installed as tp100-NAME, and the program beside each that prints its version.
 set(scripts flash campaign)
 set(program_of_flash tp100d)
 set(program_of_campaign tp100-sim)
@@ -86,7 +86,7 @@ file(WRITE ${documents}/conffiles "/etc/tp100/tp100.toml\n")
 execute_process(COMMAND gzip -9nc INPUT_FILE ${debian}/changelog OUTPUT_FILE ${documents}/changelog.gz
   COMMAND_ERROR_IS_FATAL ANY)
 install(FILES ${debian}/copyright ${documents}/changelog.gz DESTINATION share/doc/tp100)
-# In the folders of the source tree: they point at each other.
+# In the folders of the source tree, because they link to each other.
 foreach(page README.md config/CONTAINER.md config/SERVICE.md config/TUTORIALS.md daemon/ARCHITECTURE.md daemon/GLOSSARY.md
     daemon/REFERENCE.md daemon/camera/CAMERA.md daemon/control/EXTENDING.md daemon/messages/CHANNELS.md
     daemon/record/RECORDINGS.md daemon/report/RESULTS.md daemon/ros2/ROS2.md daemon/server/THREATS.md
@@ -100,7 +100,7 @@ install(FILES daemon/web/cockpit.png DESTINATION share/doc/tp100/daemon/web)
 install(FILES daemon/web/dist/licences.txt DESTINATION share/doc/tp100 RENAME page-licences.txt)
 if(TARGET tp100-camera)
   install(TARGETS tp100-camera DESTINATION bin COMPONENT camera)
-  # The page again: a host that carries the camera need not carry the robot.
+  # CAMERA.md in both packages: a host with tp100-camera does not need tp100.
   install(FILES ${debian}/copyright ${documents}/changelog.gz daemon/camera/CAMERA.md
     DESTINATION share/doc/tp100-camera COMPONENT camera)
   install(FILES config/view.toml DESTINATION share/tp100 COMPONENT camera)
@@ -112,7 +112,7 @@ set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
 set(CPACK_PACKAGE_CONTACT "TP100 maintainers <maintainers@tp100.invalid>")
 set(CPACK_PACKAGE_DIRECTORY ${CMAKE_BINARY_DIR}/package)
 set(CPACK_STRIP_FILES ON)
-# /etc is not below the prefix.
+# Needed because /etc is not below the prefix.
 set(CPACK_SET_DESTDIR ON)
 set(CPACK_INSTALL_PREFIX /usr)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
@@ -134,9 +134,9 @@ set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_ALL tp100)
 
 set(CPACK_DEBIAN_TP100_PACKAGE_NAME tp100)
-# systemd-sysusers, udevadm and userdel are for the maintainer scripts.
+# The maintainer scripts use systemd-sysusers, udevadm and userdel.
 set(CPACK_DEBIAN_TP100_PACKAGE_DEPENDS "systemd | systemd-standalone-sysusers | systemd-sysusers, passwd")
-# GNU parallel is for tp100-campaign.
+# tp100-campaign uses GNU parallel.
 set(CPACK_DEBIAN_TP100_PACKAGE_RECOMMENDS "avrdude, parallel, udev")
 set(CPACK_DEBIAN_TP100_PACKAGE_SUGGESTS "arduino-core-avr, tp100-camera")
 set(CPACK_DEBIAN_TP100_PACKAGE_CONTROL_EXTRA

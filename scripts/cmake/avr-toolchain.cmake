@@ -5,7 +5,7 @@ set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
 
 find_program(CMAKE_C_COMPILER avr-gcc REQUIRED)
 find_program(CMAKE_CXX_COMPILER avr-g++ REQUIRED)
-# Plain avr-ar does not see into objects of the link-time optimiser.
+# Plain avr-ar cannot read objects of the link-time optimiser.
 find_program(CMAKE_AR avr-gcc-ar REQUIRED)
 find_program(CMAKE_RANLIB avr-gcc-ranlib REQUIRED)
 set(CMAKE_C_COMPILER_AR ${CMAKE_AR})

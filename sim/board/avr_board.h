@@ -1,6 +1,7 @@
 #pragma once
 // The firmware image on an emulated ATmega2560: the same bytes that a programmer writes into a real
-// board. Edges, bytes and the ends of quanta happen at their cycles. Same inputs, same bytes.
+// board. Edges, bytes and the ends of quanta occur at their exact cycles. The same inputs give the
+// same bytes.
 
 #include <cstdint>
 #include <memory>
@@ -23,7 +24,7 @@ struct AvrBoardSettings {
   double clock_ppm = 0.0;      ///< error of the resonator; positive runs fast
   std::uint32_t start_us = 0;  ///< device clock at each boot, in steps of 1024; needs an ELF
   HostNs reset_hold_ns = 0;    ///< from reset() to the first instruction
-  std::uint32_t run_cycle_limit = 16000;  ///< of simavr; changes nothing but speed
+  std::uint32_t run_cycle_limit = 16000;  ///< see AvrCore; affects only the emulator's speed
 };
 
 /// Counts since construction.
@@ -54,7 +55,7 @@ class AvrBoard final : public Board {
   void set_supply(double volts) override;
 
   void set_i2c_fault(I2cFault fault);
-  /// From its next sleep on the main loop loops in one place while interrupts go on; until a reset.
+  /// From its next sleep until a reset, the main loop hangs in one place while interrupts continue.
   void hang_main_loop();
   AvrBoardCounters counters() const;
   /// Duration from START to STOP.

@@ -18,7 +18,7 @@ constexpr std::uint8_t kExternalInterrupts = 8;
 
 void say_nothing(avr_t*, int, const char*, va_list) {}
 
-// Where a chip's callbacks find the object that owns it: simavr's hook for such data.
+// The object that owns a chip, for its callbacks: simavr's hook for such data.
 AvrCore& owner(avr_t* avr) { return *static_cast<AvrCore*>(avr->custom.data); }
 
 avr_t* make_chip() {
@@ -69,8 +69,8 @@ void AvrCore::program(const AvrImage& image) {
 
 void AvrCore::set_reset_address(std::uint32_t address) { avr_->reset_pc = address; }
 
-// Phase-correct PWM of 8 to 10 bits, Arduino's default, is missing for the 16-bit timers, and of
-// 8 bits for timer 2: they would overflow every few cycles.
+// simavr lacks phase-correct PWM, Arduino's default: of 8 to 10 bits for the 16-bit timers, and of
+// 8 bits for timer 2. Without it they would overflow every few cycles.
 void AvrCore::repair_timers() {
   for (avr_io_t* io = avr_->io_port; io != nullptr; io = io->next) {
     if (std::strcmp(io->kind, "timer") != 0) continue;
@@ -91,7 +91,7 @@ void AvrCore::on_chip_reset(avr_t* avr) {
   if (core.chip_reset_ != nullptr) core.chip_reset_(avr);
 }
 
-// The default would sleep on the host.
+// simavr's default would let the host's thread sleep.
 void AvrCore::on_sleep(avr_t* avr, CpuCycles cycles) { owner(avr).slept_ += cycles + 1; }
 
 CpuCycles AvrCore::on_timer(avr_t* avr, CpuCycles, void* self) {
@@ -106,10 +106,10 @@ CpuCycles AvrCore::on_timer(avr_t* avr, CpuCycles, void* self) {
   return std::max(std::min(core.next_, core.until_) - core.offset_, avr->cycle + 1);
 }
 
-// Everything that a reset takes with it.
+// Restores everything that a reset clears.
 void AvrCore::arm() {
   avr_->run_cycle_limit = run_cycle_limit_;
-  // Or a low pin whose interrupt is not set up yet would be looked at in every cycle.
+  // Otherwise simavr would check a low pin in every cycle until its interrupt is configured.
   for (std::uint8_t i = 0; i < kExternalInterrupts; ++i) {
     avr_extint_set_strict_lvl_trig(avr_, i, 0);
   }
@@ -134,8 +134,8 @@ void AvrCore::run_until(CpuCycles until) {
   while (!reached_) {
     const CpuCycles before = avr_->cycle;
     avr_run(avr_);
-    // simavr lets two instructions pass after sei, the chip one: in `sei, sleep, cli` a waiting
-    // interrupt would never run.
+    // simavr executes two instructions after sei before an interrupt, the chip one: in `sei, sleep,
+    // cli` a pending interrupt would never run.
     if (avr_->interrupt_state > 0 && avr_->sreg[S_I] != 0) avr_service_interrupts(avr_);
     if (was_reset_) {
       was_reset_ = false;

@@ -1,6 +1,6 @@
 #pragma once
-// A bare emulated ATmega2560 at 16 MHz: simavr, with its defects fixed from outside. The rest of
-// the board is connected to its pins and registers.
+// A bare emulated ATmega2560 at 16 MHz: simavr, with its defects worked around. The rest of the
+// board is connected to its pins and registers.
 
 #include <cstdint>
 #include <functional>
@@ -66,7 +66,7 @@ class AvrCore {
   avr_t* avr_;
   std::uint32_t run_cycle_limit_;
   void (*chip_reset_)(avr_t*) = nullptr;
-  CpuCycles offset_ = 0;  // of simavr's own count
+  CpuCycles offset_ = 0;  // cycle() minus simavr's own count
   CpuCycles slept_ = 0;
   CpuCycles until_ = 0;
   CpuCycles next_ = kNever;

@@ -47,9 +47,9 @@ avr_twi_t* find_twi(avr_t* avr) {
 AvrI2c::AvrI2c(AvrCore& core, I2cSlave* slave, std::uint8_t address)
     : core_(core), slave_(slave), address_(address), twi_(find_twi(core.chip())) {
   avr_t* avr = core.chip();
-  // simavr would abort if asked to give its own place away.
+  // Set directly: simavr would abort if asked to replace its own handler.
   avr->io[AVR_DATA_TO_IO(kTwcr)].w = {this, on_control};
-  // The register holds what is on the bus and nothing else looks at it.
+  // A plain register: nothing else handles the bytes on the bus.
   avr->io[AVR_DATA_TO_IO(kTwdr)].w = {};
   avr->io[AVR_DATA_TO_IO(kTwdr)].r = {};
   avr_irq_register_notify(
@@ -163,7 +163,7 @@ std::uint8_t AvrI2c::take_byte() {
   return latched_[next_latched_++];
 }
 
-// A sensor acts on what was written when the transfer ends.
+// The sensor receives all written bytes at the end of the transfer.
 void AvrI2c::finish_transfer() {
   if (state_ == State::kSending && !written_.empty() && slave_ != nullptr) slave_->write(written_);
   written_.clear();

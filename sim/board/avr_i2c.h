@@ -1,6 +1,6 @@
 #pragma once
 // The two-wire interface of the emulated Mega as a master (ATmega2560 datasheet, 24.7), with one
-// sensor on the bus. It replaces simavr's own, which supports one speed and no faults.
+// sensor on the bus. It replaces simavr's own, which supports only one speed and no faults.
 
 #include <cstdint>
 #include <vector>

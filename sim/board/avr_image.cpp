@@ -21,7 +21,8 @@ namespace fs = std::filesystem;
 
 using Bytes = std::vector<std::uint8_t>;
 
-// The linker puts data beyond the flash; what has a load address there is not programmed.
+// The linker's addresses of data lie beyond the flash; segments with a load address there are not
+// programmed.
 constexpr std::uint32_t kDataBase = 0x800000;
 
 [[noreturn]] void refuse(const std::string& path, const std::string& what) {
@@ -104,7 +105,7 @@ int hex_digit(std::uint8_t c) {
   return -1;
 }
 
-// One record: length, address (2), type, data, checksum. Empty if it is none.
+// One record: length, address (2), type, data, checksum. Empty if the line is not a record.
 Bytes hex_record(std::span<const std::uint8_t> line) {
   Bytes record;
   if (line.empty() || line.front() != ':' || line.size() % 2 == 0) return {};

@@ -1,5 +1,5 @@
 #pragma once
-// What a programmer writes into the flash of an ATmega2560.
+// The image that a programmer writes into the flash of an ATmega2560.
 
 #include <cstdint>
 #include <map>
@@ -23,7 +23,7 @@ struct AvrImage {
 AvrImage read_avr_image(const std::string& path);
 
 /// The firmware built with this program: <prefix>/share/tp100/tp100.hex of an installed program,
-/// else the one of the build tree. Throws SetupError that says how to build it.
+/// else the one of the build tree. Throws SetupError with how to build it.
 std::string built_firmware();
 
 /// Arduino's bootloader for the Mega 2560 as Debian ships it. Throws SetupError.

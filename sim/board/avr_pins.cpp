@@ -56,7 +56,7 @@ constexpr Bridge kLeft = {0x08, 0x80, kOcr4a, 0x01, 0x02};
 constexpr Bridge kRight = {0x10, 0x20, kOcr4b, 0x04, 0x08};
 
 double drive(const std::uint8_t* data, const Bridge& bridge) {
-  // A pull-down holds an enable that is not driven.
+  // A pull-down keeps an enable low that is not driven.
   if ((data[kDdrh] & bridge.enable) == 0) return 0.0;
   const auto inputs = static_cast<std::uint8_t>(data[kPorta] & data[kDdra]);
   const bool forward = (inputs & bridge.forward) != 0;
@@ -89,7 +89,7 @@ void AvrAdc::on_conversion(avr_irq_t*, std::uint32_t, void* self) {
   adc.put(kBattery, static_cast<std::uint32_t>(std::clamp(steps, 0.0, double{kMax})));
 }
 
-// simavr takes millivolts and scales them by 1023: this many give just `steps`.
+// simavr expects millivolts and scales them by 1023: the least value that gives `steps`.
 void AvrAdc::put(int channel, std::uint32_t steps) {
   const std::uint32_t mv = (steps * core_.chip()->avcc + kMax - 1) / kMax;
   avr_raise_irq(avr_io_getirq(core_.chip(), AVR_IOCTL_ADC_GETIRQ, channel), mv);
@@ -106,8 +106,8 @@ AvrEncoderPins::AvrEncoderPins(AvrCore& core) : core_(core) {
   }
 }
 
-// simavr takes an input with pull-up back to high at any write to its port, unless it knows that
-// something outside drives it.
+// simavr sets an input with pull-up back to high at any write to its port, unless it knows that
+// it is driven from outside.
 void AvrEncoderPins::hold(const Pin& pin) {
   std::uint8_t& levels = pin.port->external.pull_value;
   levels = static_cast<std::uint8_t>(pin.level ? levels | pin.mask : levels & ~pin.mask);

@@ -1,5 +1,5 @@
 #pragma once
-// What is wired to the emulated Mega's pins (firmware/WIRING.md): battery, encoders, motor driver.
+// Parts wired to the emulated Mega's pins (firmware/WIRING.md): battery, encoders, motor driver.
 
 #include <array>
 #include <cstdint>
@@ -13,7 +13,7 @@ struct avr_irq_t;
 namespace tp100::sim {
 
 /// Inputs of the ADC: the battery behind a 1:3 divider on A0, the noise of an open pin on A7, and
-/// the board's supply as its reference. simavr's bandgap has 1.1 V.
+/// the board's supply as its reference. simavr's bandgap is 1.1 V.
 class AvrAdc {
  public:
   AvrAdc(AvrCore& core, std::uint64_t seed);

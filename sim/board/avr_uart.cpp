@@ -34,7 +34,7 @@ AvrUart::AvrUart(AvrCore& core) : core_(core), uart_(find_uart(core.chip())) {
   avr_irq_register_notify(avr_iomem_getirq(avr, kUbrr0l, nullptr, AVR_IOMEM_IRQ_ALL), on_baud,
                           this);
   avr_irq_register_notify(uart_->io.irq + UART_IRQ_OUTPUT, on_send, this);
-  // simavr would abort if asked to give its own place away.
+  // Set directly: simavr would abort if asked to replace its own handler.
   avr->io[AVR_DATA_TO_IO(uart_->r_udr)].r = {this, on_read};
 }
 
@@ -44,7 +44,7 @@ CpuCycles AvrUart::byte_cycles() const {
   return kFrameBits * divider * (avr_regbit_get(core_.chip(), uart_->u2x) != 0 ? 8U : 16U);
 }
 
-// simavr counts a parity bit that 8N1 does not have.
+// simavr includes a parity bit, which 8N1 does not have.
 void AvrUart::on_baud(avr_irq_t*, std::uint32_t, void* self) {
   AvrUart& uart = *static_cast<AvrUart*>(self);
   uart.uart_->cycles_per_byte = uart.byte_cycles();

@@ -1,6 +1,6 @@
 #pragma once
-// UART 0 of the emulated Mega with true byte times. Receiving follows the datasheet: two bytes of
-// buffer and the shift register behind it; a byte that finds all three taken is lost.
+// UART 0 of the emulated Mega with true byte times. Receiving follows the datasheet: a buffer of
+// two bytes and the shift register; a byte that arrives while all three are full is lost.
 
 #include <cstddef>
 #include <cstdint>
@@ -24,7 +24,7 @@ class AvrUart {
  public:
   explicit AvrUart(AvrCore& core);
 
-  /// The stop bit of a byte for the chip ends now.
+  /// A byte arrives at the chip: its stop bit ends now.
   void receive(std::uint8_t value);
   /// Bytes sent since the last take, including those still in transmission.
   std::vector<SentByte>& sent() { return sent_; }

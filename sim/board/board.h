@@ -38,7 +38,7 @@ class Board {
   virtual MotorDuty motor_duty() const = 0;
   /// Voltage at the battery divider, set before each quantum.
   virtual void set_battery(double volts) = 0;
-  /// Supply of the board, which is the converter's reference; USB's 5 V by default.
+  /// Supply voltage of the board, the reference of its ADC; USB's 5 V by default.
   virtual void set_supply(double volts) = 0;
 };
 

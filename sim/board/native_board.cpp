@@ -122,7 +122,7 @@ struct NativeBoard::Machine final : firmware::Hal {
         EncoderPins& pins = encoders[side(*edge)];
         pins.edge(edge->channel, edge->level);
         const auto before = edge++;
-        // Edges of one instant have one interrupt, which sees the last of them.
+        // Edges at the same instant raise one interrupt, which sees the last level.
         const bool more =
             edge != edges.end() && edge->at_ns == before->at_ns && side(*edge) == side(*before);
         if (!more) pins.interrupt();
@@ -171,7 +171,7 @@ struct NativeBoard::Machine final : firmware::Hal {
     return settings.start_us + static_cast<std::uint32_t>((run_ns + error_ns) / 1000);
   }
 
-  // Time inside loop(): what blocks lets time pass, all else is free.
+  // Time inside loop(): only blocking calls take time.
   HostNs here_ns() const { return now_ns + blocked_ns; }
 
   std::uint32_t micros() override { return device_us(here_ns()); }
@@ -246,7 +246,7 @@ struct NativeBoard::Machine final : firmware::Hal {
   void idle() override {}
 
   NativeBoardSettings settings;
-  HostNs tick_ns;  // the timer hangs on the same resonator
+  HostNs tick_ns;  // the timer runs from the same resonator
   I2cSlave* imu;
   NativeBoardCounters counters{};
   wire::ResetCause cause = wire::ResetCause::kUnknown;

@@ -1,6 +1,7 @@
 #pragma once
-// The firmware built for this machine, on a Mega's timing: virtual time, a 64-byte receive buffer,
-// byte times, blocking I2C bursts and a clock that is off by some ppm. Same inputs, same bytes.
+// The firmware built for this machine, with a Mega's timing: virtual time, a 64-byte receive
+// buffer, byte times, blocking I2C bursts and a clock that is off by some ppm. The same inputs give
+// the same bytes.
 
 #include <cstdint>
 #include <memory>
@@ -15,7 +16,7 @@ namespace tp100::sim {
 
 /// One board.
 struct NativeBoardSettings {
-  std::uint64_t seed = 1;            ///< of the boot nonces
+  std::uint64_t seed = 1;            ///< seed of the boot nonces
   double clock_ppm = 0.0;            ///< error of the resonator; positive runs fast
   std::uint32_t start_us = 0;        ///< device clock at each boot [us]
   HostNs boot_delay_ns = 4'000'000;  ///< from reset to setup(); bytes are lost meanwhile

@@ -1,6 +1,6 @@
 #pragma once
-// The emulated robot's body: what the robot around it needs of it. It shares no code with the model
-// under test and is the only truth used for scoring.
+// Interface of the emulated robot's body. It shares no code with the model under test and is the
+// only truth used for scoring.
 
 #include <array>
 #include <cstdint>
@@ -36,7 +36,7 @@ class Body {
 
   /// Advances kPhysicsStepNs with tracks at these encoder-side speeds.
   virtual void step(double left_track_mps, double right_track_mps) = 0;
-  /// Rotates the tracks by this distance: worn stretches lie elsewhere.
+  /// Rotates the tracks by this distance, which moves their worn stretches.
   virtual void turn_tracks(double left_m, double right_m) = 0;
   /// Begins a disturbance: `sideways_m` to the robot's left and `yaw_rad`, spread evenly over
   /// `duration_s`.
@@ -45,9 +45,9 @@ class Body {
   virtual const BodyState& state() const = 0;
 };
 
-/// The body with the contact law of `values`, at `start`: on the floor, or with height and tilt if
-/// `start` is on `terrain`. `on_stand`: the tracks spin free and the body does not move. `seed`
-/// draws the floor where it is uneven. Throws SetupError if that body cannot stand on this terrain.
+/// Makes the body with the contact law of `values` at `start`: on the floor, or with height and
+/// tilt if `start` is on `terrain`. `on_stand`: the tracks spin freely and the body does not move.
+/// `seed` determines an uneven floor. Throws SetupError if that body cannot stand on this terrain.
 std::unique_ptr<Body> make_body(const course::Emulated& values, const Pose& start, bool on_stand,
                                 const course::Terrain& terrain = {}, std::uint64_t seed = 1);
 

@@ -38,7 +38,7 @@ class OdeWorld {
   /// so that worlds in one process or in several threads never influence each other.
   void step(double dt_s);
 
-  /// Messages that ODE's solver has printed in this process; 0 in a sound run.
+  /// Number of messages that ODE's solver has printed in this process; 0 in a sound run.
   static std::uint64_t solver_messages();
 
  private:
@@ -105,17 +105,18 @@ void OdeWorld::step(double dt_s) {
 
 std::uint64_t OdeWorld::solver_messages() { return g_messages.load(); }
 
-// Contact stiffness and damping, friction compliance: sweeps with these keep slip and turning
-// resistance unchanged to four digits between 0.25 and 2 ms.
+// Contact stiffness and damping, friction compliance: with these, slip and turning resistance stay
+// the same to four digits for physics steps between 0.25 and 2 ms.
 constexpr double kStiffnessNpm = 4000.0;
 constexpr double kDampingNspm = 30.0;
 constexpr double kErp =
     kPhysicsStepS * kStiffnessNpm / (kPhysicsStepS * kStiffnessNpm + kDampingNspm);
 constexpr double kCfm = 1.0 / (kPhysicsStepS * kStiffnessNpm + kDampingNspm);
 constexpr double kCreepFloor = 1e-5;
-// The three above are for this mass; heavier bodies sink in and creep at rest as little.
+// The constants above hold for this mass; they are scaled so that heavier bodies sink in and creep
+// at rest no more.
 constexpr double kTheirMassKg = 0.922;
-// Slower than this the direction of slip is noise.
+// At sliding speeds below this, the direction of slip is noise.
 constexpr double kSlipDirectionMps = 1e-3;
 constexpr int kSettleSteps = 500;
 constexpr std::size_t kMaxContacts = 256;
@@ -128,7 +129,7 @@ Eigen::Matrix3d to_matrix(const dReal* r) {
   return m;
 }
 
-/// Along which the track's surface moves where it touches the ground.
+/// Direction in which the track points where it touches the ground.
 Eigen::Vector3d forward_at(const Eigen::Vector3d& normal, const Eigen::Matrix3d& rotation) {
   Eigen::Vector3d forward = rotation.col(1).cross(normal);
   // A flank that rubs along a wall moves as the underside does.
@@ -216,7 +217,7 @@ void OdeBody::World::create(const Pose& start) {
       touch(0.0, 0.0);
       ode.step(kPhysicsStepS);
     }
-    // A centre of mass off the middle leaves it tilted: keep the tilt, undo the drift.
+    // An off-centre mass tilts the body while it settles: keep the tilt, undo the drift.
     const Eigen::Matrix3d settled = to_matrix(dBodyGetRotation(body));
     const double heading = std::atan2(settled(1, 0), settled(0, 0));
     const Eigen::Matrix3d tilted =
@@ -237,7 +238,7 @@ void OdeBody::World::create(const Pose& start) {
 bool OdeBody::World::slick(bool left, double ahead_m) const {
   if (values.slick_m <= 0.0) return false;
   const double length_m = 2.0 * (values.axle_spacing_m + kPi * values.wheel_radius_m);
-  // The worn stretches do not come round at the same time.
+  // The worn stretches of the two tracks are half a turn apart.
   const double along_m = ahead_m + (left ? left_travel_m : right_travel_m + length_m / 2.0);
   return along_m - length_m * std::floor(along_m / length_m) < values.slick_m;
 }

@@ -12,11 +12,11 @@
 
 namespace tp100::sim {
 
-/// One body in one ODE world. Each track's deficit is applied inside: its surface is slower than
+/// One body in one ODE world. It applies each track's deficit: the track's surface is slower than
 /// its encoder indicates.
 class OdeBody final : public Body {
  public:
-  /// As make_body has it, on any terrain.
+  /// Parameters as for make_body; any terrain.
   OdeBody(const course::EmulatedBody& values, const Pose& start, bool on_stand,
           const course::Terrain& terrain = {}, const UnevenFloor& floor = {});
   ~OdeBody() override;
@@ -28,7 +28,8 @@ class OdeBody final : public Body {
   bool disturbed() const override;
   const BodyState& state() const override;
 
-  /// Messages that the solver has printed in this process, of all bodies; 0 in a sound run.
+  /// Number of messages that the solver has printed in this process, for all bodies; 0 in a sound
+  /// run.
   static std::uint64_t solver_messages();
 
  private:

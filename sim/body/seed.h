@@ -1,5 +1,5 @@
 #pragma once
-// Numbers that look random but follow from a seed: the emulator draws everything from them.
+// Pseudo-random numbers that follow from a seed: the source of all random values of the emulator.
 
 #include <cstdint>
 

@@ -14,12 +14,12 @@ namespace {
 
 using Eigen::Vector2d;
 
-// Shoes along the contact: twice as many change turns by less than 0.1 %.
+// Shoes along the contact: twice as many would change turns by less than 0.1 %.
 constexpr int kShoes = 14;
-// Stress leads the sliding path by this many steps: the loss of rubber, without which a body at
-// rest would swing on its shoes for long.
+// Stress leads the sliding path by this many steps. This models the damping of rubber, without
+// which a body at rest would oscillate on its shoes for long.
 constexpr int kLeadSteps = 5;
-// Below this speed the resistance to motion fades out, so that it moves nothing at rest.
+// Below this speed the motion resistance fades out, so that it does not move a body at rest.
 constexpr double kResistanceFadesMps = 0.005;
 
 Vector2d turned(const Vector2d& v, const Vector2d& forward) {
@@ -61,7 +61,7 @@ ShearBody::ShearBody(const course::Emulated& values, const Pose& start, bool on_
   const auto shoes = static_cast<std::size_t>(std::lround(length_m / pitch_m_));
   left_.y_m = body_.gauge_m / 2.0;
   right_.y_m = -body_.gauge_m / 2.0;
-  // The worn stretches do not come round at the same time.
+  // The worn stretches of the two tracks are half a turn apart.
   right_.wear_m = length_m / 2.0;
   left_.stress.assign(shoes, Vector2d::Zero());
   right_.stress.assign(shoes, Vector2d::Zero());
@@ -92,10 +92,10 @@ double ShearBody::friction_at(const Track& track, std::size_t shoe,
 void ShearBody::distribute(const Track& track, double centre_m) {
   contacts_.clear();
   const double half_m = body_.axle_spacing_m / 2.0;
-  // Bedding under each shoe: a part of it while it enters or leaves, and firmer under the wheels at
-  // both ends than between them, by a parabola.
+  // Stiffness of the bedding under each shoe: partial while the shoe enters or leaves the contact,
+  // and higher under the wheels at both ends than between them, by a parabola.
   double sum = 0.0, first = 0.0, second = 0.0;
-  // From outside the contact at the rear to outside it in front.
+  // From just behind the contact to just ahead of it.
   const double begin = std::floor((track.travel_m - half_m) / pitch_m_) - 1.0;
   const auto shoes = static_cast<double>(track.stress.size());
   auto shoe = static_cast<std::size_t>(begin - shoes * std::floor(begin / shoes));
@@ -111,8 +111,8 @@ void ShearBody::distribute(const Track& track, double centre_m) {
     second += bedding * place * place;
     if (++shoe == track.stress.size()) shoe = 0;
   }
-  // A rigid body on that bedding sinks in along a line; its slope puts the centre of the pressure
-  // where the load is. Beyond a slope of 1 an end would lift.
+  // A rigid body sinks into that bedding along a line, whose slope puts the centre of pressure
+  // under the load. Beyond a slope of 1 an end would lift.
   const double centre = centre_m / half_m;
   const double slope = std::clamp((centre * sum - first) / (second - centre * first), -1.0, 1.0);
   double loaded = 0.0;
@@ -153,7 +153,8 @@ ShearBody::Reaction ShearBody::shear(Track& track, double track_mps, double load
     reaction.moment_nm += cross(arm, force);
   }
   reaction.traction_n = reaction.force_n.dot(ahead);
-  // The ground that the track rolls down (compaction) resists the body, not the track's surface.
+  // The resistance of the ground that the track compacts acts on the body, not on the track's
+  // surface.
   const Vector2d middle = turned({-body_.com_forward_m, track.y_m - body_.com_left_m}, ahead);
   const double along_mps = (velocity_mps_ + rotation_velocity(rate_radps_, middle)).dot(ahead);
   const Vector2d resistance =
@@ -164,7 +165,7 @@ ShearBody::Reaction ShearBody::shear(Track& track, double track_mps, double load
 }
 
 void ShearBody::advance(double left_mps, double right_mps) {
-  // The centre of pressure, by the moments about the centre of mass.
+  // The centre of pressure follows from the moments about the centre of mass.
   const Vector2d centre = Vector2d(body_.com_forward_m, body_.com_left_m) -
                           acceleration_mps2_ * (body_.com_height_m / kGravityMps2);
   const double weight_n = body_.mass_kg * kGravityMps2;

@@ -1,7 +1,7 @@
 #pragma once
 // A body with another contact law than OdeBody's: shear stress that builds up under each shoe on
 // its way from the front of the track to the rear. It shares no code and no equation with OdeBody
-// and with the model under test, so that figures which hold on both do not come from either.
+// or with the model under test, so that figures that hold on both bodies are not due to either law.
 //
 // Sources: Janosi and Hanamoto 1961 for the law; Wong, Theory of Ground Vehicles, and Wong and
 // Chiang 2001 (Proc. IMechE D 215, 343) for tracks as rows of shoes and for pressure that is uneven
@@ -22,16 +22,17 @@ namespace tp100::sim {
 /// A rigid body that moves in the plane (x, y, yaw) on level ground; its weight is distributed over
 /// the shoes by the balance of moments, without pitch and roll.
 ///
-/// Under a shoe with the normal force N and the area A, sliding by the path j, the ground resists
-/// with (c A + N tan(phi)) (1 - exp(-j / K)) (Janosi and Hanamoto). For a sliding velocity v that
-/// changes its direction the same law as a rate is used: K ds/dt = v - |v| s, with the share s of
-/// the limit as a vector. Along a constant direction its solution is the law above; the magnitude
-/// of s never exceeds 1 in any direction (isotropic friction); after a reversal the stress falls
-/// from where it was and is not given back. A shoe that enters the contact starts with s = 0.
+/// Under a shoe with the normal force N and the area A that has slid by the path j, the ground
+/// resists with (c A + N tan(phi)) (1 - exp(-j / K)) (Janosi and Hanamoto). For a sliding velocity
+/// v that changes direction, the rate form of the same law is used: K ds/dt = v - |v| s, where the
+/// vector s is the share of the limit. For a constant direction its solution is the law above; the
+/// magnitude of s never exceeds 1 in any direction (isotropic friction); after a reversal the
+/// stress falls from where it was and is not recovered. A shoe that enters the contact starts with
+/// s = 0.
 class ShearBody final : public Body {
  public:
-  /// As make_body has it. Of a surface and of an uneven floor only the friction counts. Throws
-  /// SetupError for ramps and blocks.
+  /// Parameters as for make_body. Of surfaces and of an uneven floor, only the friction is used.
+  /// Throws SetupError for ramps and blocks.
   ShearBody(const course::Emulated& values, const Pose& start, bool on_stand,
             const course::Terrain& terrain = {}, const UnevenFloor& floor = {});
 
@@ -47,15 +48,15 @@ class ShearBody final : public Body {
     double y_m;                           // of the centre line, from the reference point
     double travel_m = 0.0;                // since the start
     double wear_m = 0.0;                  // where the worn stretch begins, along the track
-    std::vector<Eigen::Vector2d> stress;  // of each shoe, in parts of its limit, world frame
-    double load_n = 0.0;                  // of the ground, forward positive
+    std::vector<Eigen::Vector2d> stress;  // of each shoe, as share of its limit, world frame
+    double load_n = 0.0;                  // force by the ground, forward positive
   };
   struct Reaction {
     Eigen::Vector2d force_n = Eigen::Vector2d::Zero();  // world frame
     double moment_nm = 0.0;                             // about the centre of mass
     double traction_n = 0.0;                            // along the track
   };
-  /// Of one shoe in contact: where, and its part of the track's load.
+  /// One shoe in contact: its position and its share of the track's load.
   struct ShoeContact {
     std::size_t shoe;
     double x_m, share, overlap;
@@ -63,8 +64,8 @@ class ShearBody final : public Body {
 
   /// Moves the body by the ground's forces.
   void advance(double left_mps, double right_mps);
-  /// Shoes in contact, the load along them such that its centre lies at `centre_m` ahead of the
-  /// middle.
+  /// Finds the shoes in contact and distributes the load among them, so that its centre lies
+  /// `centre_m` ahead of the middle.
   void distribute(const Track& track, double centre_m);
   Reaction shear(Track& track, double track_mps, double load_n);
   double friction_at(const Track& track, std::size_t shoe, const Eigen::Vector2d& ground_m) const;
@@ -77,16 +78,16 @@ class ShearBody final : public Body {
   course::Terrain terrain_;
   UnevenFloor floor_;
   double inertia_kgm2_;
-  double pitch_m_;  // from shoe to shoe
+  double pitch_m_;  // distance from shoe to shoe
   Track left_, right_;
-  std::vector<ShoeContact> contacts_;  // of the track in work
+  std::vector<ShoeContact> contacts_;  // of the track being computed
   Eigen::Vector2d position_m_;         // of the centre of mass
   double yaw_rad_;
   Eigen::Vector2d velocity_mps_ = Eigen::Vector2d::Zero();
   double rate_radps_ = 0.0;
   Eigen::Vector2d acceleration_mps2_ = Eigen::Vector2d::Zero();  // body frame
   double disturbance_per_step_m_ = 0.0, disturbance_yaw_per_step_ = 0.0;
-  int disturbance_steps_ = 0;  // to come
+  int disturbance_steps_ = 0;  // remaining
   bool disturbed_ = false;     // in this step
   BodyState state_{};
 };

@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-// An edge on which the track lies flat is still felt.
+// Tolerance, so that an edge on which the track lies flat still makes contact.
 constexpr double kConeTolerance = 0.02;
 
 std::vector<Vector2d> profile_of(const course::Ramp& ramp) {
@@ -45,12 +45,12 @@ Face face_of(std::vector<Vector3d> corners, const Vector3d& normal) {
 }
 
 constexpr int kStations = 10;
-// Stations at 7, 5, 3 and 1 ninth of half the length between the axles become two with the same
-// mean distance from the middle and the same mean square: (4 +- sqrt(5)) / 9.
+// The stations at 7, 5, 3 and 1 ninths of half the distance between the axles are merged into two
+// with the same mean distance from the middle and the same mean square: (4 +- sqrt(5)) / 9.
 constexpr double kOuter = (3.0 + 2.0 * std::numbers::phi) / 9.0;
 constexpr double kInner = (5.0 - 2.0 * std::numbers::phi) / 9.0;
 constexpr double kColumnShare = 13.0 / 45.0;  // of the track's width, from its centre line
-// Something put into an obstacle (a disturbance) is pressed out gently.
+// A track that a disturbance moved into an obstacle is pressed out gently.
 constexpr double kDeepestM = 0.005;
 // Directions within 45 deg of the track's side are its flank, edges within 30 deg of it run across.
 constexpr double kFlank = 0.707;
@@ -115,7 +115,7 @@ bool Obstacle::near(double x_m, double y_m, double reach_m) const {
 
 TrackContacts::TrackContacts(const course::EmulatedBody& values, const course::Terrain& terrain)
     : radius_m_(values.wheel_radius_m), side_m_((0.5 - kColumnShare) * values.shoe_width_m) {
-  // `along`: from -1, the rear axle, to 1; `column`: 1 to the left.
+  // `along`: from -1 at the rear axle to 1 at the front axle; `side`, `column`: 1 left, -1 right.
   const auto make = [&](double side, double column, double along, double stands_for) -> Station {
     const bool end = std::abs(along) == 1.0;
     return {{along * values.axle_spacing_m / 2.0 - values.com_forward_m,
@@ -196,7 +196,7 @@ void TrackContacts::add(const Vector3d& point, const Vector3d& normal, double de
 
 void TrackContacts::touch_faces(const Obstacle& obstacle, const Vector3d& centre,
                                 const Vector3d& sideways, bool left) {
-  // Of a convex body the nearest face is the one that is farthest in front of the point.
+  // The nearest face of a convex body is the one with the largest signed distance.
   const Face* nearest = nullptr;
   double distance = 0.0;
   for (const Face& face : obstacle.faces()) {

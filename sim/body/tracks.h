@@ -10,7 +10,6 @@
 
 namespace tp100::sim {
 
-/// A ramp or a block in the physical world: flat faces and the edges between them.
 /// A flat convex face, world frame.
 struct Face {
   Eigen::Vector3d normal;                ///< outwards, unit length
@@ -32,7 +31,7 @@ struct Edge3 {
   bool faces(const Eigen::Vector3d& normal) const;
 };
 
-/// One convex piece on the floor.
+/// A ramp or a block on the floor: a convex piece with flat faces and the edges between them.
 class Obstacle {
  public:
   explicit Obstacle(const course::Ramp& ramp);
@@ -58,18 +57,19 @@ struct TrackContact {
   Eigen::Vector3d point_m;  ///< on the ground
   Eigen::Vector3d normal;   ///< out of the ground
   double depth_m;           ///< penetration depth of the track
-  double stations;          ///< how many stations it stands for: their stiffness and their creep
+  double stations;          ///< number of stations that it represents in stiffness and creep
   bool left;                ///< which track
 };
 
-/// Both tracks as two columns of ten stations each. A station is the lowest point of a ball of the
+/// Each track as two columns of ten stations. A station is the lowest point of a ball of the
 /// track's outer radius; the eight middle ones lie `mid_lift_m` higher, which decides how much load
 /// they carry. Faces are touched by the stations; an edge across the driving direction is touched
 /// by the track's exact outline (two half circles and two straights: a stadium) in each column,
-/// because balls would let it sink in between them. The solver's time grows with the contacts:
-/// where the load is even (no `mid_lift_m`), all stations touch the floor and no obstacle is near,
-/// the middle ones of a track are four that stand for four each, with the same mean distance from
-/// the middle and mean square. Where it is not, that moves the turning centre too far.
+/// because such an edge would sink in between balls. The solver's time grows with the number of
+/// contacts. Therefore, if the load is even (no `mid_lift_m`), all stations touch the floor and no
+/// obstacle is near, the sixteen middle stations of a track are merged into four with the same mean
+/// distance from the middle and mean square. With an uneven load that would shift the turning
+/// centre too far.
 class TrackContacts {
  public:
   TrackContacts(const course::EmulatedBody& values, const course::Terrain& terrain);
@@ -99,8 +99,8 @@ class TrackContacts {
   void add(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, double depth_m, bool left);
 
   double radius_m_;
-  double side_m_;   // from an outer column to the track's flank
-  double reach_m_;  // of the whole body around its centre of mass
+  double side_m_;   // from a column to the track's nearer flank
+  double reach_m_;  // largest distance of a track's point from the centre of mass
   std::vector<Station> stations_, merged_stations_;
   std::vector<Outline> outlines_;
   std::vector<Obstacle> obstacles_;

@@ -59,7 +59,7 @@ enum Stream : std::uint64_t {
   kGyroScale,
 };
 
-constexpr double kLeastFriction = 0.1;  // of the mean
+constexpr double kLeastFriction = 0.1;  // as share of the mean
 
 }  // namespace
 

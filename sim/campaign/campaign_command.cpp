@@ -76,7 +76,7 @@ CampaignRun drive(const PlannedRun& run, const std::string& record) {
 constexpr std::size_t kNamedMissing = 5;
 constexpr unsigned long long kNamedRefused = 5;
 
-// Of a line of --todo: well below what a system takes as one argument.
+// Limit for a line of --todo, well below the longest argument that a system accepts.
 constexpr std::size_t kRangesALine = 4000;
 
 using Range = std::pair<std::uint64_t, std::uint64_t>;  ///< first and last
@@ -86,7 +86,7 @@ std::string text_of(const Range& range) {
          (range.first == range.second ? "" : "-" + std::to_string(range.second));
 }
 
-/// "K" or "K-L"; none: it is neither, or not of this campaign.
+/// Parses "K" or "K-L"; none if it is neither, or not of this campaign.
 std::optional<Range> read_range(std::string_view text, std::uint64_t runs) {
   Range range;
   const char* end = text.data() + text.size();
@@ -185,7 +185,7 @@ std::string text_of(const Variable& variable) {
   return text;
 }
 
-/// An empty name: what the files say; of a camera, none.
+/// True for an empty name: the value of the files, or no camera.
 bool is_default(const Variable& variable) {
   const auto* value = std::get_if<text::TomlValue>(&variable.source);
   return value != nullptr && *value == text::TomlValue(std::string());

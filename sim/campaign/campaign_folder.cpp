@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::size_t kLongestName = 1000;
 constexpr const char* kNone = "not there";
-// Another release of these may round otherwise.
+// Other releases of these libraries may round differently.
 constexpr std::array<std::string_view, 3> kLibraries = {"libm.", "libode.", "libsimavr."};
 
 /// FNV-1a: files change by mistake here, not by malice.
@@ -46,7 +46,7 @@ std::vector<std::string> texts_of(const Variable& variable) {
   return texts;
 }
 
-/// The robots of a run whose campaign names none.
+/// The configured robots, for a campaign that names none.
 std::vector<std::string> configured_robots(const CampaignSpec& spec) {
   for (const Variable& variable : spec.configuration)
     if (variable.name == "robot") return texts_of(variable);
@@ -163,7 +163,7 @@ std::string hexadecimal(const char* bytes, std::size_t size) {
   return text;
 }
 
-/// Of a segment of notes.
+/// The build id in a segment of notes; empty: none.
 std::string build_id(const char* notes, std::size_t size) {
   while (size >= sizeof(ElfW(Nhdr))) {
     ElfW(Nhdr) head;
@@ -185,7 +185,7 @@ int note(dl_phdr_info* object, std::size_t /*size*/, void* context) {
   for (int i = 0; i < object->dlpi_phnum; ++i) {
     const ElfW(Phdr)& segment = object->dlpi_phdr[i];
     if (segment.p_type != PT_NOTE) continue;
-    // NOLINTNEXTLINE(performance-no-int-to-ptr): so the loader tells it
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): the loader gives integers
     const auto* notes = reinterpret_cast<const char*>(object->dlpi_addr + segment.p_vaddr);
     const std::string id = build_id(notes, segment.p_memsz);
     if (!id.empty()) ids[std::filesystem::path(object->dlpi_name).filename()] = id;
@@ -216,7 +216,7 @@ CampaignFolder::CampaignFolder(std::string path, std::string spec_text, Origin o
     : CampaignFolder(std::move(path), std::move(spec_text)) {
   const std::string origin_path = path_ + "/origin.txt";
   text::make_folder(path_ + "/runs");
-  // Written before the spec: who finds the spec finds the origin.
+  // Written before the spec: a program that finds the spec also finds the origin.
   const bool begun = fs::exists(spec_path());
   if (begun && course::read_text_file(spec_path()).text != spec_text_)
     throw SetupError(path_ + ": holds the runs of another campaign (its spec.toml differs); give " +

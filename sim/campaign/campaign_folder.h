@@ -10,21 +10,20 @@
 namespace tp100::sim {
 
 /// Origin of a campaign's results besides its spec. Two programs may put runs into one folder, or
-/// one may continue it later, only if the origin is the same for both:
-/// "course 3", "robot mine.toml", "program", ... with an identification of the content: 16
-/// hexadecimal digits of a file, version and build of the program, "not there" for a file that is
-/// missing.
+/// one may continue it later, only if the origin is the same for both. Keys are "course 3", "robot
+/// mine.toml", "program", ...; values identify the content: a digest of 16 hexadecimal digits for a
+/// file, version and build for the program, "not there" for a missing file.
 using Origin = std::map<std::string, std::string>;
 
 /// This program, the libraries used for its computations, and every file that a run of the campaign
 /// may read: configuration, courses, robots, cameras and, for the avr board, the firmware's image.
 Origin origin_of(const CampaignSpec& spec);
 
-/// One line for each, in alphabetical order, and back; invalid lines are left out. Pure.
+/// Converts to text, one line per entry in alphabetical order, and back; skips invalid lines. Pure.
 std::string origin_text(const Origin& origin);
 Origin read_origin(const std::string& text);
 
-/// The differences in words; empty: none. Pure.
+/// Describes the differences; empty: none. Pure.
 std::string difference(const Origin& before, const Origin& now);
 
 /// Build ids (hexadecimal, as written by the linker) of the modules loaded into this process, by
@@ -32,8 +31,7 @@ std::string difference(const Origin& before, const Origin& now);
 std::map<std::string, std::string> build_ids();
 
 /// A campaign's spec, the origin of its results, and one file for each run that is done. Several
-/// programs may work in it at once, and any of them may be killed: a file exists whole or not at
-/// all.
+/// programs may work in it at once, and any of them may be killed: files are created atomically.
 class CampaignFolder {
  public:
   /// Creates the folder, or opens an existing one. Throws SetupError if it cannot be written,
@@ -44,14 +42,14 @@ class CampaignFolder {
 
   const std::string& path() const { return path_; }
   const std::string& spec_text() const { return spec_text_; }
-  /// For messages.
+  /// Path of the spec, for messages.
   std::string spec_path() const { return path_ + "/spec.toml"; }
   /// Throws SetupError that names the differences from the origin of this folder's runs.
   void require(const Origin& origin) const;
   bool has(std::uint64_t index) const;
   /// Throws SetupError.
   void put(std::uint64_t index, const std::string& json) const;
-  /// The text of a run's file; empty: it is not done. Throws SetupError.
+  /// The text of a run's file; empty if the run is not done. Throws SetupError.
   std::string get(std::uint64_t index) const;
 
  private:

@@ -14,7 +14,7 @@ namespace {
 using text::TomlTable;
 using text::TomlValue;
 
-/// Evenly between 0 and 1, ends left out; the same in every program.
+/// Uniform numbers between 0 and 1, both excluded; the same with every standard library.
 class Shares {
  public:
   Shares(const SampleKey& by, const std::string& name) {
@@ -115,7 +115,7 @@ std::vector<std::string> words(const std::string& text) {
   return words;
 }
 
-/// Goes through the variables in their order and keeps what differs.
+/// Samples the variables in their order and keeps the values that vary.
 class Sampling {
  public:
   Sampling(const CampaignSpec& spec, PlannedRun& run) : spec_(spec), run_(run), turn_(run.index) {}
@@ -149,7 +149,7 @@ TomlValue draw(const Variable& variable, const SampleKey& by) {
   if (const auto* uniform = std::get_if<Uniform>(&variable.source))
     return uniform->low + (uniform->high - uniform->low) * share;
   const Normal& normal = std::get<Normal>(variable.source);
-  // Box and Muller's; the library's own may differ between libraries.
+  // Box-Muller transform: std::normal_distribution differs between standard libraries.
   return normal.mean +
          normal.sd * std::sqrt(-2.0 * std::log(share)) * std::cos(2.0 * kPi * shares.next());
 }

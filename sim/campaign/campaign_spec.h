@@ -30,19 +30,19 @@ struct Variable {
   std::uint64_t choices() const;
 };
 
-/// Selects a run's value: from lists the one at `turn` (modulo their length); from uniform and
-/// normal one determined by `seed`, `index` and the name, whatever else is sampled. Pure.
+/// Selects a run's value: from a list the one at `turn` (modulo its length); from uniform and
+/// normal distributions one that depends only on `seed`, `index` and the variable's name. Pure.
 struct SampleKey {
   std::uint64_t seed, index, turn;
 };
 text::TomlValue draw(const Variable& variable, const SampleKey& by);
 
-/// A value, or one of { uniform = [LOW, HIGH] }, { normal = [MEAN, SD] }, { list = [...] }. Throws
-/// SetupError.
+/// Reads a value or one of { uniform = [LOW, HIGH] }, { normal = [MEAN, SD] }, { list = [...] }.
+/// Throws SetupError.
 Variable read_variable(text::TomlTable& table, const std::string& key, const std::string& name);
 
-/// The variables in `table` and in the tables within, by full name, in alphabetical order. Throws
-/// SetupError.
+/// Reads the variables in `table` and its nested tables, by full name, in alphabetical order.
+/// Throws SetupError.
 std::vector<Variable> read_variables(text::TomlTable table, const std::string& prefix = "");
 
 /// One run, fully determined.
@@ -51,15 +51,15 @@ struct PlannedRun {
   Options options{};
   std::string course;
   std::string camera;               ///< empty: no camera
-  std::vector<std::string> faults;  ///< as --fault has them
+  std::vector<std::string> faults;  ///< as for --fault
   text::NamedValues sampled;        ///< what differs from run to run
 };
 
-/// The file: config/campaigns/course-3.toml is one, with every key explained.
+/// A campaign's file. config/campaigns/course-3.toml explains every key.
 struct CampaignSpec {
   std::uint64_t runs = 0;
   std::uint64_t seed = 1;         ///< run i has the seed `seed` + i
-  std::string config;             ///< configuration that the values are changed in; empty: defaults
+  std::string config;             ///< configuration whose values are changed; empty: defaults
   std::vector<Variable> choices;  ///< board, body, camera, course, faults, floor, robot, setup
   std::vector<Variable> configuration;  ///< keys of tp100.toml
   std::vector<Variable> robot;          ///< keys of the robot's file

@@ -37,7 +37,7 @@ void flatten(const Json& json, const std::string& name, std::map<std::string, do
   }
 }
 
-/// As parse_run_file keeps it.
+/// A sampled value as text, in the form that parse_run_file keeps.
 std::string sampled_text(const text::TomlValue& value) {
   if (const auto* text = std::get_if<std::string>(&value)) return *text;
   return std::visit([](const auto& one) { return Json(one).dump(); }, value);
@@ -125,7 +125,7 @@ Json json_of_sampled(const MergedRun& run) {
   return json;
 }
 
-/// The run, `what` it came to, and what was sampled.
+/// The run, its outcome `text` under the key `what`, and its sampled values.
 Json json_of(const MergedRun& run, const char* what, const std::string& text) {
   return {
       {"index", run.index}, {"seed", run.seed}, {what, text}, {"sampled", json_of_sampled(run)}};

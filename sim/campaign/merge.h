@@ -19,12 +19,11 @@ struct MergedRun {
   std::uint64_t index = 0, seed = 0;
   std::map<std::string, std::string> sampled;     ///< as text
   std::map<std::string, double> sampled_numbers;  ///< those of them that are numbers
-  std::string refused;                            ///< why it could not be driven; empty: it was
-                                                  ///< driven
+  std::string refused;  ///< why it could not be driven; empty: it was driven
   bool completed = false;
-  std::string cause;  ///< why it was driven but not completed, as `course --json` has it
-  /// Every number of its figures by full name, of arrays the largest; infinite: there is none, as
-  /// for a disturbance without recovery. Nothing that depends on the machine.
+  std::string cause;  ///< why it was driven but not completed, as in `course --json`
+  /// Every number of its figures by full name, of arrays the largest; infinite if there is none, as
+  /// for a disturbance without recovery. Figures that depend on the machine are left out.
   std::map<std::string, double> figures;
 };
 
@@ -46,12 +45,12 @@ struct MergedGroup {
 struct Merged {
   std::uint64_t asked = 0;  ///< runs of the campaign
   std::vector<std::uint64_t> missing{};
-  std::vector<MergedRun> runs{};  ///< those that are there, by index
+  std::vector<MergedRun> runs{};  ///< the existing ones, by index
   std::size_t driven = 0, completed = 0;
   std::vector<MergedFigure> figures{};
   std::vector<MergedGroup> groups{};
 
-  /// The run of this index, which must be there.
+  /// The run of this index, which must exist.
   const MergedRun& run(std::uint64_t index) const;
   /// Runs driven but not completed, by index: no figure counts them.
   std::vector<const MergedRun*> failed() const;
@@ -62,7 +61,7 @@ struct Merged {
 /// Parses a run's file. Throws SetupError naming `file` if it is not one.
 MergedRun parse_run_file(const std::string& text, const std::string& file);
 
-/// `runs` by index, no more than the spec has. Pure.
+/// Combines `runs`, ordered by index, at most as many as the spec has. Pure.
 Merged merge(const CampaignSpec& spec, std::vector<MergedRun> runs);
 
 std::string merged_json(const Merged& merged);
@@ -71,7 +70,7 @@ std::string merged_csv(const Merged& merged);
 
 // The merged campaign as one offline page.
 
-/// `spec_text` is shown as it is; `facts` say what was driven, when and with what. Pure.
+/// `spec_text` is shown unchanged; `facts`: what was driven, when and with what. Pure.
 std::string merge_page(const Merged& merged, const std::string& spec_text,
                        const std::vector<std::pair<std::string, std::string>>& facts = {});
 

@@ -12,7 +12,7 @@ namespace {
 using report::Rows;
 using text::format;
 
-// A page of more is none that anybody reads; merged.json has all.
+// Longer lists would not be read; merged.json has all.
 constexpr std::size_t kListed = 500;
 constexpr std::size_t kMaxScatters = 24;
 
@@ -34,7 +34,7 @@ bool all_completed(const Merged& merged) {
   return merged.completed == merged.asked && merged.missing.empty();
 }
 
-/// Drives the run again, beside the campaign's folder of runs.
+/// Command that drives the run again, into another folder than the campaign's runs.
 std::string command(std::uint64_t index) {
   return "tp100-sim campaign spec.toml --out again --index " + std::to_string(index) +
          " --record again";

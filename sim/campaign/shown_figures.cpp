@@ -31,7 +31,7 @@ const ShownFigure kShown[] = {
     {"duration_s", "Duration of the run", "s", 1.0, 2, report::kValueColour},
     {"link.lost", "Frames lost on the link", "frames", 1.0, 0, report::kValueColour}};
 
-/// The completed runs' values, in the shown unit; `variable` empty: of all.
+/// The values in the shown unit, of the completed runs with this value of `variable` (empty: all).
 std::vector<double> values_of(const ShownFigure& figure, const Merged& merged,
                               const std::string& variable = {}, const std::string& value = {}) {
   std::vector<double> values;

@@ -13,7 +13,8 @@ namespace {
 constexpr double kTail = 0.025;
 constexpr std::array<double, 4> kShares = {0.05, 0.5, 0.95, 0.99};
 
-// Between the order statistics whose ranks a binomial count leaves on each side but in kTail.
+// Interval between two order statistics; by the binomial distribution of the rank, the percentile
+// lies below it, and above it, with a probability of at most kTail.
 Interval percentile_interval(const std::vector<double>& sorted, double share) {
   const auto n = static_cast<double>(sorted.size());
   const auto at_most = [&](double k) { return binomial_at_most(k, n, share); };
@@ -25,7 +26,7 @@ Interval percentile_interval(const std::vector<double>& sorted, double share) {
   return std::pair(at(low), at(std::min(high + 1.0, n)));
 }
 
-/// Mean ranks: equal values share theirs.
+/// Ranks; equal values get the mean of their ranks.
 std::vector<double> ranks(const std::vector<double>& values) {
   std::vector<std::size_t> order(values.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

@@ -8,7 +8,7 @@
 
 namespace tp100::sim {
 
-/// Bounds that contain the true value in 95 of 100 campaigns; none: too few runs.
+/// A 95 % confidence interval; none: too few runs.
 using Interval = std::optional<std::pair<double, double>>;
 
 struct Percentile {
@@ -24,14 +24,14 @@ struct Summary {
   std::vector<Percentile> percentiles{};  ///< 0.05, 0.5, 0.95, 0.99
 };
 
-/// Values that are not finite count as the largest; with one of them mean and sd are not finite
-/// either. No values: count 0 and nothing else.
+/// Values that are not finite count as the largest and make mean and sd not finite, too. Without
+/// values, only the count (0) is set.
 Summary summarise(std::vector<double> values);
 
-/// Share of successes, `of` at least 1; Clopper and Pearson.
+/// Clopper-Pearson interval of the share of successes; `of` at least 1.
 std::pair<double, double> share_interval(std::size_t successes, std::size_t of);
 
-/// Spearman's rank correlation; none: fewer than three pairs, or one of the two never changes.
+/// Spearman's rank correlation; none if there are fewer than three pairs or a variable is constant.
 std::optional<double> rank_correlation(const std::vector<double>& a, const std::vector<double>& b);
 
 }  // namespace tp100::sim

@@ -10,7 +10,7 @@
 namespace tp100::sim {
 namespace {
 
-// Bytes left of a truncated frame.
+// Bytes that remain of a truncated frame.
 constexpr std::size_t kStump = 8;
 constexpr std::string_view kChatterText = "AT\r\nATE0Q0V1\r\n~~ Mega 2560 ready ~~\r\n";
 

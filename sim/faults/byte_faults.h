@@ -16,18 +16,18 @@ namespace tp100::sim {
 
 class ByteFaults {
  public:
-  /// `spacing_ns`: least interval between bytes at the far end; 0: in bursts. Same seed, same
-  /// faults.
+  /// `spacing_ns`: least interval between bytes at the far end; 0: bursts. The same seed gives the
+  /// same faults.
   ByteFaults(const std::vector<PlannedFault>& faults, HostNs spacing_ns, std::uint64_t seed);
 
-  /// `bytes`, ascending, leave the near end; times of all are since the port was opened. Returns
-  /// those that reach the far end by `until_ns`, ascending.
+  /// Sends `bytes` from the near end and returns those that reach the far end by `until_ns`, both
+  /// in order of time. All times count from the opening of the port.
   std::vector<TimedByte> pass(std::span<const TimedByte> bytes, HostNs until_ns);
 
  private:
   struct Planned {
     PlannedFault fault;
-    HostNs next_ns;  ///< when it next sends something by itself
+    HostNs next_ns;  ///< when the fault itself sends bytes next
     bool hits_frame = false;
   };
 

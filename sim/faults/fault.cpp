@@ -111,7 +111,7 @@ std::optional<double> number_of(std::string_view text) {
   return value;
 }
 
-/// Up to `mark`, which is taken away with it.
+/// Removes and returns the part before `mark`; also removes `mark`.
 std::string_view cut(std::string_view& rest, char mark) {
   const std::size_t at = rest.find(mark);
   const std::string_view head = rest.substr(0, at);

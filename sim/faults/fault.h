@@ -73,14 +73,14 @@ struct FaultText {
   FaultKind kind;
   std::string_view name;
   std::string_view group;
-  std::string_view number;  ///< name and unit of its number; empty: it has none
+  std::string_view number;  ///< name and unit of its number; empty: no number
   double standard, least, most;
   FaultWord word;
-  bool at_once;  ///< happens once, at its beginning; else it lasts
+  bool at_once;  ///< true: occurs once, at its beginning; false: lasts
   std::string_view what;
 };
 
-/// All of them, group by group.
+/// All faults, group by group.
 std::span<const FaultText> fault_texts();
 const FaultText& text_of(FaultKind kind);
 
@@ -96,8 +96,8 @@ struct PlannedFault {
   bool active(HostNs at_ns) const { return at_ns >= begin_ns && at_ns < end_ns; }
 };
 
-/// NAME[:NUMBER][:WORD][@T[+D]]: from T s after the port was opened (0) for D s (for ever). Throws
-/// SetupError.
+/// Parses NAME[:NUMBER][:WORD][@T[+D]]: from T s after the port was opened (default 0), for D s
+/// (default: for ever). Throws SetupError.
 PlannedFault parse_fault(std::string_view text);
 std::vector<PlannedFault> parse_faults(const std::vector<std::string>& texts);
 

@@ -17,7 +17,7 @@ namespace tp100::sim {
 
 class FaultInjector {
  public:
-  /// Same faults and seed, same corruption. `byte_ns`: of the cable.
+  /// The same faults and seed give the same corruption. `byte_ns`: byte time of the cable.
   FaultInjector(const std::vector<PlannedFault>& faults, HostNs byte_ns, std::uint64_t seed);
 
   /// The port is open: the faults' times count from here. Call once only.
@@ -40,7 +40,7 @@ class FaultInjector {
     PlannedFault fault;
     HostNs next_ns;
   };
-  /// `bytes` through `faults`, in times since the beginning.
+  /// Passes `bytes` through both, with times that count from begin().
   std::vector<TimedByte> pass(std::span<const TimedByte> bytes, HostNs until_ns,
                               FrameFaults& frames, ByteFaults& corruption) const;
 

@@ -1,6 +1,6 @@
 #pragma once
-// One direction of a cable on which whole frames are changed, repeated, held back or made up, with
-// good checksums.
+// One direction of a cable on which whole frames are changed, repeated, delayed or forged, with
+// valid checksums.
 
 #include <cstdint>
 #include <deque>
@@ -18,9 +18,9 @@ class FrameFaults {
  public:
   explicit FrameFaults(const std::vector<PlannedFault>& faults);
 
-  /// `bytes`, ascending, leave the near end; all times are since the port was opened. Returns the
-  /// bytes that reach the far end by `until_ns`: whole frames, each when its end has passed, and
-  /// bytes outside frames unchanged. Without faults nothing is held back.
+  /// Sends `bytes` (in order of time) from the near end; all times count from the opening of the
+  /// port. Returns the bytes that reach the far end by `until_ns`: whole frames, each once its end
+  /// has passed, and bytes outside frames unchanged. Without faults nothing is delayed.
   std::vector<TimedByte> pass(std::span<const TimedByte> bytes, HostNs until_ns);
 
  private:

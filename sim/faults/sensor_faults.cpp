@@ -10,18 +10,19 @@
 namespace tp100::sim {
 namespace {
 
-// As fast as a Mega's interrupts follow.
+// Shortest edge spacing that a Mega can count.
 constexpr HostNs kEdgeNs = 40'000;
 
-// ACCEL_XOUT_H to GYRO_ZOUT_L (MPU-6000/6050 register map rev 4.2, 4.17 to 4.19), temperature in
-// between.
+// ACCEL_XOUT_H to GYRO_ZOUT_L (MPU-6000/6050 register map rev 4.2, 4.17 to 4.19), without the
+// temperature in between.
 bool is_value(int reg) { return (reg >= 0x3B && reg <= 0x40) || (reg >= 0x43 && reg <= 0x48); }
 
 bool of_side(const PlannedFault& fault, std::uint8_t channel) {
   return channel < 2 ? fault.left : fault.right;
 }
 
-// Forward, A leads: it is A's turn where both are alike.
+// Phase that changes next (0: A). Forward: A if both levels are equal, else B; backward: vice
+// versa.
 std::size_t next_phase(const std::array<bool, 2>& levels, bool forward) {
   return (levels[0] == levels[1]) == forward ? 0 : 1;
 }
@@ -74,7 +75,7 @@ void EncoderFaults::lose(std::vector<EncoderEdge>& edges, HostNs shift_ns, Plann
       passed.push_back(edge);
       continue;
     }
-    // The disk keeps its place on the axle once the fault is over: phases stay shifted.
+    // The disk has slipped on the axle, so that the phases stay shifted once the fault is over.
     if (!slipping.began) slipping = {.began = true, .levels = before};
     const bool forward = next_phase(before, true) == edge.channel % 2U;
     slipping.kept += (forward ? 1.0 : -1.0) * (active ? 1.0 - fault.number : 1.0);
@@ -90,7 +91,8 @@ void EncoderFaults::lose(std::vector<EncoderEdge>& edges, HostNs shift_ns, Plann
 
 void EncoderFaults::jump(std::vector<EncoderEdge>& edges, HostNs from_ns,
                          std::uint8_t first_channel, int& cycles) {
-  // Before the first edge of the track itself; whole cycles leave the phases as they were.
+  // The edges are inserted before the track's own first edge of this quantum. They form whole
+  // cycles, which leave the phases unchanged.
   const auto first = std::find_if(edges.begin(), edges.end(), [&](const EncoderEdge& edge) {
     return edge.channel / 2 == first_channel / 2;
   });

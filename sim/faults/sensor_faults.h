@@ -13,19 +13,19 @@
 
 namespace tp100::sim {
 
-/// Between the encoders and the pins.
+/// Faults between the encoders and the pins.
 class EncoderFaults {
  public:
   explicit EncoderFaults(const std::vector<PlannedFault>& faults);
-  /// `edges` of the quantum from `from_ns`, ascending. `shift_ns` makes their times those since the
-  /// port was opened.
+  /// Applies the faults to the `edges` of the quantum from `from_ns`, in order of time. Time plus
+  /// `shift_ns` is the time since the port was opened.
   void pass(std::vector<EncoderEdge>& edges, HostNs from_ns, HostNs shift_ns);
 
  private:
   void jump(std::vector<EncoderEdge>& edges, HostNs from_ns, std::uint8_t first_channel,
             int& cycles);
 
-  /// Replaces the phases of one side's encoder at the counter, once edges were lost.
+  /// Phases of one side's encoder as the counter sees them, once edges were lost.
   struct Slipping {
     bool began = false;
     double kept = 0.0;  ///< part of an edge that is still to be passed on, signed
@@ -42,7 +42,7 @@ class EncoderFaults {
   std::array<bool, 4> levels_{};
 };
 
-/// Between the IMU and the bus.
+/// Faults between the IMU and the bus.
 class ImuFaults : public I2cSlave {
  public:
   explicit ImuFaults(I2cSlave& imu) : imu_(imu) {}

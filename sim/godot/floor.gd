@@ -1,4 +1,4 @@
-# The floor to look at: as the paper's, marked in squares of 10 cm.
+# The visible floor, marked in squares of 10 cm like the paper's.
 extends MeshInstance
 
 const SIDE_M := 6.0

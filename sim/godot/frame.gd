@@ -1,4 +1,4 @@
-# Numbers of a world/1 message to the engine's and back.
+# Converts between the frames of world/1 messages and the engine's.
 # Engine: metres, x right, y up, z backward. Course (ros): metres, x forward, y left, z up.
 extends Reference
 
@@ -23,11 +23,11 @@ static func are_numbers(value, size: int) -> bool:
 			return false
 	return true
 
-# A place and a yaw on the real robot's flat floor.
+# Whether a value is a position and a yaw on the real robot's flat floor.
 static func is_floor_pose(value) -> bool:
 	return typeof(value) == TYPE_DICTIONARY and are_numbers(value.get("pos"), 3) and is_number(value.get("yaw"))
 
-# The engine's place of course coordinates in metres.
+# Course coordinates in metres as a position of the engine.
 static func to_engine(x_m: float, y_m: float, z_m: float) -> Vector3:
 	return Vector3(-y_m, z_m, -x_m)
 
@@ -41,7 +41,7 @@ static func angles(b: Basis) -> Array:
 	var left := -b.x
 	return [atan2(left.y, b.y.y), -asin(clamp(forward.y, -1.0, 1.0)), atan2(-forward.x, -forward.z)]
 
-# The message's lengths to [x, y, z] in metres, ros axes.
+# A message's position as [x, y, z] in metres, ros axes.
 func place_from(p: Array) -> Array:
 	match name:
 		"unreal":

@@ -1,15 +1,15 @@
-# The person's hand: a click on the floor puts an obstacle there or takes it away; dragging the robot pushes it.
-# Only a world that owns the pose can be pushed: otherwise the bridge says where the robot is.
+# The user's hand: a click on the floor adds an obstacle there or removes it; dragging the robot pushes it.
+# A robot can be pushed only if the world owns its pose; otherwise the bridge decides where it is.
 extends Node
 
 const OBSTACLE_M := Vector3(0.1, 0.08, 0.1)
-const REACH_M := 0.12     # a press so near to the robot's middle takes hold of it
+const REACH_M := 0.12     # a press within this distance of the robot's middle grabs it
 const STIFFNESS_NPM := 40.0
-const MOST_N := 4.0       # less than the tracks' traction: it can be held back, not carried off
+const MOST_N := 4.0       # less than the tracks' traction: it can be held back but not carried away
 
 var camera: Camera
 var robots := []
-var obstacles = []        # each as one body for each robot's space
+var obstacles = []        # each is an array of bodies, one in each robot's space
 var held: Node            # a robot, or null
 var target := Vector3()   # where the hand is, while it holds the robot
 
@@ -19,11 +19,11 @@ func build(of_view: Spatial, of_robots: Array) -> void:
 	for robot in robots:
 		robot.connect("moved", self, "push", [robot])
 
-# Where the mouse points at the floor.
+# The point of the floor under the mouse.
 func floor_at(mouse: Vector2):
 	return Plane(Vector3.UP, 0.0).intersects_ray(camera.project_ray_origin(mouse), camera.project_ray_normal(mouse))
 
-# A spring from the robot to the hand.
+# Pulls a held robot towards the hand like a spring.
 func push(at: Transform, _message: Dictionary, _frame: Reference, robot: Node) -> void:
 	if not robot.owner_of_pose:
 		return

@@ -1,4 +1,4 @@
-# The robot with a marker that an overhead camera reads, flat over its reference point.
+# The robot with a marker for an overhead camera, level above its reference point.
 extends "res://robot_view.gd"
 
 const Plate = preload("res://marker_plate.gd")

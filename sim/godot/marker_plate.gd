@@ -3,7 +3,7 @@ extends Spatial
 
 const THICK_M := 0.002
 
-# Matt paper with this print.
+# Matt paper printed with `image`.
 static func paper(image: Image) -> SpatialMaterial:
 	image.generate_mipmaps()
 	var texture := ImageTexture.new()
@@ -13,7 +13,7 @@ static func paper(image: Image) -> SpatialMaterial:
 	material.roughness = 1.0
 	return material
 
-# `file`: the SVG; `side_m`: of the sheet, its white rim included; `lift_m`: of its face above the origin.
+# `file`: the SVG; `side_m`: side of the sheet, including its white rim; `lift_m`: height of its face above the origin.
 func build(file: String, side_m: float, lift_m: float) -> void:
 	var image := Image.new()
 	if image.load(file) != OK:

@@ -1,5 +1,6 @@
-# An overhead camera: renders the images that it takes of a drive and writes them to tp100-camera, in step with it; or of a
-# robot that drives now, of which it is told where it is, as many images as it can. The settings come as JSON in the environment; scripts/overhead makes them and judges what is found.
+# An overhead camera: renders images of a recorded drive and sends them to tp100-camera, in lockstep with it; or follows
+# a robot that drives now, whose pose it receives, with as many images as it can render. scripts/overhead passes the
+# settings as JSON in the environment and judges the detections.
 extends Node
 
 const Frame = preload("res://frame.gd")
@@ -10,28 +11,28 @@ const Plate = preload("res://marker_plate.gd")
 const PassingHand = preload("res://passing_hand.gd")
 
 const JITTER_PX = [Vector2(-0.125, -0.375), Vector2(0.375, -0.125), Vector2(0.125, 0.375), Vector2(-0.375, 0.125)]
-const PLATE_POINTS := 4  # a side of the marker is looked at in so many parts
+const PLATE_POINTS := 4  # parts of a side of the marker whose ends are tested for visibility
 
 var settings := {}
 var drive = []           # [t, x, y, z, roll, pitch, yaw] in course axes
-var live: PacketPeerUDP  # tells where the robot is; null: the drive is in a file
-var live_s := 0.0        # time of the image, then
-var over := false        # nobody tells any more
-var row := 0             # of the drive, where the last pose was found
+var live: PacketPeerUDP  # receives the robot's pose; null: the drive is in a file
+var live_s := 0.0        # time of the current image, if live
+var over := false        # the sender of poses has ended
+var row := 0             # row of the drive at which the last pose was found
 var pinhole := Viewport.new()
 var sensor := Viewport.new()
 var shader := ShaderMaterial.new()
 var camera := Camera.new()
 var robot: Spatial
 var hand: Spatial
-var board: MeshInstance  # held before the lens, whose calibration it is for; null: none
-var lamp: SpotLight      # null: the light stands still
+var board: MeshInstance  # calibration board held in front of the lens; null: none
+var lamp: SpotLight      # moving light; null: the light does not move
 var middle := Vector3()
 var pipe := StreamPeerTCP.new()
 var truth := File.new()
 var images := 0
-var subframes := 0        # of an image
-var subframe := -2        # the engine draws two before anything counts
+var subframes := 0        # per image
+var subframe := -2        # the engine's first two are not used
 
 func _ready() -> void:
 	var parsed := JSON.parse(OS.get_environment("TP100_OVERHEAD"))
@@ -72,7 +73,7 @@ func read_drive() -> void:
 		if numbers.size() == 7:
 			drive.append(numbers)
 
-# Where the robot is: the datagrams of an exact camera. One that is none is the last.
+# Receives the robot's pose as datagrams of an exact camera. Any other datagram is the last.
 func hear() -> void:
 	while live.get_available_packet_count() > 0:
 		var seen = JSON.parse(live.get_packet().get_string_from_utf8()).result
@@ -95,7 +96,7 @@ func build_scene() -> void:
 	pinhole.shadow_atlas_size = 1024
 	var shape: Dictionary = settings.robot.get("shape", {})
 	var ground := Floor.new()
-	# From above it costs much and changes nothing.
+	# Seen from above, it costs much and changes nothing.
 	ground.material_override.albedo_texture.flags &= ~Texture.FLAG_ANISOTROPIC_FILTER
 	pinhole.add_child(ground)
 	var terrain := Terrain.new()
@@ -119,7 +120,7 @@ func build_scene() -> void:
 	camera.fov = rad2deg(2 * atan(pinhole.size.y / 2 / settings.pinhole.focal_px))
 	camera.near = 0.05
 	camera.far = 20
-	# The course's y is up in the image, but for a turn.
+	# The course's y axis is up in the image, apart from the camera's own rotation.
 	camera.transform = Transform(Basis(), Frame.to_engine(place.x_m, place.y_m, place.height_m)).looking_at(
 			middle, Vector3.LEFT.rotated(Vector3.UP, deg2rad(place.turned_deg)))
 	pinhole.add_child(camera)
@@ -131,7 +132,7 @@ func add_board() -> void:
 	if image.load(settings.board.file) != OK:
 		printerr("%s: cannot be read as an image" % settings.board.file)
 		return
-	# A printer's resolution is more than a lens sees; and a power of two is halved without a rest.
+	# The print has more detail than the lens resolves; and a power of two can be halved without a remainder.
 	image.shrink_x2()
 	image.shrink_x2()
 	image.resize(2048, 2048, Image.INTERPOLATE_BILINEAR)
@@ -166,7 +167,7 @@ func add_light() -> void:
 	lamp.shadow_enabled = true
 	pinhole.add_child(lamp)
 
-# A lamp that somebody carries around, once in nine seconds, and that flickers.
+# A flickering lamp that is carried around the course once in nine seconds.
 func move_light(t_s: float) -> void:
 	if lamp == null:
 		return
@@ -175,7 +176,7 @@ func move_light(t_s: float) -> void:
 	lamp.transform = Transform(Basis(), at).looking_at(middle + (at - middle) * Vector3(0.5, 0, 0.5), Vector3.LEFT)
 	lamp.light_energy = 1.6 + 0.6 * sin(TAU * t_s / 1.7)
 
-# The sensor: a subframe after another is blended into its image.
+# The sensor: blends one subframe after another into its image.
 
 func build_sensor() -> void:
 	var lens: Dictionary = settings.lens
@@ -188,7 +189,7 @@ func build_sensor() -> void:
 	screen.rect_size = sensor.size
 	screen.material = shader
 	sensor.add_child(screen)
-	# The engine draws a viewport after those inside it.
+	# Inside the sensor, because the engine draws a viewport after those inside it.
 	sensor.add_child(pinhole)
 	add_child(sensor)
 	screen.texture = pinhole.get_texture()
@@ -267,7 +268,7 @@ func finish_image() -> void:
 		fail("tp100-camera reads no more images")
 	images += 1
 
-# Where the marker is to be seen: in the plane of its height over a flat floor, from the lens.
+# Writes the marker's true position: as seen from the lens, in the plane of its height above a flat floor.
 func tell_truth() -> void:
 	place(image_s())
 	var front := seen(Vector3(0, 0, -settings.marker.size_m / 2))
@@ -284,7 +285,7 @@ func seen(at: Vector3) -> Vector3:
 	var point := on_marker(at)
 	return lens + (point - lens) * ((lens.y - settings.marker.height_m) / (lens.y - point.y))
 
-# Whether the whole marker, half of its white rim included, is inside the image and nothing is in front of it.
+# Whether the whole marker, including half of its white rim, is inside the image and nothing is in front of it.
 func marker_visible() -> bool:
 	var half: float = (settings.marker.size_m + settings.marker.side_m) / 4
 	for i in PLATE_POINTS + 1:

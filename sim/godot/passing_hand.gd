@@ -1,4 +1,4 @@
-# A person's hand that reaches over the robot, rests above it for a moment and goes away.
+# A person's hand that reaches over the robot, stays above it for a moment and withdraws.
 extends Spatial
 
 const AWAY_M := 1.3
@@ -29,7 +29,7 @@ func add(size: Vector3, at: Vector3) -> void:
 	add_child(part)
 	boxes.append([Transform(Basis(), at), size])
 
-# The hand at `t_s`, if it reaches for the robot, which is at `robot`, at the times `at_s`; it comes from the right.
+# Places the hand at the time `t_s`: at the times `at_s` it reaches for the robot at `robot`, from the right.
 func reach(t_s: float, at_s: Array, robot: Vector3) -> void:
 	visible = false
 	for begin_s in at_s:

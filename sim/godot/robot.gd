@@ -1,5 +1,5 @@
-# One robot of the scene: talks world/1 (daemon/worlds/WORLD.md) with its bridge, and stands or moves in a space of its
-# own, whose time is that of this bridge's poses. The other robots are obstacles in it.
+# One robot of the scene: speaks world/1 (daemon/worlds/WORLD.md) with its bridge, and stands or moves in a physics
+# space of its own, whose time is that of this bridge's poses. The other robots are obstacles in it.
 extends Node
 
 const Frame = preload("res://frame.gd")
@@ -7,10 +7,10 @@ const Terrain = preload("res://terrain.gd")
 const TrackedBody = preload("res://tracked_body.gd")
 
 const MOST_BYTES := 1200
-const MOST_TICKS := 250   # of physics between two poses: half a second
+const MOST_TICKS := 250   # physics ticks between two poses: half a second
 const HULL_HEIGHT_M := 0.07
 
-# The robot as last answered to this message.
+# The robot's transform in the answer to `message`.
 signal moved(at, message, frame)
 
 var udp := PacketPeerUDP.new()
@@ -20,18 +20,18 @@ var frame := Frame.new()
 var space: RID
 var terrain: Spatial
 var body: RigidBody
-var world: Node           # has: stopped
+var world: Node           # has the property `stopped`
 
 var session := -1
 var owner_of_pose := false
 var seq := 0
 var run := -1
 var last_timestamp_s := 0.0
-var pending := {}         # the pose that the physics works on
+var pending := {}         # the pose message for which physics runs
 var ticks_left := 0
-var at := Transform()     # the robot as last answered
+var at := Transform()     # the robot in the last answer
 
-# `own_space`: besides the first robot's, which is the scene's.
+# `own_space`: create a space; the first robot uses the scene's.
 func build(course: Dictionary, robot: Dictionary, scene_space: RID, own_space: bool) -> void:
 	file = robot
 	shape = robot.get("shape", {})
@@ -46,7 +46,7 @@ func build(course: Dictionary, robot: Dictionary, scene_space: RID, own_space: b
 	add_child(terrain)
 	terrain.build(course, shape, space, not own_space)
 
-# Returns the port, or 0: none is free.
+# Returns the port, or 0 if none is free.
 func open_port(host: String, port: int) -> int:
 	if port != 0:
 		return port if udp.listen(port, host, 65536) == OK else 0
@@ -56,7 +56,7 @@ func open_port(host: String, port: int) -> int:
 			return tried
 	return 0
 
-# Takes a datagram, if there is one and no pose is being worked on.
+# Handles one datagram, if there is one and no pose is pending.
 func hear() -> bool:
 	if not pending.empty() or udp.get_available_packet_count() == 0:
 		return false
@@ -65,7 +65,7 @@ func hear() -> bool:
 		receive(datagram.get_string_from_utf8())
 	return true
 
-# Once for each tick of physics: time passes here only while a pose's time has to.
+# Call once per physics tick: this robot's time advances only while a pose is pending.
 func tick() -> void:
 	if pending.empty():
 		return
@@ -136,7 +136,7 @@ func pose(message: Dictionary) -> void:
 	else:
 		answer_by_rays(message)
 
-# The bridge's place; height, tilt and contact by rays and shapes.
+# Answers with the bridge's position; height, tilt and contact come from rays and shapes.
 func answer_by_rays(message: Dictionary) -> void:
 	var p := frame.place_from(message.pos)
 	var yaw_rad := frame.yaw_from(message.rpy[2])
@@ -144,7 +144,7 @@ func answer_by_rays(message: Dictionary) -> void:
 	at = Transform(Frame.basis(rest.roll_rad, rest.pitch_rad, yaw_rad), Frame.to_engine(p[0], p[1], rest.z_m))
 	answer(message, rest.z_m, [rest.roll_rad, rest.pitch_rad, yaw_rad], rest.surface)
 
-# The engine's physics moves the robot for as long as the bridge's clock went on.
+# Lets the engine's physics move the robot for the time that passed on the bridge's clock.
 func start_ticks(message: Dictionary) -> void:
 	var passed_s: float = message.timestamp - last_timestamp_s
 	if int(message.run) != run:
@@ -153,7 +153,7 @@ func start_ticks(message: Dictionary) -> void:
 		var yaw_rad := frame.yaw_from(message.rpy[2])
 		var rest: Dictionary = terrain.stand(p[0], p[1], yaw_rad)
 		body.put(p[0], p[1], rest.z_m + 0.0005, Frame.basis(rest.roll_rad, rest.pitch_rad, yaw_rad))
-		passed_s = 0.1  # until it rests
+		passed_s = 0.1  # until it has settled
 	last_timestamp_s = message.timestamp
 	var slip = message.get("slip")
 	var slips := [0.0, 0.0]
@@ -161,7 +161,7 @@ func start_ticks(message: Dictionary) -> void:
 		slips = [clamp(slip.l, -0.5, 0.9), clamp(slip.r, -0.5, 0.9)]
 	body.left_mps = clamp(message.tracks.l / frame.length() * (1.0 - slips[0]), -2.0, 2.0)
 	body.right_mps = clamp(message.tracks.r / frame.length() * (1.0 - slips[1]), -2.0, 2.0)
-	# The first passes before the next turn.
+	# Less one: the first tick passes before the next call of tick().
 	ticks_left = int(clamp(round(passed_s * Engine.iterations_per_second), 1, MOST_TICKS)) - 1
 	pending = message
 	PhysicsServer.space_set_active(space, true)
@@ -187,6 +187,6 @@ func answer(message: Dictionary, z_m: float, rpy: Array, surface: String) -> voi
 	send(out)
 	emit_signal("moved", at, message, frame)
 
-# What stands in the way of others.
+# Size of the box that is an obstacle to other robots.
 func hull_m() -> Vector3:
 	return Vector3(terrain.gauge_m + Terrain.TRACK_WIDTH_M, HULL_HEIGHT_M, terrain.length_m)

@@ -1,4 +1,4 @@
-# A TP100 to look at: hull, two running tracks, Arduino Mega, marker. Origin: the reference point; -z is forward.
+# The visible TP100: hull, two moving tracks, Arduino Mega, marker. Origin: the reference point; -z is forward.
 extends Spatial
 
 const PADS := 38  # of each track
@@ -70,7 +70,7 @@ func wheel(at: Vector3, colour: Color) -> void:
 	paint(instance, colour)
 	add_child(instance)
 
-# A square marker as the overhead camera reads it: black border, white and black cells.
+# A square marker as the overhead camera reads it: black border, black and white cells.
 func marker(at: Vector3) -> void:
 	var cells = ["........", ".######.", ".#.##.#.", ".##..##.", ".#.#.##.", ".##.#.#.", ".######.", "........"]
 	var image = Image.new()
@@ -94,14 +94,14 @@ func marker(at: Vector3) -> void:
 	box(Vector3(0.064, 0.002, 0.064), at - Vector3(0, 0.0015, 0), Color(0.9, 0.9, 0.9))
 	box(Vector3(0.02, 0.016, 0.02), at - Vector3(0, 0.01, 0), Color(0.3, 0.3, 0.3))
 
-# Turns the tracks by what they did since the last pose of the bridge.
+# Moves the tracks by their travel since the last pose of the bridge.
 func drive(message: Dictionary, frame: Reference) -> void:
 	var passed_s = clamp(message.timestamp - last_s, 0.0, 0.1)
 	last_s = message.timestamp
 	roll(0, message.tracks.l / frame.length() * passed_s)
 	roll(1, message.tracks.r / frame.length() * passed_s)
 
-# Turns one track (0 left, 1 right) by a distance.
+# Moves one track (0 left, 1 right) by a distance.
 func roll(side: int, distance_m: float) -> void:
 	var straight = spacing_m
 	var bend = PI * radius_m

@@ -3,25 +3,25 @@ extends Spatial
 
 const Frame = preload("res://frame.gd")
 
-# Collision layers: what carries the robot, what only has a name, and what only stands in its way.
+# Collision layers: ground that carries the robot, surfaces that only have a name, and obstacles that only block it.
 const GROUND := 1
 const SURFACE := 2
 const OBSTACLE := 8
 const RAY_SPACING_M := 0.004
 const RAY_TOP_M := 3.0
-# A shape this high above the tracks' underside cannot be climbed: it stops the hull.
+# A shape this high above the tracks' underside cannot be climbed: it blocks the hull.
 const TOO_HIGH_M := 0.045
 const TRACK_WIDTH_M := 0.045
 const COLOURS = {"ramp": Color(0.62, 0.52, 0.38), "block": Color(0.5, 0.52, 0.56)}
 
 var space: RID
-var shown: bool      # as meshes, too
+var shown: bool      # with visible meshes
 var length_m: float
 var gauge_m: float
 var spacing_m: float
 var radius_m: float
 var com_forward_m: float
-var half: int        # rays from the robot's middle to one end of its tracks
+var half: int        # number of rays from the robot's middle to one end of its tracks
 var wheel: PoolRealArray  # lift of a wheel's underside at each ray from its axle
 
 func build(course: Dictionary, shape: Dictionary, of_space: RID, visible_too: bool) -> void:
@@ -45,7 +45,7 @@ func build(course: Dictionary, shape: Dictionary, of_space: RID, visible_too: bo
 		var up: float = ramp.height_m / tan(deg2rad(ramp.up_deg))
 		var down: float = ramp.height_m / tan(deg2rad(ramp.down_deg))
 		add_prism(ramp, [[0, 0], [up, ramp.height_m], [up + ramp.top_m, ramp.height_m], [up + ramp.top_m + down, 0]], "ramp")
-	# The last of several surfaces lies on top.
+	# Of overlapping surfaces, the last one lies on top.
 	var top := 1.0
 	for surface in course.get("surface", []):
 		var box := BoxShape.new()
@@ -75,7 +75,7 @@ func add_shape(shape: Shape, at: Transform, layer: int, about: Dictionary) -> St
 	PhysicsServer.body_set_space(body.get_rid(), space)
 	return body
 
-# A profile [along, height] that is as wide as the piece, centred on its place.
+# Adds a prism with the profile [along, height] and the piece's width, centred on its place.
 func add_prism(piece: Dictionary, profile: Array, kind: String) -> void:
 	var middle: float = profile[-1][0] / 2
 	var side: float = piece.width_m / 2
@@ -95,7 +95,7 @@ func add_prism(piece: Dictionary, profile: Array, kind: String) -> void:
 	surface.generate_normals()
 	show_mesh(surface.commit(), transform_of(piece), COLOURS[kind])
 
-# A static obstacle; freeing the node removes it.
+# Adds a static obstacle; freeing the node removes it.
 func add_obstacle(at: Transform, size: Vector3, seen: bool) -> StaticBody:
 	var box := BoxShape.new()
 	box.extents = size / 2
@@ -131,8 +131,8 @@ static func mesh_of(mesh: Mesh, colour: Color) -> MeshInstance:
 	instance.material_override = material
 	return instance
 
-# Whether nothing but the floor lies under the rays of both tracks: then one ray of each has the height of all, and an answer
-# takes a fraction of the time.
+# Whether only the floor lies under the rays of both tracks: then one ray per track is enough, and an answer takes a
+# fraction of the time.
 func on_floor(state: PhysicsDirectSpaceState, middle: Vector3, attitude: Basis) -> bool:
 	var query := PhysicsShapeQueryParameters.new()
 	var box := BoxShape.new()
@@ -145,7 +145,7 @@ func on_floor(state: PhysicsDirectSpaceState, middle: Vector3, attitude: Basis) 
 			return false
 	return true
 
-# Height of the ground from the middle's ray -reach to +reach, along one track.
+# Heights of the ground along one track, at the rays -reach to +reach from the middle.
 func profile(state: PhysicsDirectSpaceState, middle: Vector3, along: Vector3, reach: int) -> PoolRealArray:
 	var heights := PoolRealArray()
 	for i in range(-reach, reach + 1):
@@ -155,8 +155,8 @@ func profile(state: PhysicsDirectSpaceState, middle: Vector3, along: Vector3, re
 		heights.append(hit.position.y if hit else 0.0)
 	return heights
 
-# The lowest line of one track's axles, whose wheels and track must clear the profile: [height above the wheel
-# radius at the middle, climb angle]. The line rests where it carries the centre of mass.
+# How one track rests on the profile: the lowest line through its axles for which wheels and track do not cut the
+# ground, as [height at the middle less the wheel radius, climb angle], supported on both sides of the centre of mass.
 func rest(heights: PoolRealArray) -> Array:
 	var first: float = heights[0]
 	var level := true
@@ -170,12 +170,12 @@ func rest(heights: PoolRealArray) -> Array:
 	var middle := (lowest.size() - 1) / 2
 	var mass := int(round(com_forward_m / RAY_SPACING_M))
 	var line := [0.0, 0.0]
-	for _pass in range(2):  # the axles' distance on the floor depends on the climb
+	for _pass in range(2):  # the axles' horizontal distance depends on the climb angle
 		var axle := int(min(round(spacing_m / 2 * cos(line[1]) / RAY_SPACING_M), middle))
 		line = line_over(lowest, middle, axle, int(clamp(mass, -axle, axle - 1)))
 	return line
 
-# How high an axle, less the wheel's radius, has to be above each ray of the track between its axles.
+# The least height of an axle, less the wheel's radius, at each ray of the track between its axles.
 func axle_heights(heights: PoolRealArray) -> PoolRealArray:
 	var axles := int(round(spacing_m / 2 / RAY_SPACING_M))
 	var wide := (wheel.size() - 1) / 2
@@ -189,8 +189,8 @@ func axle_heights(heights: PoolRealArray) -> PoolRealArray:
 		lowest.append(best)
 	return lowest
 
-# The lowest line above all points that carries the mass: [height at the middle, climb angle]. It goes through a point
-# behind the mass and one ahead of it, each of which is the best one for the other.
+# The lowest line above all points that carries the mass: [height at the middle, climb angle]. It goes through one point
+# behind the mass and one ahead of it, which are improved in turn.
 func line_over(lowest: PoolRealArray, middle: int, axle: int, mass: int) -> Array:
 	var behind := -axle
 	var ahead := axle
@@ -230,7 +230,7 @@ func stand(x_m: float, y_m: float, yaw_rad: float) -> Dictionary:
 		"roll_rad": atan2(left[0] - right[0], gauge_m),
 		"surface": hit.collider.get_meta("about").name if hit else ""}
 
-# What the tracks and the hull touch at a pose: {step_m, blocked}.
+# What tracks and hull touch at a pose: {step_m: height of a block, blocked: the hull's front touches}.
 func touch(at: Transform) -> Dictionary:
 	var state := PhysicsServer.space_get_direct_state(space)
 	var query := PhysicsShapeQueryParameters.new()
@@ -245,7 +245,7 @@ func touch(at: Transform) -> Dictionary:
 		var about: Dictionary = found.collider.get_meta("about")
 		if about.kind == "block":
 			step_m = max(step_m, about.height_m)
-	# The hull's front, above what the tracks can climb.
+	# The hull's front, above the height that the tracks can climb.
 	query.collision_mask = GROUND | OBSTACLE
 	box.extents = Vector3(gauge_m / 2, 0.005, 0.005)
 	query.transform = at * Transform(Basis(), Vector3(0, TOO_HIGH_M + 0.005, -length_m / 2))

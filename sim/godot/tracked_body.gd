@@ -1,18 +1,18 @@
-# The robot as the engine's rigid body on two tracks: Bullet finds the contacts and keeps the body out of the ground,
-# friction impulses at the contacts pull it along with the tracks' surfaces.
+# The robot as a rigid body of the engine on two tracks: Bullet finds the contacts and keeps the body out of the ground;
+# friction impulses at the contacts drive it with the tracks' surfaces.
 extends RigidBody
 
 const Frame = preload("res://frame.gd")
 const Terrain = preload("res://terrain.gd")
 
-const SWEEPS := 6         # over all contacts, each tick
+const SWEEPS := 6         # solver iterations over all contacts in each tick
 const CONTACTS := 32
 const ROD_LIFT_M := 0.0015
-const SHAPES := 3         # of a track: front ball, rear ball, rod
-const HULL := 6           # its index among the shapes
-const LEVEL_M := 0.001    # both ends of a track lie on one plane if they are no farther from it
-# The ten stations of the emulator's tracks (sim/body/tracks.h): how far they sink in under an even load, and the middle
-# ones as four points with the same mean distance from the middle and the same mean square.
+const SHAPES := 3         # per track: front ball, rear ball, rod
+const HULL := 6           # index of the hull among the shapes
+const LEVEL_M := 0.001    # tolerance within which both ends of a track lie on one plane
+# The ten stations of the emulator's tracks (sim/body/tracks.h): their depth under an even load, and the middle ones
+# merged into four points with the same mean distance from the middle and the same mean square.
 const SINK_M := 5.65e-5
 const OUTER := 0.6929
 const INNER := 0.1960
@@ -22,8 +22,8 @@ var right_mps := 0.0
 var push_n := Vector3()  # on the reference point, horizontal
 var friction_coefficient: float
 var com := Vector3()     # from the reference point to the centre of mass
-var stations := []       # along a track on a plane, [place from -1 (rear axle) to 1, share of the track's load]
-var second_moment := 0.0 # of these
+var stations := []       # along a track on a plane, [position from -1 (rear axle) to 1, share of the track's load]
+var second_moment := 0.0 # of the stations' shares
 var contacts := 0
 
 func build(shape: Dictionary, body: Dictionary) -> void:
@@ -36,7 +36,7 @@ func build(shape: Dictionary, body: Dictionary) -> void:
 	contacts_reported = CONTACTS
 	custom_integrator = false
 	continuous_cd = false
-	collision_layer = 4  # rays for the ground do not see it
+	collision_layer = 4  # not hit by the rays for the ground
 	collision_mask = Terrain.GROUND | Terrain.OBSTACLE
 	linear_damp = 0.0
 	angular_damp = 0.0
@@ -51,8 +51,7 @@ func build(shape: Dictionary, body: Dictionary) -> void:
 	hull.extents = Vector3(gauge_m / 2 - 0.03, 0.019, 0.075)
 	add_part(hull, Transform(Basis(), Vector3(0, 0.034, 0)))
 
-# How the load of a track that lies on a plane is spread: its middle is as much higher as in the emulator, whose tracks
-# are springs.
+# Distributes the load of a track that lies on a plane as in the emulator: its tracks are springs with a raised middle.
 func spread_load(mid_lift_m: float) -> void:
 	var lifted := min(mid_lift_m / SINK_M, 5.0)  # from 5 on the middle touches nothing
 	for end in [-1.0, 1.0]:
@@ -63,8 +62,8 @@ func spread_load(mid_lift_m: float) -> void:
 	for station in stations:
 		second_moment += station[1] * station[0] * station[0]
 
-# A ball at each axle and a rod between them. The engine reports one point of contact per pair of shapes, so each of
-# these must touch the ground at one point only; the rod is a little thinner, so that the ends carry the load.
+# A ball at each axle and a rod between them. The engine reports one contact point per pair of shapes, so each of these
+# must touch the ground at one point only; the rod is a little thinner, so that the ends carry the load.
 func add_track(x: float, spacing_m: float, radius_m: float) -> void:
 	for end in [-1, 1]:
 		var ball := SphereShape.new()
@@ -81,7 +80,7 @@ func add_part(part: Shape, place: Transform) -> void:
 	collision.transform = place.translated(-com)
 	add_child(collision)
 
-# Puts the robot's reference point to a place, at standstill.
+# Places the robot with its reference point at this position, at standstill.
 func put(x_m: float, y_m: float, z_m: float, attitude: Basis) -> void:
 	transform = Transform(attitude, Frame.to_engine(x_m, y_m, z_m) + attitude.xform(com))
 	linear_velocity = Vector3()
@@ -91,8 +90,8 @@ func put(x_m: float, y_m: float, z_m: float, attitude: Basis) -> void:
 func reference() -> Transform:
 	return Transform(transform.basis, transform.origin - transform.basis.xform(com))
 
-# Where the body is touched: [from the centre of mass, normal, load, speed of the surface]. The load of a track whose ends
-# lie on one plane is spread between them, so that their moment stays.
+# Contacts of the body: [arm from the centre of mass, normal, load, speed of the track's surface]. The load of a track
+# whose ends lie on one plane is distributed between them without changing its moment.
 func touches(state: PhysicsDirectBodyState) -> Array:
 	var found := []
 	var ends := [null, null, null, null]  # front and rear of the left, of the right track
@@ -123,8 +122,8 @@ func touches(state: PhysicsDirectBodyState) -> Array:
 				found.append(end)
 	return found
 
-# Coulomb friction at every contact of the tracks, by sequential impulses: each sweep brings a contact's sliding nearer
-# to none, and no contact gives more than its load carries.
+# Coulomb friction at every contact of the tracks, by sequential impulses: each sweep reduces the sliding at a contact,
+# with at most the friction coefficient times its load.
 func _integrate_forces(state: PhysicsDirectBodyState) -> void:
 	state.linear_velocity += push_n * state.inverse_mass * state.step
 	contacts = state.get_contact_count()
@@ -144,7 +143,7 @@ func _integrate_forces(state: PhysicsDirectBodyState) -> void:
 		var normal: Vector3 = touch[1]
 		arms.append(arm)
 		normals.append(normal)
-		# The track runs around its outline: under the body it moves backward.
+		# The track moves around its outline: under the body it moves backward.
 		surface_speeds.append(b.x.cross(normal).normalized() * touch[3])
 		load_ns.append(touch[2])
 		sum_ns += touch[2]

@@ -1,6 +1,6 @@
-# What a person sees: the robot, a ghost for each estimate, three paths, figures and cameras; or the images of a film.
-# Blue is the course's path, red the robot in this world, yellow the real robot on its own flat floor, as the estimate
-# that steers has it.
+# The visible scene: the robot, a ghost for each estimate, three paths, figures and cameras; or images of a film.
+# Blue is the course's path, red that of the robot in this world, yellow that of the real robot on its own flat floor by
+# the estimate that steers.
 extends Spatial
 
 const Frame = preload("res://frame.gd")
@@ -21,19 +21,19 @@ const GHOSTS := {
 }
 
 var robot: Spatial
-var ghosts = {}           # of the real robot on its flat floor, by the name of the estimate
+var ghosts = {}           # the real robot on its flat floor, by the name of the estimate
 var camera = Camera.new()
 var label = Label.new()
 var reference = []        # the course's path, [x, y] in metres
 var driven = {}           # colour name: {points, geometry}
 var middle = Vector3()    # of the fence
 var mode = "chase"
-var film = ""             # folder of images
+var film = ""             # folder for the film's images; empty: no film
 var film_step_s = 0.0
 var next_image_s = -1.0
 var image_due = false
 var images = 0
-var drawn_ms = 0      # when the last picture was begun
+var drawn_ms = 0      # when the last frame was begun
 var next_frame_ms = 0
 var run = -1
 var shift = Transform2D() # from the real robot's floor to this world
@@ -168,7 +168,7 @@ func extend(colour: String, x_m: float, y_m: float, z_m: float) -> void:
 		points.append([x_m, y_m, z_m])
 	draw_ribbon(path.geometry, points, path.lift)
 
-# The first robot has figures, paths and ghosts; of the others only the robot is shown.
+# The first robot is shown with figures, paths and ghosts; the others without.
 func robots_are(robots: Array) -> void:
 	robots[0].connect("moved", self, "robot_at")
 	for i in range(1, robots.size()):
@@ -183,7 +183,7 @@ func other_at(at: Transform, message: Dictionary, frame: Reference, other: Spati
 	other.transform = at
 	other.drive(message, frame)
 
-# The robot as just answered to this pose.
+# Shows the robot as in the answer to this pose.
 func robot_at(at: Transform, message: Dictionary, frame: Reference) -> void:
 	var on_floor: Array = frame.place_from(message.floor.pos)
 	var floor_yaw: float = frame.yaw_from(message.floor.yaw)
@@ -212,7 +212,7 @@ func robot_at(at: Transform, message: Dictionary, frame: Reference) -> void:
 			100 * cross_track_m(x, y), 100 * at.origin.y, -rad2deg(rpy[1]), rad2deg(rpy[0]), apart, message.get("src", "")]
 	place_camera(0.08)
 
-# Each estimate of the real robot as a ghost. Returns how far each is from the robot in this world, for the label.
+# Shows each estimate of the real robot as a ghost. Returns its distance from the robot in this world, for the label.
 func place_ghosts(message: Dictionary, frame: Reference, here: Vector2) -> String:
 	var apart = ""
 	var estimates = message.get("estimates")
@@ -239,8 +239,8 @@ func place_camera(share: float) -> void:
 			camera.translation = camera.translation.linear_interpolate(wanted, share)
 			camera.look_at(robot.transform.origin + flat * 0.12 + Vector3(0, 0.02, 0), Vector3.UP)
 
-# Once per engine iteration: draws at 30 Hz at most and in a quarter of the time at most, so that answers do not wait for
-# pictures; of a film exactly what is due.
+# Call once per engine iteration: draws at 30 Hz at most and for a quarter of the time at most, so that drawing does not
+# delay answers; for a film exactly the images that are due.
 func turn() -> void:
 	if not film.empty():
 		if VisualServer.render_loop_enabled:

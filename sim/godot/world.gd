@@ -1,5 +1,5 @@
-# A scene of one or several robots for tp100d and tp100-sim, each of which is the bridge of one robot (robot.gd).
-# The course, the robots and the options come as JSON in the environment; scripts/godot sets it.
+# A scene with one or more robots. Each has a bridge of its own, tp100d or tp100-sim (robot.gd).
+# scripts/godot passes the course, the robots and the options as JSON in the environment.
 extends Spatial
 
 const Robot = preload("res://robot.gd")
@@ -7,7 +7,7 @@ const View = preload("res://view.gd")
 const Hand = preload("res://hand.gd")
 
 var robots := []
-var obstacles := {}      # of a robot in the spaces of the others
+var obstacles := {}      # by robot: its obstacles in the spaces of the others
 var view: Node
 var stopped := false     # STOP was pressed here
 
@@ -48,8 +48,8 @@ func fail(text: String) -> void:
 	get_tree().quit(2)
 	set_physics_process(false)
 
-# In a window each engine iteration looks for datagrams; otherwise it waits for one. Physics ticks only while a
-# pose's time has to pass: the engine's time is that of the poses.
+# With a window, each engine iteration polls for datagrams; otherwise it waits for one. Physics ticks only while a pose
+# is pending: the engine's time is that of the poses.
 func _physics_process(_delta: float) -> void:
 	if view != null:
 		view.turn()
@@ -75,7 +75,7 @@ func _physics_process(_delta: float) -> void:
 			else:
 				OS.delay_usec(200)
 
-# A robot stands where it was last, also after its bridge has gone. Before its first run begins it is nowhere yet.
+# A robot stays an obstacle where it was last, also after its bridge has ended. Before its first run it is nowhere.
 func stand_in_the_way(at: Transform, message: Dictionary, _frame: Reference, robot: Node) -> void:
 	if int(message.run) == 0:
 		return

@@ -1,5 +1,5 @@
 #pragma once
-// Subcommands of tp100-sim that run the emulated robot. Each is a source file of its name.
+// Subcommands of tp100-sim that run the emulated robot, each in the source file of its name.
 
 #include <string>
 #include <vector>
@@ -14,8 +14,8 @@ struct RobotCommand {
   Options options{};
   std::string link;    ///< symbolic link to the port; empty: print the device only
   bool blank = false;  ///< no firmware on the avr board yet, only its bootloader
-  std::string camera;  ///< overhead camera, bundled name or file; empty: none, or `overhead` with
-                       ///< camera_to
+  std::string camera;  ///< overhead camera: bundled name or file; empty: `overhead` if camera_to is
+                       ///< set, else none
   std::string camera_to;              ///< "udp:[HOST:]PORT"; empty: kCameraPort of this machine
   std::vector<std::string> faults{};  ///< NAME[:NUMBER][:WORD][@T[+D]]
   std::string stats;   ///< file for figures of the run, written at its end; empty: none
@@ -31,9 +31,9 @@ int run_robot(const RobotCommand& command);
 struct CourseCommand {
   Options options{};
   std::string course;
-  std::string camera;  ///< overhead camera: bundled name or file, or detections of this
+  std::string camera;  ///< overhead camera: bundled name or file, or a file of detections of this
                        ///< drive (.tum); empty: none
-  std::string world;   ///< external: udp:[HOST:]PORT; empty: as configured
+  std::string world;   ///< external world: udp:[HOST:]PORT; empty: as configured
   std::vector<std::string> faults{};  ///< NAME[:NUMBER][:WORD][@T[+D]]
   int runs = 1;
   std::string record;  ///< folder for recordings; empty: none
@@ -54,10 +54,11 @@ struct DemoCommand {
   bool headless = false;
 };
 
-/// Starts `tp100-sim robot` and `tp100d run`, opens the page where there is a screen, and stays
-/// until the daemon is ended; before that prints the scored table. Headless: waits for the course
-/// to end, at most three times more if the machine stood still meanwhile, then prints the table.
-/// Returns 0 if both the live and the scored run were completed. Throws SetupError.
+/// Drives the course in virtual time and prints the scored table. Then drives it live with
+/// `tp100-sim robot` and `tp100d run`, opens the page if there is a screen, and waits until the
+/// daemon ends. Headless: drives it live first, again up to three times if a pause of the machine
+/// ended the run. Returns 0 if the live and the scored run were completed, else 1. Throws
+/// SetupError.
 int run_demo(const DemoCommand& command);
 
 }  // namespace tp100::sim

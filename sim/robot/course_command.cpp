@@ -21,8 +21,8 @@
 namespace tp100::sim {
 namespace {
 
-/// All topics of a run in virtual time, which goes at most as fast as real time: what others follow
-/// by their own means must not outrun them.
+/// All topics of a run in virtual time, slowed down to real time, so that subscribers that run in
+/// real time can follow.
 class VirtualTopics : public messages::Sink {
  public:
   /// Does not wait for subscribers; late ones receive latched topics.
@@ -47,7 +47,7 @@ std::unique_ptr<ros2::Participant> participant_of(const CourseCommand& command) 
       config::Ros2Settings{.enabled = true, .interface = command.ros2}, "tp100_sim", published);
 }
 
-/// The drive of host times with its times counted from `began_ns`, exactly as the poses' are.
+/// The drive with its host times counted from `began_ns`, like those of the poses.
 identify::RecordedDrive counted_from(HostNs began_ns, identify::RecordedDrive drive) {
   const auto shift = [began_ns](double& t_s) { t_s = to_s(std::llround(t_s * 1e9) - began_ns); };
   for (identify::DriveSample& sample : drive.samples) shift(sample.t_s);
@@ -94,7 +94,7 @@ int run_course(const CourseCommand& command) {
     const std::uint64_t seed = command.options.seed + static_cast<std::uint64_t>(i);
     std::optional<LockstepRecorder> recorder;
     if (!command.record.empty()) recorder.emplace(command.record, loaded, seed);
-    // When the run begins is known only later.
+    // Times count from 0 here, because the beginning of the run is known only later.
     identify::DriveSink drive(HostNs{0});
     messages::SinkList sinks;
     if (!command.out.empty()) sinks.add(drive);

@@ -25,16 +25,16 @@
 namespace tp100::sim {
 namespace {
 
-/// A program that runs beside this one. Terminated and waited for when it goes out of scope, and
-/// terminated when this program ends in whatever way.
+/// A child process. Terminated and waited for when it goes out of scope, and terminated when this
+/// program ends for any reason.
 class Child {
  public:
   struct Ways {
-    bool quiet = false;  ///< its standard output goes nowhere
+    bool quiet = false;  ///< its standard output is discarded
     bool apart = false;  ///< the terminal's Ctrl-C does not reach it
   };
-  /// Starts arguments[0]. Throws SetupError; a program that cannot be executed says so itself and
-  /// ends with status 127.
+  /// Starts arguments[0]. Throws SetupError; if the program cannot be executed, the child prints
+  /// the error and ends with status 127.
   Child(const std::vector<std::string>& arguments, Ways ways);
   ~Child();
   Child(const Child&) = delete;
@@ -65,7 +65,7 @@ Child::Child(const std::vector<std::string>& arguments, Ways ways) {
   pid_ = fork();
   if (pid_ < 0) throw SetupError(arguments[0] + ": cannot start: " + std::strerror(errno));
   if (pid_ > 0) return;
-  // The parent may have ended before it could be asked for the signal.
+  // The parent may have ended before the signal was requested.
   if (prctl(PR_SET_PDEATHSIG, SIGTERM) != 0 || getppid() != parent) _exit(127);
   if (ways.apart) setpgid(0, 0);
   if (ways.quiet) dup2(open("/dev/null", O_WRONLY), STDOUT_FILENO);
@@ -101,7 +101,7 @@ int Child::wait() {
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 
-/// Programs with a processor of their own do not wait for it this long.
+/// Programs with a processor of their own never wait this long for it.
 constexpr double kPauseMs = 20.0;
 constexpr int kMaxAgain = 3;
 
@@ -141,7 +141,7 @@ nlohmann::json figures_of(const fs::path& stats) {
   return nlohmann::json::parse(file, nullptr, false);
 }
 
-/// Address of the page that a daemon serves, from its figures; empty: it serves none.
+/// Address of the page that a daemon serves, from its figures; empty: no page.
 std::string page_of(const fs::path& stats, Child& daemon) {
   for (int i = 0; i < 100 && daemon.running(); ++i) {
     const nlohmann::json json = figures_of(stats);
@@ -153,11 +153,11 @@ std::string page_of(const fs::path& stats, Child& daemon) {
 
 struct LiveRun {
   int status = 0;         ///< the daemon's
-  double pause_ms = 0.0;  ///< longest time for which a program of it waited for a processor
+  double pause_ms = 0.0;  ///< longest time for which one of its programs waited for a processor
   bool in_time = true;    ///< no fault about late samples or commands
 };
 
-/// True if a stalled machine ended the run.
+/// True if a pause of the machine ended the run.
 bool paused(const LiveRun& run) {
   return run.status != 0 && !run.in_time && run.pause_ms > kPauseMs;
 }
@@ -178,7 +178,7 @@ LiveRun judged(int status, const nlohmann::json& daemon, const nlohmann::json& r
   return run;
 }
 
-/// Opens the user's browser, where there is a screen.
+/// Opens the page in the user's browser, if there is a screen.
 void show(const std::string& page) {
   const bool screen =
       std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;

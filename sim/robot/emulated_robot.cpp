@@ -23,7 +23,7 @@ std::uint64_t stream(std::uint64_t seed, std::uint64_t number) {
 
 constexpr std::uint32_t kTickUs = 1024;
 
-// Errors that belong to the robot and not to a run.
+// Streams of errors that belong to the robot and not to a run.
 constexpr std::uint64_t kLeftEncoder = 11;
 constexpr std::uint64_t kRightEncoder = 12;
 
@@ -38,13 +38,13 @@ struct BoardClock {
   std::uint32_t start_us;
 };
 
-/// At least a tick before the wrap: from 0 on it would be 71 minutes away.
+/// At least one tick before the wrap: from 0 on, the wrap would be 71 minutes away.
 std::uint32_t start_before_wrap_us(HostNs wrap_ns) {
   const std::int64_t ahead_us = std::max<std::int64_t>(wrap_ns / kNsPerUs, kTickUs);
   return static_cast<std::uint32_t>(-ahead_us) / kTickUs * kTickUs;
 }
 
-/// A resonator and a register are as they are from power-on.
+/// Clock faults take effect from power-on: the resonator's error and the counter's start.
 BoardClock clock_of(const EmulatedRobotSettings& settings) {
   BoardClock clock{settings.values.clock_ppm, settings.start_us};
   for (const PlannedFault& fault : settings.faults) {

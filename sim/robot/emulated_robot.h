@@ -26,8 +26,8 @@
 
 namespace tp100::sim {
 
-/// One direction of a serial cable: bytes leave one after the other, each taking a byte time, at
-/// 8N1 ten bit times.
+/// One direction of a serial cable: bytes are sent one after the other, each in a byte time (ten
+/// bit times at 8N1).
 class UartLine {
  public:
   explicit UartLine(std::uint32_t baud) : byte_ns_(10'000'000'000LL / baud) {}
@@ -51,20 +51,20 @@ class UartLine {
 /// Where the firmware runs.
 enum class BoardKind { kNative, kAvr };
 
-/// Names as on the command line and in results.
+/// Names on the command line and in results.
 inline constexpr std::array<EnumName<BoardKind>, 2> kBoardKindNames = {{
     {BoardKind::kNative, "native"},
     {BoardKind::kAvr, "avr"},
 }};
 constexpr const char* to_string(BoardKind board) { return name_in(kBoardKindNames, board); }
 
-/// Settings of one emulated robot. A seed is the noise of one robot; another robot has other
-/// `values`.
+/// Settings of one emulated robot. The seed determines the noise of this robot; another robot has
+/// other `values`.
 struct EmulatedRobotSettings {
   course::Emulated values{};
   Pose start{};
   bool on_stand = false;      ///< tracks spin free
-  course::Terrain terrain{};  ///< obstacles and surfaces really on its floor
+  course::Terrain terrain{};  ///< obstacles and surfaces that are real on its floor
   std::uint64_t seed = 1;
   BoardKind board = BoardKind::kNative;
   bool bootloader = false;  ///< the avr board starts with its bootloader, silent for a second
@@ -74,7 +74,7 @@ struct EmulatedRobotSettings {
   std::vector<PlannedFault> faults{};  ///< of the list in sim/faults/fault.h
 };
 
-/// Time of this machine spent in third-party parts.
+/// Real time spent in parts of the emulation.
 struct SpentTime {
   std::chrono::nanoseconds physics{0};  ///< motors and body
   std::chrono::nanoseconds board{0};    ///< firmware, or the chip that runs it
@@ -127,8 +127,8 @@ class EmulatedRobot {
   SpentTime spent_;
 };
 
-/// Applies a course's disturbances to the robot, at their positions along the path.
-/// Measures the distance really driven and pushes the robot where the course requires it.
+/// Applies a course's disturbances: measures the distance really driven and pushes the robot at
+/// their positions along the path.
 class DisturbanceInjector {
  public:
   explicit DisturbanceInjector(std::vector<course::Disturbance> disturbances)

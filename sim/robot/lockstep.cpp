@@ -41,7 +41,7 @@ class Lockstep {
   void open();
   /// One run, from its start to half a second after its end.
   report::RunResult run();
-  /// Held until `from_opening_s` have passed since open(), and then taken back to the start.
+  /// Holds the robot until `from_opening_s` after open(), then takes it back to the start.
   void stand_still_until(double from_opening_s);
 
  private:
@@ -68,17 +68,17 @@ class Lockstep {
   bridge::Cycle cycle_;
   EmulatedRobot robot_;
   std::optional<OverheadCamera> camera_;
-  std::size_t delivered_ = 0;  ///< of the settings' detections
+  std::size_t delivered_ = 0;  ///< number of the settings' detections delivered
   std::optional<WorldClient> world_;
   TruthHistory truth_;
   report::MeasuredMotion measured_;
   StepRecord record_{};
   std::vector<std::uint8_t> arriving_;
-  HostNs plugged_ns_ = 0;     ///< until then the port is away
+  HostNs plugged_ns_ = 0;     ///< the port is unplugged until then
   HostNs host_awake_ns_ = 0;  ///< the host is stalled until then
   report::RunResult result_{};
   HostNs period_ns_;
-  Transform2d behind_{};    ///< of the virtual robot against the real one
+  Transform2d behind_{};    ///< from the real robot to the virtual one
   Transform2d put_back_{};  ///< from where the robot stands to the start of the course
   HostNs opened_ns_ = 0;
   HostNs next_step_ns_ = 0;
@@ -156,7 +156,7 @@ void Lockstep::advance_robot() {
   for (const TimedByte& byte : robot_.advance()) {
     if (!plugged()) continue;
     arriving_.push_back(byte.value);
-    // The live loop wakes up for bytes; a frame's end is what its time stamp belongs to.
+    // Like the live loop, which wakes up for bytes: a frame gets the time stamp of its end.
     if (byte.value == wire::kDelimiter) {
       cycle_.session().receive(arriving_, byte.at_ns);
       arriving_.clear();
@@ -257,7 +257,7 @@ void Lockstep::step_host() {
   longest_step_ = std::max(longest_step_, took);
   ++steps_;
   publish();
-  // As a recording has them: before this step's command counts as sent.
+  // As in a recording: before this step's command is counted as sent.
   result_.link = cycle_.session().counters();
   for (const link::SessionEvent& event : cycle_.session().take_events())
     if (settings_.on_session_event) settings_.on_session_event(event, cycle_.session().hello());
@@ -315,7 +315,7 @@ report::RunResult Lockstep::run() {
   RunState state = RunState::kIdle;
   while (end_ns == 0 || robot_.now_ns() < end_ns) {
     const std::uint64_t steps = steps_;
-    // As the daemon does by itself: not before there is a robot.
+    // Like the daemon, not before a robot is ready.
     if (!started && cycle_.session().state() == SessionState::kReady) {
       started = true;
       cycle_.request(OperatorRequest::kStart);

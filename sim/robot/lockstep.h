@@ -28,31 +28,31 @@ struct LockstepSettings {
   bridge::Setup setup = bridge::Setup::kFlat;
   BoardKind board = BoardKind::kNative;
   std::optional<course::EmulatedCamera> camera{};  ///< none: no camera
-  /// Of a camera that saw this very drive, in order, by the time since its beginning: in place of
-  /// `camera`. They arrive kDetectionDelayNs after their image.
+  /// Detections by a camera of this same drive, in order, with times since its beginning; used
+  /// instead of `camera`. They arrive kDetectionDelayNs after their image.
   std::vector<CameraSample> detections{};
-  /// World at the configuration's address; else the course's own, whatever the configuration is.
+  /// True: the world at the configuration's address; false: always the course's own.
   bool external_world = false;
   std::uint64_t seed = 1;
-  std::uint32_t start_us = 0;          ///< device clock at boot; near 2^32 it wraps in the run
+  std::uint32_t start_us = 0;          ///< device clock at boot; near 2^32 it wraps during the run
   std::vector<PlannedFault> faults{};  ///< of the robot, its cable and the host
   std::function<void(const EmulatedRobot&)> watch{};  ///< sees the robot after every physics step
   messages::Sink* sink = nullptr;  ///< receives every step, and the truth at each new sample's
                                    ///< instant
-  /// Receives the session's events, with the robot's hello as far as it is known.
+  /// Receives the session's events, with the robot's hello if it is known.
   std::function<void(const link::SessionEvent&, const wire::Hello&)> on_session_event{};
   bool host_checks_encoders = true;  ///< false: only the robot compares them with duty and gyro
-  double begin_within_s = 10.0;      ///< of its start; a run that never begins is a failure
+  double begin_within_s = 10.0;      ///< a run that does not begin within this time has failed
 };
 
 inline constexpr HostNs kDetectionDelayNs = 60 * kNsPerMs;
 
-/// Drives the course once. On a stand no camera is used: the robot that it sees does not move.
+/// Drives the course once. On a stand no camera is used, because the robot does not move.
 /// Deterministic except for `realtime_factor` and `loop`. Throws SetupError if course and robot do
 /// not fit together.
 report::RunResult run_lockstep(const LockstepSettings& settings);
 
-/// The same, and once more without restarting anything: half a second after the first run ended,
+/// Drives the course twice without restarting anything: half a second after the first run ended,
 /// but not before `again_s` after the port was opened, the robot is taken back to the start and
 /// started again. Counters are those of the whole session.
 struct TwoRuns {

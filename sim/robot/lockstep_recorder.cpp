@@ -17,7 +17,7 @@ record::RunFacts facts_of(const Loaded& loaded, const config::RunSetup& run, std
                             {"seed", std::to_string(seed)}});
 }
 
-// Virtual time begins at zero; on viewers' clocks that is their zero, too.
+// Virtual time begins at zero, also on the clock of viewers.
 record::RecordingSettings settings_of(const std::string& folder, const config::RunSetup& run,
                                       std::uint64_t seed) {
   return {.path = folder + "/" + run.course->name + "-" + run.robot.name + "-" +

@@ -13,8 +13,8 @@ namespace tp100::sim {
 
 class LockstepRecorder : public messages::Sink {
  public:
-  /// FOLDER/COURSE-ROBOT-SEED/run.mcap; replaces what is there. `loaded.files` must have the
-  /// course. Throws SetupError.
+  /// Records to FOLDER/COURSE-ROBOT-SEED/run.mcap; replaces an existing file. `loaded.files` must
+  /// have the course. Throws SetupError.
   LockstepRecorder(const std::string& folder, const Loaded& loaded, std::uint64_t seed);
 
   void take(const StepRecord& record) override;

@@ -17,8 +17,8 @@ bridge::Setup setup_kind(const std::string& name) {
                    ": not a set-up; use stand, flat or terrain");
 }
 
-/// What the options change in the robot's file. --body and --floor are values like any other, so
-/// that recordings have them, too.
+/// Changes by the options to the robot's file. --body and --floor are values of the file, so that
+/// recordings have them, too.
 text::NamedValues robot_values(const Options& options) {
   text::NamedValues values = options.robot_values;
   if (!options.body.empty()) {
@@ -35,7 +35,7 @@ text::NamedValues robot_values(const Options& options) {
   return values;
 }
 
-// Errors in the changed text name no line of the file.
+// The path is marked, because errors in the changed text do not refer to lines of the file.
 void change(course::TextFile& file, const text::NamedValues& values) {
   if (values.empty()) return;
   file.text = text::with_values(file.text, file.path, values);

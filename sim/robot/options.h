@@ -15,7 +15,7 @@
 
 namespace tp100::sim {
 
-/// As given on the command line, or by a campaign.
+/// Options as given on the command line or by a campaign.
 struct Options {
   std::string board = "native";
   std::string body;     ///< ode or shear; empty: the robot file's contact_law
@@ -24,8 +24,8 @@ struct Options {
   std::string config;   ///< file; empty: defaults
   std::string setup;    ///< empty: the configuration's
   std::uint64_t seed = 1;
-  text::NamedValues configuration_values{};  ///< instead of those in the file
-  text::NamedValues robot_values{};          ///< instead of those in the robot's file
+  text::NamedValues configuration_values{};  ///< override those in the file
+  text::NamedValues robot_values{};          ///< override those in the robot's file
 };
 
 /// Everything loaded. Throws SetupError.

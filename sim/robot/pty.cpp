@@ -26,8 +26,8 @@ using namespace std::chrono_literals;
   throw SetupError(what + ": " + std::strerror(errno));
 }
 
-/// True if no process serves `link` any more. A client of a robot that was killed keeps the old
-/// device alive until it notices: that takes a moment.
+/// True if no process serves `link` any more. If a robot was killed, its client keeps the old
+/// device alive for a moment, until it notices.
 bool dangling(const std::string& device, const std::string& link) {
   std::error_code error;
   for (int i = 0; i < 20; ++i) {
@@ -63,7 +63,7 @@ Pty::Pty(const std::string& link) {
     fail("cannot set up the pseudo-terminal");
   }
   device_ = name.data();
-  // Opened and closed once: only then does the master report that no client is connected.
+  // Opened and closed once, because only then the master reports that no client is connected.
   const int slave = ::open(device_.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
   if (slave < 0) fail(device_);
   termios settings{};

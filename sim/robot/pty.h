@@ -11,8 +11,8 @@ namespace tp100::sim {
 /// The robot's end of a pty, with a symbolic link to the client's end. Raw, non-blocking.
 class Pty {
  public:
-  /// Creates the pty. `link` is made to point at it; a dangling link of that name is replaced, an
-  /// existing file or live link is not. An empty `link` makes none. Throws SetupError.
+  /// Creates the pty and a symbolic link to it (none if `link` is empty). Replaces a dangling link
+  /// of that name, but no existing file or live link. Throws SetupError.
   explicit Pty(const std::string& link);
   /// Removes the link if it still points here.
   ~Pty();
@@ -23,9 +23,9 @@ class Pty {
   const std::string& device() const { return device_; }
   /// True while some client has the port open.
   bool open();
-  /// Takes what the client wrote; at most `buffer.size()` bytes.
+  /// Reads what the client wrote; at most `buffer.size()` bytes.
   std::size_t read(std::span<std::uint8_t> buffer);
-  /// Gives bytes to the client; returns how many the pty took.
+  /// Writes bytes for the client; returns how many the pty accepted.
   std::size_t write(std::span<const std::uint8_t> bytes);
   /// Discards bytes left by an earlier client.
   void flush();

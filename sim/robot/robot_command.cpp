@@ -38,7 +38,7 @@
 namespace tp100::sim {
 namespace {
 
-/// The emulated overhead camera on the network: the datagrams that tp100-camera would send.
+/// The emulated overhead camera on the network: sends the datagrams that tp100-camera would send.
 class CameraStream {
  public:
   /// Throws SetupError.
@@ -57,7 +57,7 @@ class CameraStream {
 CameraStream::CameraStream(const OverheadCamera& camera, const link::UdpAddress& to,
                            std::uint64_t seed)
     : camera_(camera), sender_(to) {
-  // Two robots of one seed are two streams.
+  // Two robots with the same seed must be two streams.
   message_.stream =
       static_cast<std::uint32_t>(seed * 0x9E3779B1U) ^ static_cast<std::uint32_t>(::getpid());
   message_.clock = link::monotonic_clock_name();
@@ -78,7 +78,7 @@ void CameraStream::look(const Pose& truth, HostNs virtual_ns, HostNs begin_ns,
   }
 }
 
-// Behind real time by more than this (a suspended machine): go on from here instead of catching up.
+// If it is behind real time by more than this (a suspended machine), it does not catch up.
 constexpr HostNs kGiveUpNs = 500 * kNsPerMs;
 
 volatile std::sig_atomic_t g_stop = 0;
@@ -91,7 +91,7 @@ void sleep_until(HostNs at_ns) {
   }
 }
 
-// Behind the loop of a daemon on the same machine.
+// Lower than the priority of a daemon's loop on the same machine.
 constexpr int kFifoPriority = 10;
 
 void go_beside_others() {
@@ -100,8 +100,8 @@ void go_beside_others() {
   ::setpriority(PRIO_PROCESS, 0, -15);
 }
 
-/// A robot does not wait for the programs of its host, nor for its own pages. Where the system does
-/// not allow it, a machine that is busy for a fifth of a second makes the firmware stop for want of
+/// Real-time priority and locked memory: a real robot does not wait for the programs of its host.
+/// Without them, a machine that is busy for a fifth of a second makes the firmware stop for lack of
 /// commands. Niceness alone does not help: the kernel weighs whole sessions against each other.
 void go_before_others() {
   const std::vector<loop::Privilege> privileges =
@@ -109,7 +109,7 @@ void go_before_others() {
   if (!std::ranges::all_of(privileges, &loop::Privilege::granted)) go_beside_others();
 }
 
-/// Whether this thread computed nearly all the time since it was asked last, or since it began.
+/// True if this thread has computed nearly all the time since the last call, or since it began.
 class Overloaded {
  public:
   bool operator()(HostNs now_ns) {
@@ -128,7 +128,7 @@ class Overloaded {
 /// Prints the firmware's log messages and when its motors begin to run, and counts its samples.
 class FirmwareLog {
  public:
-  /// Samples that it sent since it was restarted.
+  /// Number of samples since the last restart().
   std::uint64_t samples() const { return samples_; }
   void restart() { samples_ = 0; }
   void push(std::uint8_t byte) {
@@ -143,7 +143,7 @@ class FirmwareLog {
     wire::Sample sample{};
     if (!wire::read_payload(decoder_.payload(), decoder_.size(), sample)) return;
     const bool on = sample.state == static_cast<std::uint8_t>(wire::State::kRunning);
-    // The firmware itself reports only that they are off.
+    // The firmware itself reports only when they go off.
     if (on && !on_) print(sample.device_us, "motors on");
     on_ = on;
   }
@@ -170,7 +170,7 @@ class Cable {
   Cable(EmulatedRobot& robot, const std::string& link) : robot_(robot), link_(link), pty_(link) {}
 
   const std::string& device() const { return pty_->device(); }
-  /// Samples that the robot sent since the port was opened.
+  /// Number of samples that the robot sent since the port was opened.
   std::uint64_t samples() const { return log_.samples(); }
 
   /// Removes and restores the port as the robot's faults require.
@@ -197,7 +197,7 @@ class Cable {
     const bool open = pty_->open();
     if (open == open_) return;
     open_ = open;
-    // On the board's clock, as the firmware's own lines.
+    // On the board's clock, like the firmware's own lines.
     std::printf("robot: %.6f s: port %s\n", to_s(robot_.now_ns() - reset_ns_),
                 open ? "opened, board resets" : "closed");
     std::fflush(stdout);
@@ -239,7 +239,7 @@ class Cable {
   std::vector<std::uint8_t> waiting_;
 };
 
-/// The camera that was asked for, over the middle of the course's fence.
+/// The requested camera, above the middle of the course's fence.
 std::optional<CameraStream> camera_stream(const RobotCommand& command, const Loaded& loaded,
                                           const course::Fence& fence) {
   if (command.camera.empty() && command.camera_to.empty()) return std::nullopt;
@@ -255,13 +255,13 @@ std::optional<CameraStream> camera_stream(const RobotCommand& command, const Loa
   return std::optional<CameraStream>(std::in_place, camera, to, command.options.seed);
 }
 
-/// The true pose on ROS 2's topic, at the rate of samples.
+/// Publishes the true pose on its ROS 2 topic at the rate of samples.
 class TruthTopic {
  public:
   explicit TruthTopic(const std::string& interface)
       : participant_({.enabled = true, .interface = interface}, "tp100_sim",
                      std::array{ros2::Topic::kGroundTruth}) {}
-  /// Call it once per physics step, at whose end in host time the body had this pose.
+  /// Call once per physics step, with the body's pose at its end and the host time of that.
   void look(HostNs at, const Pose& truth) {
     if (at < due_ns_) return;
     due_ns_ = at + kPeriodNs;
@@ -312,7 +312,7 @@ int run_robot(const RobotCommand& command) {
   go_before_others();
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
-  // Under nohup it stays ignored.
+  // Keep SIGHUP ignored under nohup.
   if (std::signal(SIGHUP, on_signal) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
   // The robot keeps running when its log is no longer read.
   std::signal(SIGPIPE, SIG_IGN);
@@ -326,15 +326,15 @@ int run_robot(const RobotCommand& command) {
   HostNs longest_pause_ns = 0;
   Overloaded overloaded;
   while (g_stop == 0) {
-    // A quantum is computed when it is over: nothing reaches the host before its time, and what the
-    // host wrote meanwhile arrives with the next one.
+    // A quantum is computed when it is over: nothing reaches the host too early, and what the host
+    // wrote meanwhile arrives in the next one.
     const HostNs due_ns = begin_ns + robot.now_ns() + kPhysicsStepNs;
     const HostNs now_ns = monotonic_now();
     longest_pause_ns = std::max(longest_pause_ns, now_ns - due_ns);
     if (now_ns - due_ns > kGiveUpNs) {
       begin_ns += now_ns - due_ns;
-      // Whatever cannot keep pace must not keep a processor for itself. A machine that stood still
-      // is another matter: beside a busy program the robot would fall behind again and again.
+      // A robot that cannot keep pace must not occupy a processor at real-time priority. After a
+      // mere pause of the machine it keeps its priority, or it would fall behind again and again.
       if (overloaded(now_ns)) go_beside_others();
     }
     if (now_ns < due_ns) sleep_until(due_ns);

@@ -1,5 +1,5 @@
 #pragma once
-// The emulated robot's true poses of a moment ago.
+// The emulated robot's most recent true poses.
 
 #include <array>
 #include <cmath>
@@ -12,11 +12,11 @@
 
 namespace tp100::sim {
 
-/// Truth of the last steps, to pair an estimate with the instant that it belongs to.
+/// Truth of the last steps, to compare an estimate with the truth at the same instant.
 class TruthHistory {
  public:
   void add(HostNs at_ns, const Pose& pose) { at(at_ns) = pose; }
-  /// Between two physics steps the pose is interpolated; `at_ns` is at most a quarter second old.
+  /// Pose at `at_ns`, at most a quarter second old; interpolated between physics steps.
   Pose find(HostNs at_ns) const {
     const HostNs before = at_ns / kPhysicsStepNs * kPhysicsStepNs;
     const double share = static_cast<double>(at_ns - before) / static_cast<double>(kPhysicsStepNs);

@@ -20,7 +20,7 @@ using namespace std::chrono_literals;
 constexpr auto kTimeout = 5s;
 constexpr auto kGreetEvery = 250ms;
 
-// The socket interface knows all addresses by one type.
+// The socket interface uses one type for all addresses.
 sockaddr* generic(sockaddr_in* address) {
   return static_cast<sockaddr*>(static_cast<void*>(address));
 }
@@ -52,7 +52,7 @@ void WorldClient::greet() {
   const auto record = std::make_unique<StepRecord>();
   const auto nothing = [](const WorldSample&) {};
   const int rounds = kTimeout / kGreetEvery;
-  // Before virtual time begins.
+  // Negative times: virtual time has not begun.
   for (int i = -rounds; i < 0 && !peer_.welcomed(); ++i) {
     const HostNs now = i * (std::chrono::nanoseconds(kGreetEvery).count() + 1);
     if (const auto hello = peer_.step(*record, now)) send(*hello);
@@ -68,7 +68,7 @@ void WorldClient::greet() {
 }
 
 void WorldClient::send(const std::string& datagram) {
-  // A missing receiver shows as silence.
+  // Errors are ignored: a missing receiver is noticed by its silence.
   (void)::sendto(socket_, datagram.data(), datagram.size(), MSG_NOSIGNAL, generic(&world_),
                  sizeof world_);
 }

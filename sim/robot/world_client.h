@@ -1,6 +1,6 @@
 #pragma once
-// The external world of a run in virtual time: every pose waits for its answer, so that the numbers
-// are the same however slow the world is.
+// The external world of a run in virtual time: the run waits for the answer to every pose, so that
+// the numbers are the same however slow the world is.
 
 #include <netinet/in.h>
 
@@ -27,10 +27,10 @@ class WorldClient {
   WorldClient& operator=(const WorldClient&) = delete;
 
   /// After a step at virtual time `now`: sends the pose, if one is due, and waits for the matching
-  /// answer. A world that takes more than five seconds of real time is not waited for again.
+  /// answer. If the world takes more than five seconds of real time, later answers are not awaited.
   void exchange(const StepRecord& record, HostNs now, const Take& take);
 
-  /// True if the world once failed to answer in time; later answers were not waited for.
+  /// True if the world once failed to answer in time; later answers were not awaited.
   bool silent() const { return !waits_; }
   const worlds::PeerCounters& counters() const { return peer_.counters(); }
 
@@ -39,7 +39,7 @@ class WorldClient {
 
   void greet();
   void send(const std::string& datagram);
-  /// One datagram of the world, if one comes before `deadline`. False: none.
+  /// Receives one datagram of the world. False: none arrived before `deadline`.
   bool receive(HostNs now, Clock::time_point deadline, const Take& take);
 
   worlds::Peer peer_;

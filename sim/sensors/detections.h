@@ -1,5 +1,5 @@
 #pragma once
-// What a camera program found in images of a drive: the file of tp100-camera --tum as samples.
+// Detections by a camera program in images of a drive: the file of tp100-camera --tum as samples.
 
 #include <string>
 #include <vector>

@@ -8,7 +8,7 @@
 namespace tp100::sim {
 namespace {
 
-// Of the battery from full to empty.
+// Voltage swing of the battery from full to empty.
 constexpr double kSwingV = 2.2;
 
 }  // namespace
@@ -36,11 +36,10 @@ void Motor::step(double duty, double battery_v, double load_n) {
                          : std::clamp(volts * values_.stall_n_per_v - damping_nspm_ * track_mps_,
                                       -values_.current_limit_n, values_.current_limit_n);
   // Motor and ground exchange speed and force one step apart. With the last force alone, a track at
-  // standstill may move to and fro for ever, with a period of two steps, which the mean cancels.
+  // standstill could oscillate for ever with a period of two steps, which the mean cancels.
   const double driving_n = force_n_ - 0.5 * (load_n + last_load_n_);
   last_load_n_ = load_n;
-  // Coulomb friction takes what it needs to stop the track within this step, and no more than it
-  // has.
+  // Coulomb friction stops the track within this step if it is strong enough, else it acts in full.
   const double to_rest_n = -(track_mps_ * inertia_kg_ / kStepS + driving_n);
   const double friction_n = std::clamp(to_rest_n, -values_.friction_n, values_.friction_n);
   if (friction_n == to_rest_n) {

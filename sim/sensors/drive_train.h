@@ -11,9 +11,9 @@ class Battery {
  public:
   explicit Battery(const course::EmulatedBattery& values) : values_(values) {}
 
-  /// One millisecond with this much motor force (both tracks, absolute values added). [N]
+  /// Advances one millisecond with this motor force (sum of both tracks' magnitudes). [N]
   void step(double force_n);
-  /// At the terminals, under the present load.
+  /// Terminal voltage under the present load.
   double volts() const;
 
  private:
@@ -22,11 +22,11 @@ class Battery {
   double amps_ = 0.0;
 };
 
-/// A DC gear motor behind one half of an L293D, seen at the track: speed by voltage, back-EMF,
+/// A DC gear motor driven by one half of an L293D, seen at the track: speed by voltage, back-EMF,
 /// Coulomb friction and load. One step is one millisecond.
 class Motor {
  public:
-  /// `gain`: this motor's strength against the nominal one.
+  /// `gain`: this motor's strength relative to the nominal one.
   Motor(const course::EmulatedMotor& values, double gain);
 
   /// Advances one step at `duty` (-1..1) from a battery at `battery_v`; `load_n` is the force that

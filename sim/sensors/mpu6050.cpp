@@ -26,7 +26,8 @@ constexpr std::uint8_t kDeviceReset = 0x80;
 
 constexpr double kRateHz = 1000.0;
 constexpr double kStandardGravity = 9.80665;
-// Bandwidth by DLPF_CFG, register map 4.3. Without the low-pass the sensor is faster than we look.
+// Bandwidth by DLPF_CFG, register map 4.3. Without the low-pass the sensor is faster than the 1 kHz
+// at which it is emulated.
 constexpr std::array<double, 8> kBandwidthHz = {256, 188, 98, 42, 20, 10, 5, 256};
 
 int full_scale(std::uint8_t config) { return (config >> 3) & 3; }
@@ -85,7 +86,7 @@ void Mpu6050::measure(const BodyState& body, HostNs now_ns) {
              values_.accel_noise_mps2_rthz * per_sample, share);
   }
   if (until_output_-- > 0) return;
-  // The divider counts in 8 kHz without the low-pass, of which we see every eighth.
+  // Without the low-pass the divider counts at 8 kHz, of which every eighth period is emulated.
   const std::uint8_t low_pass = registers_[kConfig] & 7u;
   const int divider = registers_[kSampleDivider];
   until_output_ = low_pass == 0 || low_pass == 7 ? std::max(0, (divider + 1) / 8 - 1) : divider;

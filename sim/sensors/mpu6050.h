@@ -36,7 +36,7 @@ class Mpu6050 : public I2cSlave {
 
   bool write(std::span<const std::uint8_t> bytes) override;
   bool read(std::span<std::uint8_t> bytes) override;
-  /// A defect: the registers keep their values from now on, the bus answers as before.
+  /// Injects a defect: the registers keep their values from now on, the bus answers as before.
   void freeze(bool frozen = true) { frozen_ = frozen; }
   /// Power-on register values: asleep, +-250 deg/s, +-2 g.
   void power_on();

@@ -16,7 +16,7 @@ constexpr double kShortestDelayS = 0.005;
 OverheadCamera::OverheadCamera(const course::EmulatedCamera& values, double middle_x_m,
                                double middle_y_m, std::uint64_t seed)
     : values_(values), x_m_(middle_x_m + values.offset_x_m), y_m_(middle_y_m + values.offset_y_m) {
-  // Not the stream of any other sensor of this seed.
+  // A stream of its own, different from those of other sensors with this seed.
   std::seed_seq sequence{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32),
                          0x0CA3E7A5u};
   random_.seed(sequence);

@@ -17,7 +17,7 @@ namespace tp100::sim {
 /// Images of one run; the same seed gives the same samples.
 class OverheadCamera {
  public:
-  /// The camera is over (`middle_x_m`, `middle_y_m`) plus the values' offset.
+  /// The camera is above (`middle_x_m`, `middle_y_m`) plus the values' offset.
   OverheadCamera(const course::EmulatedCamera& values, double middle_x_m, double middle_y_m,
                  std::uint64_t seed);
 
@@ -31,7 +31,7 @@ class OverheadCamera {
     HostNs at_ns;
     CameraSample sample;
   };
-  /// A point of the body, given in its own axes, as the image shows it in the marker's plane.
+  /// Where the image shows a point of the body (given in body axes), in the marker's plane.
   struct Image {
     double x_m, y_m;
   };

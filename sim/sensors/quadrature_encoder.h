@@ -20,8 +20,7 @@ struct EncoderEdge {
   bool level;
 };
 
-/// Turns track travel into edges of phases A and B with their times; A leads when the track moves
-/// forward.
+/// Converts track travel into timed edges of phases A and B; A leads when the track moves forward.
 class QuadratureEncoder {
  public:
   /// `first_channel`: 0 for the left track, 2 for the right one (EncoderEdge).
@@ -41,7 +40,7 @@ class QuadratureEncoder {
 
   double counts_per_metre_;
   std::uint8_t first_channel_;
-  std::array<double, 4> offsets_{};  // of the four edges of a cycle, in edges
+  std::array<double, 4> offsets_{};  // position errors of the four edges of a cycle, in edges
   double position_ = 0.5;            // in edges; the start lies between two of them
   std::int64_t counts_ = 0;
 };

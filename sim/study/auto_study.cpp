@@ -17,7 +17,7 @@ namespace {
 
 using model::kTrackParameters;
 
-// Seeds of the drives of one robot lie apart, so that no two share their noise.
+// Seeds of one robot's drives lie this far apart, so that no two share their noise.
 constexpr std::uint64_t kManoeuvreStride = 1'000'003;
 
 /// All robots of the command.
@@ -46,7 +46,7 @@ struct Held {
   double percent() const { return all == 0 ? 0.0 : 100.0 * inside / all; }
 };
 
-/// Whether there is an interval, and a truth: else the drives did not show the parameter.
+/// Whether the parameter has an interval and a truth, else the drives could not identify it.
 bool shown(const AutoCalibration& of, model::TrackParameter parameter) {
   return of.calibration.found.extended[parameter].found &&
          std::isfinite(of.calibration.truth.*parameter);
@@ -120,7 +120,7 @@ int run_auto_calibrate(const CalibrateCommand& command) {
         of = calibrate_by_itself(loaded, area,
                                  command.options.seed + static_cast<std::uint64_t>(run));
       } catch (const SetupError& error) {
-        // The others are of interest all the same.
+        // Go on with the other robots.
         std::printf("%-14s %s\n", loaded.robot.name.c_str(), error.what());
         ++failed;
         continue;

@@ -1,6 +1,6 @@
 #pragma once
-// An emulated body at constant track speeds, from its exact motion: no encoder, no camera, no
-// model.
+// Turns of an emulated body at constant track speeds, measured from its exact motion: without
+// encoder, camera or model.
 
 #include <string>
 #include <vector>
@@ -24,13 +24,13 @@ MeanMotion mean_motion(Body& body, const TrackSpeeds& tracks, double run_in_s, d
 struct BodyTurn {
   std::string name;  ///< of the turn
   double left_mps = 0.0, right_mps = 0.0;
-  double wheelbase_m = 0.0;  ///< L of eq 5 with the body's own slip straight on
+  double wheelbase_m = 0.0;  ///< L of eq 5 with the body's own slip straight ahead
   double yaw_rate_radps = 0.0;
 };
 
-/// The wheelbase with which the body really turns, to set beside eq 7 and what is identified.
-/// Drives it straight on for its slip, then an arc and on the spot, each to both sides at the
-/// speeds of the courses. L is the mean of both sides. Pure.
+/// Measures the wheelbase with which the body really turns, for comparison with eq 7 and with the
+/// identified one. Drives it straight ahead for its slip, then an arc and on the spot, each to both
+/// sides at the speeds of the courses. L is the mean of both sides. Pure.
 std::vector<BodyTurn> measure_turns(const course::Emulated& robot);
 
 }  // namespace tp100::sim

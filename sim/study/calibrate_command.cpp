@@ -22,10 +22,10 @@ using model::TrackParameters;
 
 constexpr std::size_t kCount = kTrackParameters.size();
 
-// Stated accuracy: of slip, and of the wheelbase in parts of itself.
+// Stated accuracy: absolute for slip, relative for the wheelbase.
 constexpr double kSlipWithin = 0.01;
 constexpr double kWheelbaseWithin = 0.02;
-// Seeds of the drives of one calibration lie apart, so that no two share their noise.
+// Seeds of one calibration's drives lie this far apart, so that no two share their noise.
 constexpr std::uint64_t kSeedStride = 1'000'003;
 
 void write_drives(const std::string& folder, const std::vector<CalibrationDrive>& drives) {
@@ -35,7 +35,7 @@ void write_drives(const std::string& folder, const std::vector<CalibrationDrive>
                      identify::write_drive(drive.drive));
 }
 
-/// How one parameter fared over several calibrations.
+/// Statistics of one parameter over several calibrations.
 struct Tally {
   double worst = 0.0, errors = 0.0, halves = 0.0;
   int inside = 0, count = 0;
@@ -77,7 +77,7 @@ std::vector<CalibrationDrive> calibration_drives(const Loaded& loaded, int repea
                                                      .camera = load_camera("overhead"),
                                                      .seed = seed + kSeedStride * drives.size(),
                                                      .sink = &sink});
-      // An unidentified robot does not end where its course does.
+      // Finished, not completed: an unidentified robot does not end where its course does.
       if (!result.finished)
         throw SetupError(name + ": " + loaded.robot.name + " did not finish it (" + result.cause +
                          "); there is nothing to learn from");
@@ -127,7 +127,7 @@ course::Robot calibrated_robot(const Loaded& loaded, int repeats, std::uint64_t 
   const std::string text = course::write_robot(identify::identified_robot(found, loaded.robot, {}),
                                                identify::identified_note(found, {}, {}));
   text::write_file(path, text);
-  // A reader of the file gets the same robot.
+  // Parsed from the file's text, so that it is the robot that a reader of the file gets.
   return course::parse_robot(text, path);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Subcommands of tp100-sim that study the emulated robot. Each is a source file of its name.
+// Subcommands of tp100-sim that study the emulated robot, each in the source file of its name.
 
 #include <cstdint>
 #include <optional>
@@ -15,7 +15,7 @@
 
 namespace tp100::sim {
 
-// tp100-sim calibrate: the calibration drives of an emulated robot, identified and judged.
+// tp100-sim calibrate: calibration drives of an emulated robot, identification and its accuracy.
 
 /// One calibration: the identified values and the body's real ones.
 struct Calibration {
@@ -23,15 +23,15 @@ struct Calibration {
   model::TrackParameters truth{};
   std::vector<CalibrationDrive> drives;
 
-  /// The stated accuracy was kept: slip within 0.01, the wheelbases within 2 %.
+  /// True if the stated accuracy was met: slip within 0.01, the wheelbases within 2 %.
   bool accurate() const;
   /// True if the interval of an identified parameter contains its truth.
   bool holds(model::TrackParameter parameter) const;
 };
 
 /// Drives straight ahead, arcs and turns on the spot in both directions under an overhead camera,
-/// as an unidentified robot ([model] at its defaults), and identifies it. No two drives share their
-/// noise. Throws SetupError.
+/// as an unidentified robot ([model] at its defaults), and identifies it. Each drive has noise of
+/// its own. Throws SetupError.
 Calibration calibrate(const Loaded& loaded, int repeats, std::uint64_t seed);
 
 /// The unidentified robot: [model] at its defaults.
@@ -41,13 +41,13 @@ course::Robot without_model(course::Robot robot);
 std::vector<CalibrationDrive> calibration_drives(const Loaded& loaded, int repeats,
                                                  std::uint64_t seed);
 
-/// The robot with what its calibration found, as its file `<name>.toml` has it, which this writes
-/// into `folder`. Throws SetupError.
+/// Calibrates the robot, writes its file `<name>.toml` with the result into `folder` and returns
+/// the robot of that file. Throws SetupError.
 course::Robot calibrated_robot(const Loaded& loaded, int repeats, std::uint64_t seed,
                                const std::string& folder);
 
 /// One line of JSON: found value, half of the 95 % interval and true value of every parameter, in
-/// the units of robot files; null for what the drives could not show.
+/// the units of robot files; null for what the drives could not identify.
 std::string calibration_json(const std::string& robot, std::uint64_t seed, const identify::Fit& fit,
                              const model::TrackParameters& truth);
 
@@ -57,26 +57,26 @@ struct CalibrateCommand {
   int runs = 1;     ///< whole calibrations, with this and the following seeds
   std::string out;  ///< folder for the recordings; empty: none
   bool json = false;
-  bool by_itself = false;           ///< it chooses its manoeuvres; see auto_study.h
-  std::string area = "1-straight";  ///< of these: course whose fence holds them
-  int sampled = 0;                  ///< robots of stated ranges, and all bundled ones
+  bool by_itself = false;           ///< the robot chooses its manoeuvres; see auto_study.h
+  std::string area = "1-straight";  ///< then: course whose fence contains them
+  int sampled = 0;                  ///< then: number of sampled robots besides the bundled ones
 };
 
-/// Calibrates and prints the values beside the truth, and how often the intervals held it. Returns
-/// 0 if every calibration came within the stated accuracy, else 1. Throws SetupError.
+/// Calibrates and prints the values beside the truth, and how often the intervals contained it.
+/// Returns 0 if every calibration met the stated accuracy, else 1. Throws SetupError.
 int run_calibrate(const CalibrateCommand& command);
 
 // tp100-sim faults: the list of faults for --fault, and their effects.
 
 struct FaultsCommand {
   bool json = false;
-  bool drive = false;           ///< drive with each, print expected beside observed
-  bool encoders = false;        ///< sweep encoders that fail over speeds, places and robots
-  bool firmware_alone = false;  ///< in that sweep, without the daemon's own checks
+  bool drive = false;           ///< drive with each fault, print expected beside observed
+  bool encoders = false;        ///< sweep encoder failures over speeds, positions and robots
+  bool firmware_alone = false;  ///< do that sweep without the daemon's own checks
   std::string board = "native";
 };
 
-/// Prints the list, or the table of drives. Returns 1 if a drive ended otherwise than expected.
+/// Prints the list, or the table of drives. Returns 1 if a drive did not end as expected, else 0.
 /// Throws SetupError.
 int run_faults(const FaultsCommand& command);
 
@@ -98,8 +98,8 @@ struct SlopeRow {
 /// 0, 4 ... 28 deg.
 std::span<const SlopeRow> slope_rows();
 
-/// Straight up an even slope, both tracks at `track_mps` for two seconds after half a second of
-/// running in. Pure.
+/// Measures a drive straight up an even slope, both tracks at `track_mps`, for two seconds after
+/// half a second of running in. Pure.
 SlopeSlip measure_slope(const course::EmulatedBody& values, double slope_rad, double track_mps);
 
 struct SlopeCommand {

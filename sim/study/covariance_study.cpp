@@ -32,7 +32,7 @@ std::vector<course::Robot> robots_on(const std::string& body, const std::string&
   return robots;
 }
 
-/// A share that is to be neither too small nor, if `too_cautious` counts, too large.
+/// Judges a share that must not be too small nor, if `too_cautious`, too large.
 void judge_share(CourseStudy& study, const std::string& what, bool too_cautious, double percent) {
   study.judged.push_back(
       judged_value(study, what + " within 2 sd", "%", too_cautious ? kMaxPercent : -1.0, percent));
@@ -49,7 +49,8 @@ CourseStudy study_of(const std::vector<course::Robot>& robots, bool uneven, bool
   study.board = to_string(BoardKind::kNative);
   study.uneven = uneven;
   double position = 0.0, yaw = 0.0;
-  // The same seed would place every robot alike: few draws decide then.
+  // Other seeds for each robot: the same ones would place all robots alike, and the result would
+  // depend on few draws.
   std::uint64_t seed = first_seed;
   for (const course::Robot& robot : robots) {
     for (const char* course : {"1-sharp", "2"}) {
@@ -69,8 +70,8 @@ CourseStudy study_of(const std::vector<course::Robot>& robots, bool uneven, bool
   }
   const double percent = 100.0 / study.runs;
   const std::string what = camera ? "fused" : "odometry";
-  // The emulated camera's constant error has one size, which is always within two standard
-  // deviations of what the filter assumes.
+  // The emulated camera's constant error has a fixed size, always within two standard deviations of
+  // the filter's assumption: with a camera, the upper limit of the position is not judged.
   judge_share(study, what + " position", !camera, percent * position);
   judge_share(study, what + " yaw", true, percent * yaw);
   std::fprintf(stderr, "%-28s %-14s %-8s %d of %d completed\n", study.course.c_str(),
@@ -82,7 +83,7 @@ CourseStudy study_of(const std::vector<course::Robot>& robots, bool uneven, bool
 
 course::Robot placed_by_hand(course::Robot robot, bool uneven) {
   const estimation::FilterParameters assumed;
-  // What the seed draws, it draws only where the floor is uneven.
+  // The seed has an effect only if the floor is uneven.
   robot.emulated.floor = course::Floor::kUneven;
   course::EmulatedVariation& variation = robot.emulated.variation;
   if (!uneven)

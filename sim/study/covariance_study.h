@@ -1,6 +1,6 @@
 #pragma once
-// Whether the covariance that the daemon publishes is true: how often the true pose lies within two
-// standard deviations of the estimated one.
+// Checks the covariance that the daemon publishes: how often the true pose lies within two standard
+// deviations of the estimated one.
 
 #include <cstdint>
 #include <string>
@@ -15,10 +15,10 @@ namespace tp100::sim {
 /// filter assumes. `uneven`: on a floor sampled from the seed, else on an even one.
 course::Robot placed_by_hand(course::Robot robot, bool uneven);
 
-/// Every bundled robot on 1-sharp and 2, with and without an overhead camera, on even and uneven
-/// ground. `body`: ode or shear; on shear each robot is identified first and its file goes to
-/// `folder`. One study for each ground and sensors, over all robots, courses and seeds together:
-/// the shares within two standard deviations are to be 90 to 99 %.
+/// Drives every bundled robot on 1-sharp and 2, with and without an overhead camera, on even and
+/// uneven ground. `body`: ode or shear; on shear each robot is identified first and its file is
+/// written to `folder`. Returns one study per ground and sensors, over all robots, courses and
+/// seeds together: the shares within two standard deviations must be 90 to 99 %.
 std::vector<CourseStudy> study_covariance(const std::string& body, const std::string& folder,
                                           std::uint64_t first_seed, int runs);
 

@@ -37,7 +37,7 @@ constexpr std::array kSpeeds = {0.03, 0.06, 0.10, 0.15, 0.20};
 constexpr std::array kOnsets = {Onset::kStraight, Onset::kArc, Onset::kStandstill, Onset::kSpin};
 constexpr std::array<std::string_view, 3> kRobots = {"end-loaded", "uniform", "worn"};
 
-// Segments of the course, and where in them encoders fail.
+// Segments of the course, and the positions in them at which encoders fail.
 constexpr double kLineM = 0.5, kRadiusM = 0.35, kArcRad = 90.0 * kRadPerDeg, kNextLineM = 0.2;
 constexpr double kInLineM = 0.2, kInArcM = 0.65;
 constexpr double kSpinRad = 90.0 * kRadPerDeg, kInSpinRad = kArcRad + 30.0 * kRadPerDeg;
@@ -60,7 +60,7 @@ Loaded load_robot(std::string_view name) {
   return load(options);
 }
 
-/// The daemon's own checks as wide as they go.
+/// Widens the daemon's own checks as far as possible.
 void look_away(LockstepSettings& settings) {
   control::Parameters& control = settings.configuration.parameters.control;
   control.max_cross_track_m = 10.0;
@@ -70,7 +70,7 @@ void look_away(LockstepSettings& settings) {
   settings.host_checks_encoders = false;
 }
 
-/// When a healthy robot is where encoders fail.
+/// Finds the times at which a healthy robot is where encoders fail.
 class PlaceMonitor : public messages::Sink {
  public:
   explicit PlaceMonitor(HostNs opened_ns) : opened_ns_(opened_ns) {}
@@ -93,12 +93,13 @@ class PlaceMonitor : public messages::Sink {
   HostNs opened_ns_;
 };
 
-/// Greatest deviation from where a healthy robot has been so far. A robot that is late does not
-/// deviate: the nearest of the healthy robot's poses counts, and none before the last one that did.
+/// Greatest deviation from the poses of a healthy robot so far. A mere delay is not a deviation:
+/// the robot is compared with the nearest of the healthy poses, but with none before the last
+/// nearest.
 class DeviationFromHealthy {
  public:
   explicit DeviationFromHealthy(const std::vector<Pose>& healthy) : healthy_(healthy) {}
-  /// Call once per step of the physics.
+  /// Call once per physics step.
   void update(const Pose& is) {
     const std::size_t now = std::min(step_++, healthy_.size() - 1);
     if (step_ % kEverySteps != 0) return;

@@ -1,5 +1,5 @@
 #pragma once
-// Encoders that fail while the robot drives: how far the robot deviates until its motors are off,
+// Encoder failures while the robot drives: how far the robot deviates until its motors are off,
 // over kinds of failure, speeds, positions and robots.
 
 #include <array>
@@ -16,10 +16,10 @@
 
 namespace tp100::sim {
 
-/// One way to fail.
+/// One kind of failure.
 struct EncoderFailure {
   std::string_view fault;  ///< as for --fault, without its time
-  double again_s = 0.0;    ///< repeats at this interval; 0: lasts
+  double again_s = 0.0;    ///< repeats at this interval; 0: the failure lasts
   bool on_page = false;    ///< a row of sim/faults/FAULTS.md, driven by the tests
 };
 
@@ -47,23 +47,23 @@ struct EncoderTrial {
   BoardKind board = BoardKind::kNative;
 };
 
-/// Until the motors were off for good.
+/// Outcome of a trial until the motors were off for good.
 struct EncoderOutcome {
   std::string end;           ///< "completed" or the fault that ended the run
   double off_after_s = 0.0;  ///< from the fault's beginning
-  /// Greatest deviation in place and yaw from where the same robot without the fault had been by
-  /// then, by the truth. A robot that is late does not deviate.
+  /// Greatest true deviation in position and yaw from the poses of the same robot without the fault
+  /// up to that time. A mere delay is not a deviation.
   double beyond_m = 0.0;
   double beyond_rad = 0.0;
 
   static constexpr double kMaxM = 0.15;
   static constexpr double kMaxRad = 20.0 * kRadPerDeg;
   bool good() const { return end != "completed" && beyond_m < kMaxM && beyond_rad < kMaxRad; }
-  /// Takes the worst of each figure of several outcomes; `completed` if one was.
+  /// Keeps the worst of each figure; `end` becomes "completed" if one outcome was.
   void merge(const EncoderOutcome& other);
 };
 
-/// Drives a line, an arc, a line, a turn on the spot and a line; keeps the results of healthy
+/// Drives a line, an arc, a line, a turn on the spot and a line; caches the drives of healthy
 /// robots. Deterministic.
 class EncoderStudy {
  public:
@@ -74,8 +74,8 @@ class EncoderStudy {
 
  private:
   struct Healthy {
-    std::vector<Pose> truth;          ///< one a physics step, from the opening of the port
-    std::map<Onset, double> onset_s;  ///< of the same time
+    std::vector<Pose> truth;          ///< one per physics step, from the opening of the port
+    std::map<Onset, double> onset_s;  ///< since the opening of the port
   };
   const Healthy& healthy(const EncoderTrial& trial);
 
@@ -83,8 +83,8 @@ class EncoderStudy {
   std::map<std::tuple<std::string_view, double, BoardKind>, Healthy> healthy_;
 };
 
-/// The trials of one cell of the table (failure and speed): every onset with every robot, or all
-/// with one robot, which is another one in the next cell.
+/// The trials of one cell of the table (failure and speed): every onset with every robot, or every
+/// onset with one robot that changes from cell to cell.
 std::vector<EncoderTrial> encoder_trials(const EncoderFailure& failure, double speed_mps,
                                          BoardKind board, bool every_robot);
 

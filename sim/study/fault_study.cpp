@@ -17,15 +17,16 @@ constexpr std::string_view kCompleted = "completed";
 constexpr std::string_view kNeverBegan = "never began";
 constexpr double kCourseM = 0.6;
 constexpr double kBeginWithinS = 3.0;
-// A robot drives on for the life of a command, and the physics looks once a millisecond.
+// A robot drives on for the life of a command; the observer's resolution is a physics step.
 constexpr double kOffS = 0.21;
-// Faults that only the robot can detect take longer; the times are the robot's.
-constexpr double kOnlyItsBytesS = 0.30;  // the samples get too old to steer by, a command's life
-constexpr double kDutyS = 0.85;          // the duty means more than is counted
-constexpr double kTurnS = 1.00;          // gyro and encoders turn apart
-constexpr double kBackwardsS = 0.35;     // against its duty
-constexpr double kImuS = 0.10;           // the same values again and again
-constexpr double kBatteryS = 1.15;       // a second below the cut-off
+// Faults that only the robot can detect take longer, as stated in the firmware.
+constexpr double kOnlyItsBytesS =
+    0.30;                             // the samples get too old to steer by, plus a command's life
+constexpr double kDutyS = 0.85;       // the duty implies more than is counted
+constexpr double kTurnS = 1.00;       // gyro and encoders disagree about the turn
+constexpr double kBackwardsS = 0.35;  // motion against the duty
+constexpr double kImuS = 0.10;        // the values no longer change
+constexpr double kBatteryS = 1.15;    // a second below the cut-off
 
 constexpr std::array kTrials = std::to_array<FaultTrial>({
     {"flip:0.0005", kCompleted, "corrupted", 1, 0, 0, "corrupted frames"},
@@ -82,10 +83,10 @@ constexpr std::array kTrials = std::to_array<FaultTrial>({
     {"host-stall:300@3", "command_timeout", "robot_faults", 1, kOffS, 4, "cycles of the loop"},
 });
 
-// A robot's own are the lower bits.
+// The robot's own faults are the lower bits.
 constexpr unsigned kRobotFaults = 16;
 
-/// Looks at every step, and at every command that goes out.
+/// Checks every step and every command that is sent.
 class StepMonitor : public messages::Sink {
  public:
   explicit StepMonitor(messages::Sink* also) : also_(also) {}

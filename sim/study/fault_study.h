@@ -1,5 +1,5 @@
 #pragma once
-// The effect of each fault on a run and on the next one: driven in virtual time, expected beside
+// The effect of each fault on a run and on the next one, driven in virtual time: expected and
 // observed.
 
 #include <cstdint>
@@ -19,19 +19,19 @@ namespace tp100::sim {
 struct FaultTrial {
   std::string_view fault;  ///< as for --fault; empty: none
   std::string_view end;  ///< "completed", "never began" or the name of the fault that ends the run
-  /// What the daemon publishes of it, and how much at least: a counter of the link (corrupted: all
-  /// four of corrupted frames), or the most of a figure during the run, named with its unit.
+  /// What the daemon publishes about it, and its least value: a counter of the link ("corrupted":
+  /// all four of corrupted frames), or the maximum of a figure during the run, named with its unit.
   std::string_view counter;
   double at_least = 1.0;
-  double off_within_s = 0.0;  ///< motors are off so long after the fault begins; 0: run completes
-  double again_s = 0.0;       ///< the next start, from the port's opening: it completes; 0: none
-  std::string_view log{};  ///< beginning of the expected log line, with cause and fix; else `end`
+  double off_within_s = 0.0;  ///< motors are off within this time; 0: the run completes
+  double again_s = 0.0;       ///< time of the next start, which completes; 0: no second run
+  std::string_view log{};  ///< beginning of the expected log line, with cause and fix; empty: `end`
   bool chip_only = false;  ///< needs board avr
 };
 
 std::span<const FaultTrial> fault_trials();
 
-/// An event of the session, and the hello known then.
+/// An event of the session, and the hello that was known then.
 struct SessionMessage {
   link::SessionEvent event;
   wire::Hello hello;
@@ -47,12 +47,12 @@ struct Figure {
 struct FaultOutcome {
   std::string end;
   std::string again;     ///< the end of the second run; empty: there was none
-  double counted = 0.0;  ///< of the trial's counter
+  double counted = 0.0;  ///< value of the trial's counter
   std::vector<Figure> figures{};
   double off_after_s = 0.0;    ///< from the fault's beginning to the last instant with a duty
-  std::uint64_t commands = 0;  ///< that the daemon sent
-  std::uint64_t wild = 0;      ///< of these not finite, out of range or expired when sent
-  FaultMask faults = 0;        ///< that ended the first run
+  std::uint64_t commands = 0;  ///< number that the daemon sent
+  std::uint64_t wild = 0;      ///< of these: not finite, out of range or expired when sent
+  FaultMask faults = 0;        ///< faults that ended the first run
   std::vector<SessionMessage> session_messages{};
   bool as_expected = false;
 };
@@ -62,9 +62,9 @@ struct FaultOutcome {
 FaultOutcome try_fault(const FaultTrial& trial, BoardKind board, messages::Sink* sink = nullptr,
                        std::uint64_t seed = 1);
 
-/// The row of a Markdown table: fault, expected, observed.
+/// A row of a Markdown table: fault, expected, observed.
 std::string fault_row(const FaultTrial& trial, BoardKind board, const FaultOutcome& outcome);
-/// Its head.
+/// The table's head.
 std::string fault_table_head();
 
 }  // namespace tp100::sim

@@ -16,12 +16,13 @@
 namespace tp100::sim {
 namespace {
 
-// Distance between the points that stand for the path.
+// Spacing of the points that represent the path.
 constexpr double kSpacingM = 0.002;
-// Parts of the path that are further from the run's progress belong to another time.
+// Only points within this distance of the run's progress are compared, because the path may pass
+// the same place again.
 constexpr double kWindowM = 0.15;
 constexpr double kRecoveryS = 4.0;
-// Deviations up to here need no report.
+// Deviations up to this one need not be reported.
 constexpr double kUnnoticedM = 0.025;
 
 std::vector<course::PathPoint> points_of(const course::Path& path) {

@@ -19,7 +19,7 @@ text::CsvTable unordered(const course::TextFile& file, std::vector<std::string_v
                          {.required = std::move(columns), .optional = {}, .by_time = false});
 }
 
-/// Where the table goes on with another window.
+/// The first row after the window that begins at row `begin`.
 std::size_t end_of_window(const text::CsvTable& table, std::size_t begin) {
   std::size_t end = begin;
   while (end < table.rows() && table["window"][end] == table["window"][begin]) ++end;

@@ -9,14 +9,14 @@
 
 namespace tp100::sim {
 
-/// What the robot's own sensors say during one interval.
+/// Measurements of the robot's own sensors during one interval.
 struct SensedSpeeds {
   double left_mps = 0.0, right_mps = 0.0;  ///< of the tracks, or of the wheels of a side
   double gyro_radps = 0.0;                 ///< 0 without a gyro
 };
 
-/// One piece of motion. Its truth is forward, left and turned: the twist of a stationary point
-/// [m/s, m/s, rad/s], or where a window ends in the frame of its beginning [m, m, rad].
+/// One measured motion. Its truth is forward, left and yaw: the twist of a stationary point
+/// [m/s, m/s, rad/s], or the end of a window in the frame of its beginning [m, m, rad].
 struct RealMotion {
   int row = 0, column = 0;  ///< place in the grid of left and right speeds; window and step
   double dt_s = 0.0;        ///< of each interval; 0 for a stationary point, which has one
@@ -42,7 +42,7 @@ RealRobot parse_maxxii(const course::TextFile& file);
 /// mean of its two samples. Throws SetupError "file:line: what". Pure.
 RealRobot parse_husky(const course::TextFile& file);
 
-/// Both, from the bundled files. Throws SetupError that names a file that is missing or corrupted.
+/// Reads both from the bundled files. Throws SetupError that names a missing or corrupted file.
 std::vector<RealRobot> read_real_robots();
 
 }  // namespace tp100::sim

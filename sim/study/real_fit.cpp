@@ -14,11 +14,11 @@ using identify::Summed;
 
 constexpr double kMaxExponent = 30.0;
 constexpr double kMinScaleMps = 0.02;  // shorter than the step between measured speeds
-constexpr double kFirstSd = 0.05;      // of a residual
+constexpr double kFirstSd = 0.05;      // of a residual, before the first rescale()
 constexpr double kDifference = 1e-4;   // step of the derivatives, in the unit of each
 constexpr int kRounds = 100, kAttempts = 12;
 constexpr double kConverged = 1e-9;  // of the cost
-constexpr double kUnseen = 0.5;      // as identify: of the prior's standard deviation
+constexpr double kUnseen = 0.5;      // as in identify: share of the prior's standard deviation
 
 struct OwnConstant {
   SlipConstant value;
@@ -47,8 +47,8 @@ double prior_sd(SlipConstant constant, const SlipConstants& start) {
       ->prior_sd;
 }
 
-/// What an error of the turned angle is weighed by: a track is off by half the gauge, the end of a
-/// window by half its path.
+/// Lever by which an error of the yaw is weighted: half the gauge, at which a track is, or half the
+/// mean path of the windows.
 double lever_m(const std::vector<RealMotion>& motions, double gauge_m) {
   double path_m = 0.0;
   for (const RealMotion& motion : motions) path_m += motion.path_m;
@@ -84,7 +84,7 @@ class Fitting {
     }
   }
 
-  /// Weighs the residuals by their scatter, which is the model's error as much as noise.
+  /// Weights the residuals by their scatter, which has the model's error as well as noise.
   void rescale() {
     const auto residuals = static_cast<double>(3 * motions_.size());
     sd_ = std::sqrt(squares(at_) / residuals);
@@ -140,7 +140,7 @@ class Fitting {
         const std::array<double, 3> there = predicted(changed, form_, motion);
         for (std::size_t i = 0; i < by.size(); ++i) by[i][k] = (there[i] - here[i]) / kDifference;
       }
-      // A motion begins where its truth begins: it has nothing of its own to be fitted.
+      // A motion begins at its true pose: it has no parameters of its own to fit.
       RunSums& of_motion = sums.emplace_back(size(), 1);
       for (std::size_t i = 0; i < by.size(); ++i)
         of_motion.add(by[i], Eigen::VectorXd::Zero(1), motion.truth[i] - here[i],

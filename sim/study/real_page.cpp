@@ -14,7 +14,7 @@ namespace {
 using report::Rows;
 using text::format;
 
-/// Figures of an independent evaluation of the same data, in the order of ours.
+/// Figures of an independent evaluation of the same data, in the same order.
 struct Independent {
   const char *robot, *form, *figures;
 };

@@ -28,7 +28,7 @@ const std::vector<Split> kWindowSplits = {
     {"even steps", [](const RealMotion& m) { return even(m.column); }},
     {"odd steps", [](const RealMotion& m) { return !even(m.column); }}};
 
-// A break-away as in spins of half a metre per second and more.
+// Start of the fit: break-away in spins at about half a metre per second and more.
 constexpr double kFirstBreakAwayMps = 0.8;
 
 using Constants = std::vector<SlipConstant>;
@@ -99,7 +99,8 @@ double rms(double squares, std::size_t count) {
   return std::sqrt(squares / static_cast<double>(count));
 }
 
-/// Stationary points: rms of yaw rate and speed in parts of their own rms, of the lateral speed.
+/// Stationary points: rms errors of yaw rate and speed relative to their own rms, and of the
+/// lateral speed.
 std::vector<double> point_figures(const SlipForm& form, const SlipConstants& constants,
                                   const std::vector<RealMotion>& motions) {
   std::array<double, 3> errors{}, values{};
@@ -114,7 +115,7 @@ std::vector<double> point_figures(const SlipForm& form, const SlipConstants& con
           100.0 * rms(errors[1], motions.size())};
 }
 
-/// Windows: mean position error at the end in parts of the mean path, mean yaw error.
+/// Windows: mean position error at the end relative to the mean path, mean yaw error.
 std::vector<double> window_figures(const SlipForm& form, const SlipConstants& constants,
                                    const std::vector<RealMotion>& motions) {
   double error_m = 0.0, path_m = 0.0, error_rad = 0.0;

@@ -27,13 +27,13 @@ inline constexpr const char* kLateral = "lateral speed, rms [cm/s]";
 inline constexpr const char* kPosition = "position, mean [% of path]";
 inline constexpr const char* kYaw = "yaw, mean [deg]";
 
-/// One form in all splits.
+/// Results of one form in all splits.
 struct RealForm {
   std::string name{};
   std::vector<std::vector<double>> figures{};  ///< [split][figure]
-  SlipFit fit{};                               ///< to the first split's half
-  /// Of each motion judged in the first split: right minus left track speed [m/s] against the error
-  /// of the yaw rate [rad/s]; of windows the mean speeds and rates.
+  SlipFit fit{};                               ///< to the fitted half of the first split
+  /// For each motion judged in the first split: right minus left track speed [m/s] and error of the
+  /// yaw rate [rad/s]; for windows the means.
   std::vector<std::pair<double, double>> yaw_errors{};
 };
 
@@ -41,10 +41,10 @@ struct RealStudy {
   std::string robot;
   int motions = 0;
   std::vector<std::string> splits;   ///< what is fitted; the rest is judged
-  std::vector<std::string> figures;  ///< name and unit; the first is the one of other splits
+  std::vector<std::string> figures;  ///< name and unit; other splits have only the first
   std::vector<RealForm> forms;
 
-  /// Figure of a form in the first split; not-a-number if there is none of these names.
+  /// Figure of a form in the first split; NaN if there is none with these names.
   double figure(const std::string& form, const std::string& figure) const;
 };
 

@@ -26,16 +26,17 @@
 namespace tp100::sim {
 namespace {
 
-// Apart from every seed that parameters were found with.
+// Different from every seed with which parameters were tuned.
 constexpr std::uint64_t kHeldOutSeed = 5001;
-// Over the step, over the ramp, and in the curve of course 3.
+// On the step, on the ramp, and in the curve of course 3.
 constexpr double kBlindFromS[] = {15.0, 28.0, 33.0};
 constexpr double kBlindS = 3.0;
 constexpr int kCalibrationRepeats = 2;
-// The image is slower, and differs from the host's build by less than seeds do.
+// Fewer runs for the firmware image: it is slower, and differs less from the host's build than
+// seeds do from each other.
 constexpr int kImageRuns = 5;
 constexpr int kRandomCoursesARun = 50;
-// Bodies with less friction cannot hold themselves on the step of course 3.
+// Bodies with less friction slide off the step of course 3.
 constexpr double kFrictionOfCourse3 = 0.85;
 
 course::Robot robot_named(const std::string& name) {
@@ -53,13 +54,13 @@ Trial trial_of(const ReproduceCommand& command, const course::Course& course,
           .runs = command.runs};
 }
 
-/// Where the course's obstacles are real, if it has any.
+/// Set-up in which the course's obstacles, if it has any, are real.
 bridge::Setup floor_for(const course::Course& course) {
   return course.terrain.flat() ? bridge::Setup::kFlat : bridge::Setup::kTerrain;
 }
 
-/// A long robot meets the step while it is still in the curve, tracks askew, which is not what
-/// course 3 is about and what no model of ours describes.
+/// Whether the robot meets every block straight. A long robot meets the step of course 3 askew,
+/// while it is still in the curve, which no model here describes.
 bool straight_before(const course::Course& course, const course::Robot& robot) {
   const course::ShapeValues& shape = robot.shape;
   const course::Path path(course);
@@ -75,7 +76,7 @@ bool straight_before(const course::Course& course, const course::Robot& robot) {
       });
 }
 
-/// The same for a robot not designed for this course: obstacles are real only where the robot has
+/// The same for a robot not designed for this course: obstacles are real only if the robot has
 /// enough traction on them and meets them straight.
 bridge::Setup floor_for(const course::Course& course, const course::Robot& robot) {
   const bool fit =
@@ -129,7 +130,7 @@ void drive_robots(const ReproduceCommand& command, Reproduction& what) {
   }
 }
 
-/// Every robot where each seed draws floor, tension, payload and battery.
+/// Drives every robot with floor, tension, payload and battery sampled by each seed.
 void drive_uneven(const ReproduceCommand& command, Reproduction& what) {
   for (const std::string& name : course::bundled_names(course::Bundled::kRobots)) {
     course::Robot robot = robot_named(name);
@@ -245,7 +246,7 @@ int run_reproduce(const ReproduceCommand& command) {
   if (wanted("avr")) drive_image(command, what);
   if (command.part == "covariance")
     what.studies = study_covariance(command.body, command.out, command.seed, command.runs);
-  // Longer than all others together.
+  // Not part of "all": it takes longer than all others together.
   if (command.part == "random")
     what.studies.push_back(study_random(command.seed, kRandomCoursesARun * command.runs));
   for (const CourseStudy& study : what.studies) write_trajectories(command.out, study);

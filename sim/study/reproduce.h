@@ -25,10 +25,10 @@ struct ReproduceCommand {
   std::string body{};  ///< ode or shear; empty: ode. Shear: study_shear or study_covariance alone
   std::uint64_t seed = 1;
   int runs = 10;
-  int sampled = 10;  ///< robots to draw, each driven with one seed
+  int sampled = 10;  ///< number of sampled robots, each driven with one seed
 };
 
-/// Drives everything, writes index.html, results.json and the trajectories into the folder, prints
+/// Drives the part, writes index.html, results.json and the trajectories into the folder and prints
 /// the table of limits. Returns 0 if every limit holds and every run was completed, else 1. Throws
 /// SetupError.
 int run_reproduce(const ReproduceCommand& command);
@@ -38,11 +38,11 @@ int run_reproduce(const ReproduceCommand& command);
 /// Everything that was driven.
 struct Reproduction {
   course::Robot reference{};
-  std::vector<SlopeSlip> slopes;    ///< of the reference robot, one a row of slope_rows()
+  std::vector<SlopeSlip> slopes;    ///< of the reference robot, one per row of slope_rows()
   std::vector<BodyTurn> turns;      ///< of the reference robot's body
   std::optional<ClimbCheck> climb;  ///< of the reference robot over the block of course 3
   std::vector<CourseStudy> studies;
-  std::vector<RealStudy> real;  ///< their figures with limits are in `studies`
+  std::vector<RealStudy> real;  ///< `studies` has their figures with limits
   int runs = 0;
   std::uint64_t seed = 1;
   std::string date = {}, program = {};  ///< when and with what it was driven
@@ -61,14 +61,14 @@ std::string reproduction_json(const Reproduction& what);
 /// The table of limits and that of forms, for a terminal.
 std::string reproduction_table(const Reproduction& what);
 
-// The paper's tables and equations beside ours.
+// Sections of the page: the paper's tables and equations beside the emulated robot's.
 
-/// Tables 1 to 4, eq 7 and eq 6 beside the emulated robot; each part if it was driven.
+/// Writes tables 1 to 4, eq 7 and eq 6 beside the emulated robot; each part if it was driven.
 void write_tables(report::HtmlPage& page, const Reproduction& what);
 
-// What each form of the model does on the same runs.
+// Errors of each form of the model on the same runs.
 
-/// The part of the page; nothing without a study on the flat floor.
+/// Writes the section of the page; nothing without a study on the flat floor.
 void write_forms(report::HtmlPage& page, const Reproduction& what);
 /// Largest errors of every form by robot, for a terminal.
 std::string forms_table(const Reproduction& what);

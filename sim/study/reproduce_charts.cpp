@@ -15,7 +15,7 @@ namespace {
 using report::ChartSeries;
 using report::TrajectoryPoint;
 
-/// A band below the estimates, which lie on it for most of a run.
+/// Drawn as a wide band below the estimates, which coincide with it for most of a run.
 ChartSeries truth_series() {
   return {.name = "truth", .colour = report::kTruthColour, .broad = true};
 }
@@ -24,7 +24,7 @@ ChartSeries truth_series() {
 struct Shown {
   ChartSeries style{};
   std::vector<Pose> poses;
-  std::vector<std::size_t> restarts;  ///< points at which it was put onto the truth
+  std::vector<std::size_t> restarts;  ///< points at which it was set to the truth
 };
 
 Pose no_pose() {
@@ -39,7 +39,7 @@ std::vector<Shown> estimates_of(const report::RunResult& run) {
     if (!run.has_estimate(source)) continue;
     Shown& shown = estimates.emplace_back();
     shown.style = {.name = std::string(to_string(source)), .colour = report::colour_of(source)};
-    // Last drawn, it would hide the others.
+    // Dashed, because it is drawn last and would hide the others.
     shown.style.dashed = source == PoseSource::kFused;
     const bool restarted = source == PoseSource::kModel && !run.disturbances.empty();
     if (restarted) shown.style.name = "model, restarted";
@@ -55,7 +55,7 @@ std::vector<Shown> estimates_of(const report::RunResult& run) {
 
 using Value = std::pair<double, double> (*)(const TrajectoryPoint& point, const Pose& pose);
 
-/// The line of an estimate, and a dot where it was restarted.
+/// Adds the line of an estimate, and a dot where it was restarted.
 void add(std::vector<ChartSeries>& series, const report::RunResult& run, const Shown& shown,
          Value value) {
   ChartSeries line = shown.style;
@@ -69,7 +69,7 @@ void add(std::vector<ChartSeries>& series, const report::RunResult& run, const S
   series.push_back(restarts);
 }
 
-/// The truth, and each estimate on it.
+/// The truth, and each estimate above it.
 std::vector<ChartSeries> poses(const report::RunResult& run, Value value) {
   std::vector<ChartSeries> series = {truth_series()};
   for (const TrajectoryPoint& point : run.points)
@@ -78,7 +78,7 @@ std::vector<ChartSeries> poses(const report::RunResult& run, Value value) {
   return series;
 }
 
-/// What each estimate is off by.
+/// The error of each estimate.
 std::vector<ChartSeries> errors(const report::RunResult& run, Value error) {
   std::vector<ChartSeries> series;
   for (const Shown& shown : estimates_of(run)) add(series, run, shown, error);

@@ -13,7 +13,7 @@ using report::Rows;
 
 std::string two_places(double value) { return text::format("%.2f", value); }
 
-/// Shares of the distance by robot and form: every study on the flat floor.
+/// Errors as shares of the distance, by robot and form, for every study on the flat floor.
 Rows form_rows(const Reproduction& what) {
   Rows rows = {{"robot"}};
   const auto add = [&](const std::vector<const CourseStudy*>& studies, std::string_view form) {

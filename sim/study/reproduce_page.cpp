@@ -60,7 +60,7 @@ Rows judged_rows(const Reproduction& what) {
   return rows;
 }
 
-/// The table of limits with what each came to.
+/// The table of limits with verdicts.
 Rows verdict_rows(const Reproduction& what) {
   Rows rows = judged_rows(what);
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -68,7 +68,7 @@ Rows verdict_rows(const Reproduction& what) {
         rows[i], [](const report::Cell& cell) { return cell.mark == report::Mark::kMissed; });
     std::vector<report::Cell>& row = rows[i];
     const std::size_t at = kLimit;
-    // Each figure stands beside its limit.
+    // Swapped, so that each figure stands beside its limit.
     const report::Cell limit = row[at], median = row[at + 1];
     row[at] = median;
     row[at + 1] = limit;
@@ -105,7 +105,7 @@ Rows sampled_table() {
   return rows;
 }
 
-/// The first figure in cm whose name begins so, with its limit.
+/// The first figure in cm whose name starts with `begin`, with its limit.
 report::Cell with_limit(const CourseStudy& study, const char* begin) {
   for (const Judged& one : study.judged)
     if (one.what.starts_with(begin) && one.unit == "cm")
@@ -115,7 +115,7 @@ report::Cell with_limit(const CourseStudy& study, const char* begin) {
   return "-";
 }
 
-/// Our error of a form, with the limit of the figure that begins so, if it has one.
+/// The error of a form, with the limit of the figure that starts with `begin`, if it has one.
 report::Cell form_with_limit(const CourseStudy& study, std::string_view form, const char* begin) {
   report::Cell judged = with_limit(study, begin);
   if (judged.text != "-") return judged;

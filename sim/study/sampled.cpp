@@ -12,7 +12,8 @@
 namespace tp100::sim {
 namespace {
 
-// Room around the path: the robot's half length, an aborting deviation and some.
+// Fence margin around the path: half the robot's length, the deviation that aborts a run, and some
+// room.
 constexpr double kMarginM = 0.3;
 constexpr double kFenceStepM = 0.02;
 
@@ -55,7 +56,7 @@ void fence_in(course::Course& course) {
 }
 
 void add_obstacles(course::Course& course, CourseDraw& draw) {
-  // On the line behind the arc, block first, then ramp, clear of each other and of the ends.
+  // On the line after the arc: first a block, then a ramp, clear of each other and of the ends.
   const course::Path path(course);
   const course::PathSegment& line = path.segments().back();
   const auto place = [&](double offset_m) {
@@ -110,7 +111,7 @@ void add_disturbances(course::Course& course, CourseDraw& draw) {
   }
 }
 
-/// Whether the path comes near a place other than on the segment that it lies on.
+/// Whether another segment of the path than `on` comes near `place`.
 bool passed_again(const course::Path& path, std::size_t on, const course::PathPoint& place) {
   constexpr double kNearM = 0.5;
   for (std::size_t i = 0; i < path.segments().size(); ++i) {
@@ -148,7 +149,7 @@ void add_one_obstacle(course::Course& course, CourseDraw& draw) {
   }
 }
 
-// What a robot file can hold; motors this strong never get there.
+// The largest value that a robot file allows: the motors never reach it.
 constexpr double kMaxCurrentLimitN = 100.0;
 
 class RobotDraw {

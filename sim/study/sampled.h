@@ -1,5 +1,5 @@
 #pragma once
-// Robots and courses that are not bundled, sampled by a number: nothing was tuned on them.
+// Robots and courses that are not bundled but sampled by a seed: nothing was tuned on them.
 
 #include <array>
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace tp100::sim {
 
-/// A course of the same kind as the bundled one of that name (1-straight, 1-curve, 1-sharp, 2, 3),
-/// its lengths, radii, angles, disturbances and obstacles sampled by `seed`:
+/// A course of the same kind as the bundled one of that name (1-straight, 1-curve, 1-sharp, 2, 3)
+/// whose lengths, radii, angles, disturbances and obstacles are sampled by `seed`:
 /// lines 0.3-1.8 m, arcs of 0.28-0.5 m radius and 60-200 deg, turns on the spot of 45-135 deg,
 /// disturbances of 2-4 cm and 5-15 deg, ramps of 12-28 deg and 40-80 mm, blocks of 15-37 mm. Or
 /// "spiral": ten half turns of 0.12 m and up to 1.1 m radius; "squares": twice around 0.8-1.2 m
@@ -19,10 +19,10 @@ namespace tp100::sim {
 /// name.
 course::Course held_out_course(std::string_view kind, std::uint64_t seed);
 
-/// A course of the whole format: one to eight lines of 5 cm to 1.5 m, arcs of 5 cm to 1.5 m radius
-/// and up to a full circle, and turns on the spot of up to 180 deg, at 3 to 15 cm/s, from any
-/// start; with disturbances, up to three surfaces, and a block or a ramp that only one line of the
-/// path crosses. It may be more than a robot can drive.
+/// A course that uses the whole format: one to eight lines of 5 cm to 1.5 m, arcs of 5 cm to 1.5 m
+/// radius and up to a full circle, and turns on the spot of up to 180 deg, at 3 to 15 cm/s, from
+/// any start; with disturbances, up to three surfaces, and a block or a ramp that only one line of
+/// the path crosses. It may be too difficult for a robot.
 course::Course random_course(std::uint64_t seed);
 
 /// One property in which sampled robots differ: uniform between `low` and `high`.
@@ -32,16 +32,16 @@ struct SampledRange {
   double low, high;
 };
 
-/// The ranges, and with them what is claimed of robots that nobody has seen. Everything else is as
-/// in config/robots/end-loaded.toml.
+/// The sampled properties; their ranges are those for which the limits on unseen robots hold.
+/// Everything else is as in config/robots/end-loaded.toml.
 ///
-/// They hold real tracked robots with published figures: wheelbases of 0.97 gauges (bearing on the
-/// inner edges of wide tracks) to 1.8 gauges (loaded at the ends), slip straight on of 1 to 20 %.
+/// They include real tracked robots with published figures: wheelbases of 0.97 gauges (load on the
+/// inner edges of wide tracks) to 1.8 gauges (load at the ends), slip straight ahead of 1 to 20 %.
 ///
-/// Size and gauge end where tracks at 0.2 m/s still turn every such robot by 40 deg/s on the spot,
-/// whatever its slip and load: after a disturbance by 4 cm and 15 deg, turning towards the path and
-/// back alone takes it most of the 2.5 s that it may need. And up to this size the robot is out of
-/// course 3's curve before it meets the step.
+/// Size and gauge are limited so that tracks at 0.2 m/s turn every such robot by at least 40 deg/s
+/// on the spot, whatever its slip and load: after a disturbance of 4 cm and 15 deg, turning towards
+/// the path and back alone takes most of the allowed 2.5 s. Up to this size the robot has also left
+/// the curve of course 3 before it meets the step.
 enum class Sampled : std::size_t {
   kSize,
   kMass,
@@ -79,11 +79,11 @@ inline constexpr std::array<SampledRange, 16> kSampledRanges = {{
     {"distance between the lines on which the tracks bear, in parts of the gauge", "", 0.75, 1.0},
 }};
 
-/// Studies number their robots from here, plus the seed.
+/// Studies number their robots from this number plus the seed.
 inline constexpr std::uint64_t kSampledNumber = 7000;
 
 /// The robot of this number. Its [model], which the daemon assumes, is unidentified: the defaults.
-/// Ruler and balance are exact, and so are the counts per metre. Pure.
+/// Its measured lengths and mass are exact, and so are the counts per metre. Pure.
 course::Robot sampled_robot(const course::Robot& end_loaded, std::uint64_t number);
 
 }  // namespace tp100::sim

@@ -126,7 +126,7 @@ SlopeSlip measure_slope(const course::EmulatedBody& values, double slope_rad, do
   const double half_mps = motion.yaw_rate_radps * values.gauge_m / 2.0;
   SlopeSlip slip{slope_rad, 1.0 - (motion.forward_mps - half_mps) / track_mps,
                  1.0 - (motion.forward_mps + half_mps) / track_mps, motion.yaw_rate_radps};
-  // Up the slope with the nose in front, and not merely grinding.
+  // It moved up the slope nose first, and did not merely spin its tracks.
   slip.climbed = std::max(slip.left, slip.right) < 0.9 &&
                  std::abs(-body.state().pose.pitch_rad - slope_rad) < 5.0 * kRadPerDeg;
   return slip;

@@ -42,7 +42,7 @@ double off_nis(const TrialRun& run) {
   return std::abs(run.result.camera.nis_mean - report::CameraFigures::kNisDegrees);
 }
 
-/// The largest of a figure over all runs: one that is beyond the limit is too many.
+/// Judges the largest value of a figure over all runs: no run may exceed the limit.
 Judged worst(const CourseStudy& study, const std::vector<TrialRun>& runs, const char* what,
              const char* unit, double limit, double (*figure)(const TrialRun&)) {
   double largest = 0.0;
@@ -128,7 +128,7 @@ CourseStudy study_climb(const course::Robot& robot) {
   return study;
 }
 
-/// From the samples, without the level drive before and behind the block.
+/// Computes the errors from the samples, without the level drive before and behind the block.
 void judge_phases(ClimbCheck& check) {
   double squares = 0.0, phase_squares = 0.0, paper_squares = 0.0;
   std::size_t count = 0, phase_count = 0;

@@ -17,8 +17,8 @@
 namespace tp100::sim {
 namespace {
 
-// A body that leans by more, or did so until a moment ago, is on an obstacle; the camera's sample
-// of the landing arrives a little later.
+// A body that leans by more than this or is lifted is on an obstacle, and for a moment afterwards:
+// the camera's sample of the landing arrives a little later.
 constexpr double kLeansRad = 1.0 * kRadPerDeg;
 constexpr double kLiftedM = 0.002;
 constexpr double kAfterwardsS = 0.1;
@@ -64,14 +64,14 @@ constexpr double kOdometryShare = 0.025;  // of the distance
 
 double cm(double metres) { return metres * 100.0; }
 
-/// Largest errors of the extended model and of eqs 1-5 alone, in parts of the distance.
+/// Largest errors of the extended model and of eqs 1-5 alone, as shares of the distance.
 struct FormLimits {
   double extended, eqs;
 };
 
-/// Limits of a kind of course; those of forms on the flat floor. Eqs 1-5 have one wheelbase for all
-/// turns: with its extension taken away, the model breaks the limit of `extended` on 1-curve or
-/// 1-sharp, but for front-heavy, whose turns differ little.
+/// Limits of a kind of course; those of forms hold on the flat floor. Eqs 1-5 have one wheelbase
+/// for all turns: without its extension, the model exceeds the limit of `extended` on 1-curve or
+/// 1-sharp, except for the robot front-heavy, whose turns differ little.
 struct Limits {
   std::string_view kind;
   double fused_cm, tracking_cm;
@@ -84,12 +84,13 @@ constexpr std::array kLimits = {
     Limits{"2", 1.0, -1.0, {0.002, 0.015}, {0.015, 0.07}},
     Limits{"3", 1.0, 1.5, {0.003, 0.015}, {0.015, 0.07}},
 };
-// On a floor that every seed draws anew, what was fitted elsewhere is off by what slip and tension
-// vary, extension or not.
+// On a floor sampled by each seed, fitted constants are wrong by the variation of slip and tension,
+// with or without the extension.
 constexpr FormLimits kUneven = {0.03, 0.08};
-constexpr double kUnevenTracking = 1.35;  // of the limit on an even floor
+constexpr double kUnevenTracking = 1.35;  // times the limit on an even floor
 constexpr double kUnevenOdometryDegPerMin = 3.0;
-// Where obstacles are real: tracks slip on them as no encoder shows, and eqs 1-5 know no slope.
+// With real obstacles: tracks slip on them, which encoders do not show, and eqs 1-5 do not model
+// slopes.
 constexpr double kTerrainReference = 0.02, kTerrainOthers = 0.03;
 
 const Limits& limits_of(const std::string& kind) {
@@ -137,7 +138,7 @@ void judge_forms(Judge& judge, const Limits& limits, const CourseStudy& study, b
 }
 
 void judge_odometry(Judge& judge, const Limits& limits, const CourseStudy& study) {
-  // A slide leaves no trace in encoders and gyro.
+  // Encoders and gyro do not show the sideways disturbances of course 2.
   if (limits.kind == "2") return;
   judge.add("odometry max", "cm", cm(kOdometryShare * study.distance_m), [](const TrialRun& r) {
     return cm(r.figures.estimates[PoseSource::kOdometry]->max_position_error_m);
@@ -269,7 +270,7 @@ Judged judged_value(const CourseStudy& study, std::string what, std::string unit
 Judged judged_false_alarms(const CourseStudy& study, const std::vector<TrialRun>& runs) {
   int alarms = 0;
   for (const TrialRun& run : runs) alarms += run.figures.tracking.false_alarms;
-  // On real obstacles there are some: a known fault, shown but not judged.
+  // On real obstacles there are some, a known weakness: shown but not judged.
   const double limit = study.setup == "terrain" ? -1.0 : 0.0;
   return judged_value(study, kFalseAlarms, "", limit, alarms);
 }

@@ -6,7 +6,7 @@ namespace tp100 {
 namespace firmware {
 namespace {
 
-// One tick early, so that the motors are off when the time expires and not a tick later.
+// Commands expire one tick early, so that the motors are off by the end of the command's life.
 const int32_t kTickUs = 1000;
 
 }  // namespace

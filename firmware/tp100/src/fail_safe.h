@@ -11,7 +11,7 @@ namespace firmware {
 
 /// Main loop silent for this long: motors off. [ms]
 const uint8_t kLoopLimitMs = 100;
-/// Time allowed until the first command of a disarmed host. [ms]
+/// While disarmed, the first command of a session must arrive within this time. [ms]
 const uint16_t kSessionGraceMs = 500 + wire::kMaxCommandLifeMs;
 
 /// What tripped the fail-safe.
@@ -33,7 +33,7 @@ class FailSafe {
 
   /// The functions below are for the main loop.
   void beat();
-  /// A session begins: commands are expected after kSessionGraceMs, whether armed or not.
+  /// A session begins: after kSessionGraceMs, commands are expected whether armed or not.
   void watch(uint32_t now_us);
   /// No session: no commands are expected.
   void unwatch();

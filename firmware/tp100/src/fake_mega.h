@@ -1,5 +1,5 @@
-// The Hal of a bare Mega that simulates its robot: clock, UART and watchdog are the board's,
-// everything else is inside.
+// The Hal of a bare Mega that simulates its robot: clock, UART and watchdog are the board's own,
+// everything else is simulated.
 #ifndef TP100_FIRMWARE_FAKE_MEGA_H
 #define TP100_FIRMWARE_FAKE_MEGA_H
 

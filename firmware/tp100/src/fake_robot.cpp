@@ -9,7 +9,7 @@ namespace firmware {
 namespace {
 
 const int16_t kDeadBand = 90;  // thousandths
-// 1/3.4 m/s at full duty above the dead band, 11140 counts per metre.
+// For each thousandth of duty above the dead band: 1/3400 m/s, at 11140 counts per metre.
 const int32_t kSpeedPerDuty = 215;
 // A track below this speed is held by friction.
 const int32_t kHeldSpeed = 256;
@@ -20,7 +20,7 @@ const float kDegPerRad = 57.29578f;
 const float kGravityMps2 = 9.80665f;
 const float kGyroLsbPerRadps = kDegPerRad * wire::kGyroLsbPerDegps;
 const float kAccelLsbPerMps2 = wire::kAccelLsbPerG / kGravityMps2;
-// Of the gyro's z axis, as a real one has some.
+// Bias of the z axis, of the size that a real gyro has.
 const int16_t kGyroBias = 13;
 const float kTemperatureDegc = 27.0f;
 const uint16_t kBatteryMv = 7900;

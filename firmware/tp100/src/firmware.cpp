@@ -129,8 +129,8 @@ void Firmware::take() {
 
 void Firmware::on_hello_request() {
   const uint32_t now_us = link_.received_us();
-  // Accepted with any size: a host of another version still gets the hello, so that it can print
-  // both.
+  // Accepted with any payload size: a host of another version still gets the hello, so that it can
+  // report both versions.
   disarm("hello request", now_us);
   fail_safe_.unwatch();
   state_ = State::kParameters;
@@ -179,8 +179,8 @@ void Firmware::on(const wire::Arm& arm) {
   acknowledge(Type::kArm, arm.token, result, detail);
 }
 
-// An answer counts as the token's answer only once the token is known to be new: a delayed or
-// repeated copy of the frame must not get another answer than the one that the host acted upon.
+// Judges each new token once, stores the result and repeats it for copies of the frame: a delayed
+// or repeated copy must not get a different answer from the one that the host acted upon.
 wire::Result Firmware::try_to_arm(const wire::Arm& arm, uint16_t& detail) {
   if (arm.boot_nonce != boot_nonce_) return Result::kWrongBoot;
   host_frame_us_ = link_.received_us();

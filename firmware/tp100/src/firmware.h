@@ -32,7 +32,7 @@ class Firmware {
  private:
   void receive();
   void dispatch();
-  /// Takes the received frame as a message.
+  /// Handles the received frame as a Message.
   template <class Message>
   void take();
   void on_hello_request();

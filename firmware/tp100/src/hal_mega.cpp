@@ -34,12 +34,12 @@ const uint8_t kBatteryConversions = kConversions - 2;
 Quadrature left_encoder;
 Quadrature right_encoder;
 uint32_t boot_counter EEMEM;
-// The start-up code neither clears nor sets it; it runs after .init3.
+// In .noinit, because the start-up code runs after .init3 and would clear it.
 uint8_t mcusr_mirror __attribute__((section(".noinit")));
 
-// A on PE4, B on PE5. The compiler's own shift would be a loop of 22 cycles.
+// A is PE4, B is PE5. Swaps nibbles, because the compiler's shift is a loop of 22 cycles.
 inline uint8_t left_phase() { return __builtin_avr_swap(PINE) & 3; }
-// B on PD2, A on PD3: the other way round.
+// B is PD2, A is PD3: bit 0 is B here, hence take_edge<-1>.
 inline uint8_t right_phase() { return (PIND >> 2) & 3; }
 
 }  // namespace
@@ -100,7 +100,7 @@ uint32_t mixed(uint32_t hash, uint32_t value) {
   return hash ^ (hash >> 15);
 }
 
-// The counter differs between boots of one board, the noise of an open pin between boards.
+// The counter differs between boots of one board, the noise of an open pin differs between boards.
 uint32_t new_nonce() {
   const uint32_t boots = eeprom_read_dword(&boot_counter) + 1;
   eeprom_update_dword(&boot_counter, boots);

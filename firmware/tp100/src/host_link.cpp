@@ -6,7 +6,8 @@ namespace {
 
 const uint32_t kByteUs = 10UL * 1000000UL / wire::kBaud;
 
-// COBS adds one byte below 255 and the delimiter follows, so the length is known before coding.
+// COBS adds one byte to a body below 255 bytes and the delimiter follows, so that the length is
+// known before encoding.
 constexpr uint8_t frame_length(uint8_t payload_size) {
   return static_cast<uint8_t>(1 + payload_size + 2 + 2);
 }

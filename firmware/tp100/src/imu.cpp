@@ -19,8 +19,8 @@ struct Setting {
 const Setting kSettings[] = {
     {kPowerManagement1, 0x01},   // awake, clock from the x gyro
     {kSampleRateDivider, 0x00},  // 1 kHz
-    // Low pass 44 Hz (accelerometer), 42 Hz (gyro): well below half the sample rate, or noise folds
-    // back.
+    // Low pass 44 Hz (accelerometer), 42 Hz (gyro): well below half the sample rate, or noise would
+    // alias.
     {kConfig, 0x03},
     {kGyroConfig, 0x10},   // +-1000 deg/s
     {kAccelConfig, 0x08},  // +-4 g

@@ -21,7 +21,7 @@ inline int8_t quadrature_step(uint8_t before, uint8_t now) {
 }
 
 /// One encoder. Plain state, so that an interrupt routine compiles to a few loads and stores. It
-/// has 16 bits, which the reader extends.
+/// counts in 16 bits; extended_counts() extends them to 32.
 struct Quadrature {
   volatile uint16_t steps;   ///< forward less backward, wraps
   volatile uint8_t phase;    ///< last seen: bit 0 A, bit 1 B

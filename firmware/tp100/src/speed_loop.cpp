@@ -9,7 +9,7 @@ namespace {
 // Targets below this are a standstill: one count in 180 ms.
 const float kStandstillMps = 0.0005f;
 const float kStandingS = 0.1f;
-// Greatest lag that a held track makes up for afterwards.
+// A track that was held makes up for at most this lag afterwards.
 const float kLongestLagM = 0.02f;
 // The dead band is compensated linearly below this speed, or noise around zero would rattle the
 // gears.

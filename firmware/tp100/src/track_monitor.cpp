@@ -11,15 +11,16 @@ const float kStandingM = 0.002f;
 const float kRunOnM = 0.02f;
 const float kRunOnS = 0.2f;
 
-// Beyond twice its top speed, no track moves this far between two samples, nor does a track that
-// ran on under its duty go back this far: such counts are a glitch. A glitch is short and isolated.
+// Between two samples, no track moves this far beyond what twice its top speed allows, nor does a
+// track that has followed its duty go back this far: such counts are a glitch. Only a single short
+// glitch is tolerated; another one between kOneJumpMs and kJumpAgainMs later is a fault.
 const float kJumpM = 0.004f;
 const int32_t kFewCounts = 8;
 const uint16_t kJumpAgainMs = 1000;
 const uint16_t kOneJumpMs = 100;
 
-// Distance that the duty implies beyond what was counted. A blocked track reaches it in this part
-// of `stall_ms`, whatever its duty.
+// Limit of the distance that the duty implies beyond what was counted. A blocked track takes at
+// least this share of `stall_ms` to reach it, however high its duty.
 const float kMissingM = 0.04f;
 const float kSoonestShare = 0.7f;
 const uint16_t kStepMs = 80;
@@ -34,8 +35,8 @@ const float kMinGain = 0.7f;
 const float kMaxGain = 1.4f;
 const float kGainDownPerS = 3.0f;
 const float kGainUpPerS = 0.005f;
-// Friction's share of the duty weighs less at a higher speed: beyond this factor it is another
-// gain.
+// At a higher speed, friction takes a smaller share of the duty: the gain holds only up to this
+// multiple of the speed at which it was learned.
 const float kBeyond = 1.25f;
 const float kSlowPerS = 4.0f;
 const float kSlowest = 0.95f;
@@ -48,7 +49,7 @@ const float kMaxRad = 0.35f;
 const float kMaxSlowRad = 0.175f;
 const float kSlowRadps = 0.175f;
 const float kDistanceShare = 0.1f;
-// On a slope or an obstacle one track may slip while the other holds.
+// On a slope or an obstacle one track may slip while the other grips.
 const float kObstacleShare = 0.8f;
 
 // Difference of the tracks' speeds relative to the faster one, where the wheelbase begins to
@@ -56,11 +57,11 @@ const float kObstacleShare = 0.8f;
 const float kWideArc = 0.35f;
 const float kTightArc = 0.6f;
 const float kSpin = 1.1f;
-// Counts of few samples are coarse: a lag of 0.1 s.
+// Counts of few samples are coarse: they are low-pass filtered with a time constant of 0.1 s.
 const float kSpeedShare = 0.33f;
 
-// Duty that a full turn takes, and duty for a slope or bump relative to the robot's attitude at the
-// start. Loads rise at once and decay slowly.
+// Extra duty for a turn (all of it from kFullTurning on), and for a slope or bump relative to the
+// robot's attitude at the start. Loads rise at once and decay slowly.
 const float kTurnDuty = 0.3f;
 const float kTurnFallPerS = 0.3f;
 const float kFullTurning = 0.4f;  // track speed due to the turn alone, as a fraction of the mean
@@ -141,7 +142,7 @@ TrackMonitor::Verdict TrackMonitor::update(int16_t duty, int32_t counts, uint16_
     best_counts_ = counts;
     went_back_ = false;
   }
-  // In counts, and only when needed: a float operation takes an AVR a hundred cycles or more.
+  // Compared in counts, and only when needed: a float operation takes an AVR a hundred cycles.
   const int32_t back = -distance(counts, best_counts_) * sign;
   if (back > 0) {
     const float furthest_m = kRunOnM + kRunOnS * p.max_track_mps;
@@ -152,7 +153,7 @@ TrackMonitor::Verdict TrackMonitor::update(int16_t duty, int32_t counts, uint16_
       went_back_ = true;
       if (again()) return kStalled;
     }
-    // The floor may drag a track on, slowly, while the speed loop brakes it.
+    // A slope or turn may move a track slowly against its duty while the speed loop brakes it.
     const float explained = (p.dead_band + load_duty) * static_cast<float>(wire::kFullDuty);
     if (load_duty > 0.0f && static_cast<float>(size) < explained) best_counts_ = counts;
   }
@@ -214,7 +215,8 @@ void TrackMonitor::learn(float above, float speed_duty, float load_duty, float s
   const bool even = speed_duty > kMinMps * p.feed_forward && speed_duty > kSlowest * slow_duty_ &&
                     speed_duty < kFastest * slow_duty_;
   if (!even) return;
-  // A small load may be on this track or on the other: such samples do not update the gain.
+  // A small load may act on this track or on the other, so that a sample yields only a range: a
+  // gain within it is kept.
   const float least = smaller(kMaxGain, larger(kMinGain, (above - load_duty) / speed_duty));
   const float most = smaller(kMaxGain, larger(kMinGain, (above + load_duty) / speed_duty));
   const float gain = most < gain_ ? most : larger(least, gain_);
@@ -274,7 +276,7 @@ TurnMonitor::Verdict TurnMonitor::update(const TurnMark& now, int16_t accel_x, f
   all_rad_ = drained(all_rad_ + difference, slip_rad);
   slow_rad_ = drained(slow_rad_ + clamp(difference, kSlowRadps * elapsed_s), slip_rad);
   if (magnitude(all_rad_) <= kMaxRad && magnitude(slow_rad_) <= kMaxSlowRad) return kGood;
-  // On the spot the track that counts less is the short one.
+  // In a turn on the spot, the track that counts less is the faulty one.
   if ((left_ > 0.0f) != (right_ > 0.0f))
     return magnitude(left_) < magnitude(right_) ? kLeftShort : kRightShort;
   // Driving forward, a robot that turns further left than its tracks indicate has a right track

@@ -16,8 +16,8 @@ class TrackMonitor {
   enum Verdict : uint8_t { kGood, kStalled, kReversed };
 
   TrackMonitor();
-  /// Call once per sample, with the duty applied since the last one [thousandths, counts, ms].
-  /// `load_duty`: duty that the floor may take now, beyond straight level driving. [0..1]
+  /// Call once per sample. `duty`: applied during the last `dt_ms` [thousandths]. `counts`: now.
+  /// `load_duty`: duty that slopes and turns may take now, beyond straight level driving. [0..1]
   /// `free`: the robot drives straight on level ground, so that the duty of a speed can be learned.
   Verdict update(int16_t duty, int32_t counts, uint16_t dt_ms, float load_duty, bool free,
                  const wire::Parameters& parameters);
@@ -36,18 +36,18 @@ class TrackMonitor {
 
   bool known_;
   int32_t last_counts_;
-  uint16_t jumped_ms_;  // time until a jump counts as a first one again
+  uint16_t jumped_ms_;  // time left in which another jump is a repeated one
   int8_t sign_;
   int32_t start_counts_;  // where the standstill began
   uint16_t standing_ms_;
   int32_t first_counts_;  // when the duty last changed its sign
   int32_t best_counts_;   // furthest position in the direction of the duty
-  bool went_back_;        // from best_counts_
-  // One step of many samples, and the distance that the duty implies beyond what was counted.
+  bool went_back_;        // by a jump, since best_counts_ was reached
+  // Sums over one step of many samples.
   int32_t step_counts_;
   uint32_t step_duty_ms_;
   uint16_t step_ms_;
-  float missing_m_;
+  float missing_m_;     // distance that the duty implies beyond what was counted
   float gain_;          // duty that the track takes, relative to the parameters
   float learned_duty_;  // duty by the parameters for the speed at which gain_ was learned
   float slow_duty_;     // duty by the parameters for its speed, over some steps
@@ -78,15 +78,15 @@ class TurnMonitor {
 
   TurnMark then_;
   float all_rad_;   // gyro minus tracks, minus what slip explains
-  float slow_rad_;  // the same, without sudden parts such as a disturbance
+  float slow_rad_;  // the same with its rate limited, so that a disturbance adds little
   bool level_known_;
   float level_rad_;  // pitch by the accelerometer when the robot started
   float slope_rad_;
   float slope_duty_;
   float turn_duty_;
-  float left_;  // counts of a step at the ground, averaged over some steps
+  float left_;  // counts per step, less slip, averaged over some steps
   float right_;
-  int32_t accel_x_;  // sum of the step
+  int32_t accel_x_;  // sum over the step
   uint8_t samples_;
 };
 

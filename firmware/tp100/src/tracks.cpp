@@ -65,7 +65,7 @@ Tracks::Verdicts Tracks::check(uint16_t dt_ms) {
   found.left = left_.monitor.update(left_.duty, left_.counts, dt_ms, load_duty, free, parameters_);
   found.right =
       right_.monitor.update(right_.duty, right_.counts, dt_ms, load_duty, free, parameters_);
-  // In a turn, the extra duty of one track is missing on the other.
+  // In a turn, one track takes more duty and the other as much less: their mean shows a stall.
   const int16_t mean_duty = static_cast<int16_t>((left_.duty + right_.duty) / 2);
   const int32_t mean_counts = distance(left_.counts, distance(left_.counts, right_.counts) / 2);
   const TrackMonitor::Verdict mean =

@@ -10,7 +10,7 @@
 namespace tp100 {
 namespace firmware {
 
-/// Left and right are the robot's own, whatever way it is wired. Once per sample, in this order:
+/// Left and right are the robot's own, however it is wired. Once per sample, in this order:
 /// read(), then in a session measure(), then on an enabled robot check() and drive().
 class Tracks {
  public:
@@ -39,15 +39,15 @@ class Tracks {
   /// Motors off at once, integrators cleared.
   void stop();
 
-  /// Takes both counts. Returns their device time. [us]
+  /// Reads both counts. Returns their device time. [us]
   uint32_t read();
-  /// Takes the tracks' speeds, `dt_us` after the last call.
+  /// Updates the tracks' speeds, `dt_us` after the last call.
   void measure(uint16_t dt_us);
   /// Judges each track and their mean by the duty of the last `dt_ms`.
   Verdicts check(uint16_t dt_ms);
   /// Judges both by the gyro, while it may be used; see TurnMonitor::update.
   Verdicts check_turn(const TurnMark& now, int16_t accel_x, float bias_radps);
-  /// The gyro may not be used now.
+  /// Restarts the check by the gyro; call while the gyro may not be used.
   void forget_turn() { turn_monitor_.reset(); }
   /// Moves the tracks' targets towards `wanted` and applies the duties.
   void drive(const TrackSpeeds& wanted, uint16_t dt_us);

@@ -84,7 +84,7 @@ bool receive(uint8_t* bytes, uint8_t size) {
 
 }  // namespace
 
-// Wakes step(), which tests the flag: the flag stays set.
+// Only wakes step(), which tests the flag: writing TWINT as 0 leaves the flag set.
 ISR(TWI_vect) { TWCR = kOn; }
 
 namespace tp100 {

@@ -15,10 +15,10 @@ namespace twi_mega {
 void begin();
 /// Switches controller and pull-ups off: the pins are plain ports again.
 void end();
-/// Each call makes one transfer, with interrupts on. False: not acknowledged, or not over within 3
-/// ms.
+/// write() and read() make one transfer each and need interrupts enabled. They return false if the
+/// device does not acknowledge or the transfer takes longer than 3 ms.
 bool write(uint8_t address, const uint8_t* bytes, uint8_t size);
-/// Writes the register, then reads with a repeated start.
+/// Writes the register's number, then reads after a repeated start.
 bool read(uint8_t address, uint8_t reg, uint8_t* bytes, uint8_t size);
 
 }  // namespace twi_mega

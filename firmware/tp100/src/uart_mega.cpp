@@ -11,7 +11,7 @@
 
 namespace {
 
-// Byte indices wrap by themselves; one place stays free to distinguish full from empty.
+// 8-bit indices wrap by themselves; one place stays free to distinguish full from empty.
 uint8_t received[256];
 volatile uint8_t received_head;
 volatile uint8_t received_tail;
@@ -22,7 +22,7 @@ uint8_t sending[256];
 volatile uint8_t sending_head;
 volatile uint8_t sending_tail;
 
-// So many bytes without a frame end among them: a host floods the wire.
+// This many bytes without a frame end mean that a host floods the line.
 const uint8_t kMany = 32;
 
 }  // namespace

@@ -1,6 +1,6 @@
-// The Mega's first UART at 500000 baud, interrupt driven, with rings whose byte index wraps by
-// itself. Arduino's Serial takes 126 cycles per byte sent, two fifths of the processor at this
-// rate.
+// The Mega's first UART at 500000 baud, interrupt driven, with ring buffers of 256 bytes, whose
+// 8-bit indices wrap by themselves. Arduino's Serial takes 126 cycles per byte sent, two fifths of
+// the processor at this rate.
 #ifndef TP100_FIRMWARE_UART_MEGA_H
 #define TP100_FIRMWARE_UART_MEGA_H
 
@@ -16,7 +16,7 @@ namespace uart_mega {
 void begin();
 /// Takes one received byte. False: none available.
 bool read(uint8_t& byte);
-/// True if a whole frame waits, or so many bytes that reading must not be delayed.
+/// True if a whole frame is waiting, or so many bytes that reading must not be delayed.
 bool worth_reading();
 /// Number of bytes that write() accepts now.
 uint8_t room();

@@ -1,7 +1,7 @@
-// The one list of faults. A robot finds the lower sixteen, latches them and sends them in every
-// sample. The daemon finds the upper sixteen and some of the robot's, and latches the faults that
+// The only list of faults. A robot detects the lower sixteen, latches them and sends them in every
+// sample. The daemon detects the upper sixteen and some of the robot's, and latches the faults that
 // end a run, its own or the robot's. A latched fault keeps the motors off until the next start. The
-// robot clears its own with the arm message that it accepts; it refuses one only for faults that it
+// robot clears its own when it accepts an arm message; it refuses one only for faults that it
 // detects at standstill: no session, no fresh command, IMU missing or stale, battery low. A track
 // that stalls or turns in the wrong direction is detected again when it is driven.
 #ifndef TP100_WIRE_FAULTS_H

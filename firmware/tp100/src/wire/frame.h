@@ -16,7 +16,7 @@ namespace wire {
 /// has so few terms that a whole byte is a handful of exclusive ors.
 const uint16_t kCrcInitial = 0xFFFF;
 
-/// CRC extended by one byte. Pure; about 20 cycles on an ATmega2560, therefore written in bytes.
+/// CRC extended by one byte. Pure. Computed bytewise: about 20 cycles on an ATmega2560.
 inline uint16_t crc16_update(uint16_t crc, uint8_t byte) {
   uint8_t term = static_cast<uint8_t>(static_cast<uint8_t>(crc >> 8) ^ byte);
   term = static_cast<uint8_t>(term ^ (term >> 4));
@@ -37,7 +37,7 @@ const uint8_t kDelimiter = 0x00;
 const size_t kMaxPayload = 96;
 /// Largest body: type, payload, CRC.
 const size_t kMaxBody = 1 + kMaxPayload + 2;
-/// Largest frame on the wire: COBS adds one byte below 255, and the delimiter follows.
+/// Largest frame on the wire: COBS adds one byte to a body this short, and the delimiter follows.
 const size_t kMaxFrame = kMaxBody + 2;
 // encode_frame() writes one code byte per block and never needs 0xFF, which codes a block without a
 // zero.
