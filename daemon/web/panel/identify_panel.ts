@@ -62,7 +62,7 @@ export class IdentifyPanel {
     void this.load();
   }
 
-  /** STOP was pressed on this page: what was confirmed before does not begin any more. */
+  /** STOP was pressed on this page: a drive that was confirmed before does not begin any more. */
   forget(): void {
     this.pressed++;
   }
@@ -101,7 +101,7 @@ export class IdentifyPanel {
         if (!response.ok) throw new Error(response.statusText);
         return response.text();
       }));
-      // A measurement is being typed: nothing changes under the hand.
+      // Do not redraw while a measurement is being typed.
       if (`${setup}${runs}` === this.shown || (document.activeElement?.closest('.identify-measured') ?? null) !== null) return;
       this.shown = `${setup}${runs}`;
       this.setup = JSON.parse(setup ?? '') as SetupList;
@@ -192,7 +192,7 @@ export class IdentifyPanel {
     } catch (error: unknown) {
       this.say(reason(error), true);
     } finally {
-      // What was done shows before the next thing may be.
+      // Show the result before the next action is enabled.
       await this.load();
       this.busy = false;
       setAttribute(this.element, 'data-acted', String(Number(this.element.dataset.acted ?? '0') + 1));
