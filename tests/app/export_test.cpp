@@ -161,7 +161,7 @@ TEST(ExportImages, WritesEachImageWithItsTime) {
           recorder.message(messages::Channel::kCameraImage, at,
                            messages::image_text(messages, at, jpegs[i]));
         }
-        // What is not ours is left out.
+        // Entries of other programs are left out.
         for (const char* other : {"[]", "{", R"({"format":"png","data":"/9g="})",
                                   R"({"format":"jpeg","data":"!"})", R"({"format":7,"data":[]})"})
           recorder.message(messages::Channel::kCameraImage, now + kNsPerS, other);

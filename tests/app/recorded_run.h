@@ -16,8 +16,8 @@ namespace tp100::app {
 
 /// Records two seconds of course 1-curve at 200 steps per second; a parameter changes after one
 /// second. `edit` may change a record before it is recorded, or drop it by returning false. The
-/// recording begins after `begin_at` steps. `facts` are further ones, or stand in place of those
-/// that a run has of itself.
+/// recording begins after `begin_at` steps. `facts` are added to the run's own facts or override
+/// them.
 inline void record_run(
     const std::string& path,
     const std::function<bool(StepRecord&)>& edit = [](StepRecord&) { return true; },

@@ -101,7 +101,7 @@ TEST_F(ReplayRecording, AWrongCommandIsFound) {
   EXPECT_EQ(replayed().difference.field, "snapshot.command.expiry_us");
 }
 
-// What another kind of processor, as the recording names it, may have rounded otherwise.
+// Results that another kind of processor, which the recording names, may have rounded differently.
 class ReplayElsewhere : public ReplayRecording {
  protected:
   void record(const std::function<void(Snapshot&)>& edit) const {

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""arm64_test.py STEP BUILD: one test of what is built for 64-bit ARM, by the side of this machine's build."""
+"""arm64_test.py STEP BUILD: one test of the build for 64-bit ARM, compared with this machine's build."""
 import glob
 import json
 import os
@@ -53,7 +53,7 @@ def unit(_build):
 
 
 def results(program, course):
-    """Everything that a course gives, by name, but what tells of this machine's time."""
+    """All results of a course by name, except those that depend on this machine's time."""
     def flat(value, name):
         if isinstance(value, dict):
             for key, inner in value.items():
@@ -89,7 +89,7 @@ def courses(build):
 
 
 def replay(build):
-    """Recordings of either processor give the same bits on the other."""
+    """Recordings of each processor must give the same bits on the other."""
     ours, theirs = build + "/bin/", EMULATED
     fma = " fma " in open("/proc/cpuinfo", encoding="utf-8").read()
     with tempfile.TemporaryDirectory() as folder:
@@ -100,7 +100,7 @@ def replay(build):
             print(output)
             elsewhere = "recorded on " in output and ", replayed on " in output
             check(elsewhere == (name != "own"), f"{name}: another kind of processor is not named: {output}")
-            # Without FMA the last bits are others, and replay says by how much.
+            # Without FMA the last bits differ, and replay reports by how much.
             verdict = "bit for bit" if fma or name == "own" else "the largest difference is "
             check(verdict in output, f"{name}: not {verdict}: {output}")
 
@@ -120,7 +120,7 @@ def ros2(build):
 
 
 class Emulation:
-    """The kernel runs programs of ARM by qemu-user as long as this exists."""
+    """The kernel runs ARM programs by qemu-user during the lifetime of this object."""
 
     def __init__(self):
         self.mounted = self.registered = False
@@ -186,7 +186,7 @@ def install(_build):
 
 
 def container(build):
-    """The container of the architecture: built, driven, and a port that is passed in waits for Enter."""
+    """The container of the architecture: it is built, drives, and with a port passed in waits for Enter."""
     emulation = Emulation()
     try:
         container_test.container(ARM64, robot=build + "/bin/tp100-sim")

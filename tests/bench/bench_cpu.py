@@ -1,6 +1,6 @@
-"""scripts/bench cpu: what a robot at 200 Hz takes of the machine, and whether that grows.
+"""scripts/bench cpu: processor time and memory of a robot at 200 Hz, and whether they grow.
 
-Grows with the length of the run (early and late), the length of the path, the viewers, the robots. Usage: bench_cpu.py
+Measured by the length of the run (early and late), the length of the path, viewers and robots. Usage: bench_cpu.py
 FOLDER_OF_PROGRAMS
 """
 import contextlib
@@ -11,9 +11,9 @@ import sys
 from bench_robot import DrivenRobot, cores
 from bench_table import Table, ratio, rounds, seconds
 
-# Laps of 4.5 m: nobody drives to the end of any of them here.
+# Laps of 4.5 m: more than any robot drives here.
 USUAL_LAPS = 50
-# Of a measurement's time, from the first window to the last.
+# Time from the first window to the last, in measuring times.
 LATE_AFTER = 6
 MOST_ROBOTS = int(os.environ.get("TP100_BENCH_ROBOTS", "4"))
 
@@ -25,7 +25,7 @@ def measured(robots, duration_s):
 
 
 def loops(robots):
-    """Of the worst of them; after they have ended."""
+    """Loop figures of the worst robot; after they have ended."""
     return {"late_p99_us": max(r.stats["loop"]["lateness_us"]["p99"] for r in robots),
             "overruns": max(r.stats["loop"]["overruns"] for r in robots),
             "lost": max(r.stats["link"]["lost"] for r in robots)}
@@ -36,7 +36,7 @@ class Part:
         self.programs, self.table, self.duration_s = programs, table, duration_s
 
     def row(self, what, first=None, **values):
-        """The row, its daemon's share set against that of `first`."""
+        """Adds a row; the daemon's share is compared with that of `first`."""
         self.table.row(what=what, growth=first and ratio(values["daemon"], first["daemon"]), **values)
         return values
 

@@ -1,4 +1,4 @@
-"""Answers each frame that ends on a port with the same, in Python. Usage: bench_echo.py PORT"""
+"""Answers each frame received on a port with the same frame, in Python. Usage: bench_echo.py PORT"""
 import os
 import sys
 import tty

@@ -1,6 +1,6 @@
-"""scripts/bench lateness: how late our loop wakes, beside cyclictest, in alternating rounds.
+"""scripts/bench lateness: wake-up latency of the daemon's loop and of cyclictest, in alternating rounds.
 
-Usage: bench_lateness.py FOLDER_OF_PROGRAMS. TP100_BENCH_CPU ties every loop to that processor; else to none.
+Usage: bench_lateness.py FOLDER_OF_PROGRAMS. TP100_BENCH_CPU pins every loop to that processor; default: not pinned.
 """
 import collections
 import json
@@ -32,7 +32,7 @@ def theirs(rate_hz, duration_s):
     out = subprocess.run(["cyclictest", "-q", "-m", "-t1", "-p", PRIORITY, "-i", str(1000000 // rate_hz), "-D",
                           str(round(duration_s)), "-h", str(LONGEST_US), *pinned],
                          stdout=subprocess.PIPE, text=True, check=True).stdout
-    # It counts whole microseconds, rounded down; half of one is the fair value.
+    # cyclictest rounds down to whole microseconds: add half of one.
     buckets = {int(us) + 0.5: int(count) for us, count in re.findall(r"^(\d+)\s+(\d+)$", out, re.M) if int(count)}
     over = re.search(r"Histogram Overflows:\s*(\d+)", out)
     if over and int(over.group(1)):

@@ -1,4 +1,4 @@
-"""scripts/bench lockstep: speed of courses in virtual time on one core, and who takes the time.
+"""scripts/bench lockstep: speed of courses in virtual time on one core, and which parts take the time.
 
 Usage: bench_lockstep.py FOLDER_OF_PROGRAMS
 """

@@ -1,8 +1,8 @@
-"""scripts/bench one_core: how many robots at 200 Hz one processor holds, a daemon each, before deadlines are missed.
+"""scripts/bench one_core: the number of robots at 200 Hz whose daemons one processor can run without missed deadlines.
 
-Every daemon is tied to one processor, the emulated robots to all others. These stand on a stand (set-up `stand`), where
-they need no physics and so little of a processor that they are the limit as late as can be; where they are, the row
-says so. The count doubles until it is not held, then closes in. Usage: bench_one_core.py FOLDER_OF_PROGRAMS
+All daemons are pinned to one processor, the emulated robots to the others. The robots are on a stand (set-up `stand`),
+where they need no physics and little processor time; if they are the limit, the row says so. The count doubles until
+deadlines are missed, then the limit is bisected. Usage: bench_one_core.py FOLDER_OF_PROGRAMS
 """
 import concurrent.futures
 import contextlib
@@ -14,23 +14,23 @@ import time
 from bench_robot import DrivenRobot, cores
 from bench_table import Table, seconds
 
-LAPS = 50  # of 4.5 m: nobody drives to their end here
+LAPS = 50  # of 4.5 m: more than any robot drives here
 MOST_ROBOTS = int(os.environ.get("TP100_BENCH_ROBOTS", "128"))
 HELD = 0.001  # share of the cycles that may be skipped
-FULL = 0.9  # of the processors of the emulated robots: from there on they are late themselves
+FULL = 0.9  # load of the emulated robots' processors from which on they are late themselves
 STARTED_AT_ONCE = 8
 STATS_PERIOD_S = 1.0  # of the daemon's --stats
 
 
 def processors():
-    """(that of the daemons, those of the robots)."""
+    """(processor of the daemons, processors of the robots)."""
     usable = sorted(os.sched_getaffinity(0))
     ours = int(os.environ.get("TP100_BENCH_CPU", usable[-1]))
     return [ours], [number for number in usable if number != ours] or [ours]
 
 
 def counted(robots):
-    """Cycles run, overruns and cycles skipped up to now, of all."""
+    """Cycles, overruns and skipped cycles so far, summed over all robots."""
     loops = [robot.stats_now()["loop"] for robot in robots]
     return [sum(loop[key] for loop in loops) for key in ("cycles", "overruns", "missed")]
 

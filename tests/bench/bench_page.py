@@ -1,4 +1,4 @@
-"""scripts/bench page: runs with the page open in a browser and without it, four other viewers and a build beside both.
+"""scripts/bench page: runs with and without the page open in a browser, both beside four other viewers and a build.
 
 Usage: bench_page.py FOLDER_OF_PROGRAMS. The build compiles the project's own sources at nice 10, one on each processor.
 The browser renders in software, at its usual priority.
@@ -18,7 +18,7 @@ from bench_robot import DrivenRobot
 from bench_table import Table, ratio, rounds, seconds
 
 VIEWERS = 4
-LAPS = 40  # more than it drives in that time
+LAPS = 40  # more than the robot drives in that time
 BROWSER = os.environ.get("TP100_CHROMIUM", "/usr/bin/chromium-headless-shell")
 
 
@@ -37,7 +37,7 @@ class Build:
             each = self.commands[at % len(self.commands)]
             at += os.cpu_count()
             arguments = shlex.split(each["command"])
-            # Not from the compiler's cache.
+            # Without the compiler's cache.
             arguments = arguments[next(i for i, word in enumerate(arguments) if not word.endswith("ccache")):]
             arguments[arguments.index("-o") + 1] = os.path.join(self.folder, f"{first}.o")
             with subprocess.Popen(["nice", "-n", "10", *arguments], cwd=each["directory"], start_new_session=True,
@@ -81,7 +81,7 @@ class OpenPage:
 
 
 def measure(programs, shown, duration_s):
-    """One run; what its daemon counted, and whether it was aborted."""
+    """Drives one run; returns its daemon's figures, and whether it was aborted."""
     with tempfile.TemporaryDirectory(prefix="tp100-bench-", ignore_cleanup_errors=True) as folder, \
             Build(os.path.dirname(programs), folder):
         with DrivenRobot(programs, LAPS, page=True) as robot:

@@ -1,4 +1,4 @@
-"""An emulated robot and its daemon in real time, as a context, and what they take of the machine."""
+"""An emulated robot and its daemon in real time, as a context, and their use of the machine."""
 import json
 import os
 import re
@@ -17,12 +17,12 @@ def cpu_s(process):
 
 
 def tied(processors):
-    """What to put before a command so that it keeps to these processors."""
+    """Prefix of a command that pins it to these processors."""
     return ["taskset", "-c", ",".join(map(str, processors))] if processors else []
 
 
 def laps(folder, count):
-    """A course file of that many laps in one place: four segments each."""
+    """Writes a course file with `count` laps in one place, of four segments each."""
     path = os.path.join(folder, f"laps-{count}.toml")
     line = '[[segment]]\ntype = "line"\nlength_m = 1.0\n'
     arc = '[[segment]]\ntype = "arc"\nradius_m = 0.4\nangle_deg = 180.0\n'
@@ -35,8 +35,8 @@ def laps(folder, count):
 class DrivenRobot:
     """Drives on entering, unless the machine is too busy for it; ends both programs on leaving.
 
-    `page`: with viewers, whose port is .page_port. `processors`: those of the daemon and those of the robot, as lists of
-    numbers; empty: all. After leaving, .stats is what the daemon counted.
+    `page`: serve viewers, at port .page_port. `processors`: those of the daemon and those of the robot, as lists of
+    numbers; empty: all. After leaving, .stats has the daemon's figures.
     """
 
     def __init__(self, programs, course_laps, board="native", page=False, setup="flat", processors=((), ())):
@@ -81,7 +81,7 @@ class DrivenRobot:
         self.folder.cleanup()
 
     def stats_now(self):
-        """As of the last second; None: nothing was written yet."""
+        """The daemon's figures of the last second; None if nothing was written yet."""
         if not os.path.exists(self.stats_path):
             return None
         with open(self.stats_path) as file:
@@ -96,7 +96,7 @@ class DrivenRobot:
 
 
 def cores(robots, seconds):
-    """(of the daemons, of the emulators) together over this time, in processors."""
+    """Processor load over this time: (sum of the daemons, sum of the emulators), in processors."""
     before = [(cpu_s(r.daemon), cpu_s(r.robot)) for r in robots]
     began = time.monotonic()
     time.sleep(seconds)

@@ -1,4 +1,4 @@
-"""Table of a part whose rows a program prints as JSON objects, one a line, on standard input.
+"""Prints the table of a part whose rows come from standard input, one JSON object per line.
 
 Usage: bench_rows.py PART
 """

@@ -9,23 +9,23 @@ RESULTS = os.environ.get("TP100_BENCH_JSON", os.path.join(ROOT, "build", "bench"
 
 
 def seconds(usual):
-    """How long one measurement lasts [s]: TP100_BENCH_SECONDS, or what is usual."""
+    """Duration of one measurement [s]: TP100_BENCH_SECONDS, by default `usual`."""
     return float(os.environ.get("TP100_BENCH_SECONDS", usual))
 
 
 def rounds(usual):
-    """How often each candidate has its turn: TP100_BENCH_ROUNDS, or what is usual."""
+    """Number of measurements of each candidate: TP100_BENCH_ROUNDS, by default `usual`."""
     return int(os.environ.get("TP100_BENCH_ROUNDS", usual))
 
 
 def percentile(values, fraction):
-    """Of unsorted values: the one below which `fraction` (0..1) of them lie."""
+    """The one of unsorted values below which `fraction` (0..1) of them lie."""
     ordered = sorted(values)
     return ordered[min(int(fraction * len(ordered)), len(ordered) - 1)]
 
 
 def histogram_percentile(buckets, fraction):
-    """Of {value: count}."""
+    """The same for {value: count}."""
     wanted, seen = fraction * sum(buckets.values()), 0
     for value in sorted(buckets):
         seen += buckets[value]
@@ -35,15 +35,15 @@ def histogram_percentile(buckets, fraction):
 
 
 def ratio(ours, theirs):
-    """None where nothing was measured to compare with."""
+    """The ratio, or None if there is nothing to compare with."""
     return ours / theirs if theirs else None
 
 
 class Table:
-    """Prints each row as it comes; save() puts all of them into the results file.
+    """Prints each row as it is added; save() writes all of them to the results file.
 
-    A column is (key, heading, format), the format as of str.format for one value, e.g. "8.1f"; what a row lacks or has
-    as None is printed as "-".
+    A column is (key, heading, format); the format is that of str.format for one value, e.g. "8.1f". A missing value or
+    None is printed as "-".
     """
 
     def __init__(self, part, title, columns):
@@ -68,7 +68,7 @@ class Table:
         print(f"  {text}", flush=True)
 
     def save(self):
-        """Replaces this part in the results file and leaves the others."""
+        """Replaces this part in the results file and keeps the others."""
         os.makedirs(os.path.dirname(os.path.abspath(RESULTS)), exist_ok=True)
         results = {"parts": {}}
         if os.path.exists(RESULTS):

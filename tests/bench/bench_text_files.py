@@ -12,12 +12,12 @@ import tty
 
 
 def wait_for_change(path, last, poll_s):
-    """The words of the file, once its first one is another than `last`."""
+    """Waits until the file's first word differs from `last`; returns its words."""
     while True:
         try:
             with open(path) as file:
                 text = file.read()
-            # A reader can come while the file is half written.
+            # The file may be half written.
             if text.endswith("\n") and text.split()[0] != last:
                 return text.split()
         except FileNotFoundError:

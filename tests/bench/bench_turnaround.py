@@ -1,10 +1,10 @@
 """scripts/bench turnaround: from a robot's sample to the command that answers it, over a pseudo-terminal.
 
-Usage: bench_turnaround.py FOLDER_OF_PROGRAMS. Waking somebody on another processor takes longer than all that a bridge
-does, and where the kernel puts whom is chance. Three placements are therefore told apart: "together" (robot and who
-answers on one processor), "apart" (on two) and "any" (as the kernel likes); ratios are taken within each. On a busy
-machine the kernel moves an ordinary program to the processor of whoever wakes it, and leaves one at SCHED_FIFO where it
-was: so each bridge has an echo of its own priority beside it too ("/own").
+Usage: bench_turnaround.py FOLDER_OF_PROGRAMS. Waking a program on another processor takes longer than all the work of a
+bridge, and the kernel's placement is random. Therefore three placements are distinguished: "together" (robot and peer
+on one processor), "apart" (on two) and "any" (chosen by the kernel); ratios are taken within each. On a busy machine
+the kernel moves an ordinary program to the processor of the program that wakes it, but not one at SCHED_FIFO: so each
+bridge is also compared with an echo of the same priority ("/own").
 """
 import collections
 import json
@@ -20,12 +20,12 @@ BASE = "bare C echo"
 FIFO = "C echo, FIFO"
 OURS = "tp100d, robot-paced"
 ORDINARY = "tp100d, ordinary"
-# Its median is the wait for the next cycle of the loop, by design.
+# By design, its median is the wait for the loop's next cycle.
 HOST_PACED = "tp100d, host-paced"
 TEXT = "text files, "
 OWN_ECHO = {OURS: FIFO, HOST_PACED: FIFO, FIFO: FIFO}
 LAST = str(os.cpu_count() - 1)
-# Placement: (the robot's processor, the answering one's), None: any.
+# Placement: (processor of the robot, processor of the peer); None: any.
 PLACEMENTS = {"any": (None, None), "together": (LAST, LAST)} | ({"apart": ("0", LAST)} if LAST != "0" else {})
 
 
@@ -34,7 +34,7 @@ def script(name):
 
 
 def peers(programs, folder):
-    """Who answers, as (kind, command)."""
+    """The peers that answer, as (kind, command)."""
     def daemon(pacing, *more):
         config = os.path.join(folder, "-".join((pacing, *more)) + ".toml")
         with open(config, "w") as file:
@@ -111,7 +111,7 @@ def main():
         bridges = {name: candidates[name] for name in (BASE, FIFO, OURS, ORDINARY)}
         for busy in (False, True):
             for placement in PLACEMENTS:
-                # The text files take two programs, and one that spins on a single processor would measure itself.
+                # Text files only with "any": they need two programs, which would slow each other on one processor.
                 asked = candidates if placement == "any" else bridges
                 show(table, "busy" if busy else "idle", placement, *measure_all(programs, asked, placement, busy))
     table.save()

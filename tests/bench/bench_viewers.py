@@ -14,7 +14,7 @@ from bench_robot import DrivenRobot, cpu_s
 from bench_table import Table, rounds, seconds
 
 POLITE = 47  # of the 50
-LAPS = 40  # more than it drives in that time
+LAPS = 40  # more than the robot drives in that time
 
 
 def memory_kib(pid, key):
@@ -23,7 +23,7 @@ def memory_kib(pid, key):
 
 
 def measure(programs, viewers, duration_s):
-    """One driven robot; figures of its daemon."""
+    """Drives one robot; returns its daemon's figures."""
     seen = {}
     with DrivenRobot(programs, LAPS, page=True) as robot:
         before_s = cpu_s(robot.daemon)

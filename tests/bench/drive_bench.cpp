@@ -1,5 +1,5 @@
-// Driving by hand in virtual time, as JSON rows: how soon the robot is told to stop and stands
-// after its driver is lost, and how far commands by hand take it out of a fence.
+// Driving by hand in virtual time, as JSON rows: the times until the robot is commanded to stop and
+// stands after the loss of its driver, and how far commands by hand take it out of a fence.
 //
 // Usage: drive_bench TRIALS RUNS
 #include <algorithm>

@@ -13,7 +13,7 @@ namespace tp100::sim {
 class IsrMonitor {
  public:
   static constexpr std::uint8_t kAny = 0xFF;
-  /// From an interrupt to its routine, on the chip.
+  /// Cycles from an interrupt to the first instruction of its routine, on the chip.
   static constexpr CpuCycles kEntryCycles = 5;
 
   /// Starts to measure; the monitor must outlive the core's last run.

@@ -1,6 +1,6 @@
 #pragma once
-// Both boards, for tests of what firmware/PROTOCOL.md guarantees of a robot. conformance_test.cpp
-// names the boards.
+// Both boards, for tests of the guarantees of firmware/PROTOCOL.md. conformance_test.cpp names the
+// boards.
 
 #include <gtest/gtest.h>
 

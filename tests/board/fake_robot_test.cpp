@@ -30,7 +30,7 @@ class BareMega {
     cycle_.session().open(0);
   }
 
-  /// A millisecond; every fifth the daemon's cycle.
+  /// Runs a millisecond, and in every fifth the daemon's cycle.
   void advance() {
     const auto late = std::ranges::find_if(
         to_board_, [&](const TimedByte& byte) { return byte.at_ns > now_ns_ + kStepNs; });
@@ -79,7 +79,7 @@ TEST_P(FakeRobotCourse, IsDrivenToItsEndByABareMega) {
   ASSERT_TRUE(
       mega.run_until([&] { return mega.cycle_.session().state() == SessionState::kReady; }, 5.0));
   EXPECT_EQ(robot_kind(false, mega.cycle_.session().hello().board), RobotKind::kSimulated);
-  // So that the gyro's bias is known.
+  // Long enough to estimate the gyro's bias.
   mega.run_until([] { return false; }, 2.0);
   mega.cycle_.request(OperatorRequest::kStart);
   ASSERT_TRUE(mega.run_until([&] { return mega.run_state() == RunState::kRunning; }, 3.0));
@@ -90,7 +90,7 @@ TEST_P(FakeRobotCourse, IsDrivenToItsEndByABareMega) {
   const Snapshot& end = mega.cycle_.outputs().snapshot;
   EXPECT_EQ(mega.run_state(), RunState::kFinished)
       << (first_fault(end.faults) ? describe(*first_fault(end.faults)).name : "");
-  // The firmware keeps its time: a sample every 5 ms, none lost, no byte overrun.
+  // The firmware meets its deadlines: a sample every 5 ms, none lost, no byte overrun.
   EXPECT_LT(mega.longest_us_, 6000);
   EXPECT_EQ(mega.cycle_.session().counters().lost, 0U);
   EXPECT_EQ(mega.board_.counters().rx_overruns, 0U);

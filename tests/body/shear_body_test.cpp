@@ -98,7 +98,7 @@ TEST(ShearBody, TurnsHarderThanItsGaugeAndHarderYetWithItsLoadAtTheEnds) {
   EXPECT_GT(wheelbase_in_a_spin(robot(0.001, 0.9)), 1.15 * even);
 }
 
-/// Distance that the tracks go until the yaw rate has come to 63 % of what it will be.
+/// Distance that the tracks move until the yaw rate has reached 63 % of its final value.
 double travel_until_turning(double modulus_m) {
   ShearBody settled(robot(modulus_m), {}, false);
   const double track_mps = 0.08;
@@ -130,7 +130,7 @@ TEST(ShearBody, TheGroundNeverHoldsMoreThanFriction) {
   const double limit_mps2 = values.body.friction * kGravityMps2;
   double hardest_mps2 = 0.0;
   for (int i = 0; i < 3000; ++i) {
-    // Full speed ahead, on the spot, back: whatever the tracks do.
+    // Full speed ahead, on the spot and back, to cover all motions of the tracks.
     body.step(i % 700 < 350 ? 1.0 : -1.0, i % 500 < 250 ? 1.0 : -0.5);
     const BodyState& state = body.state();
     const double felt_mps2 = std::hypot(state.specific_force_mps2[0], state.specific_force_mps2[1]);
@@ -161,8 +161,8 @@ TEST(ShearBody, NothingMovesAtRestAndAStoppedBodySettles) {
   EXPECT_NEAR(drive(body, 0.0, 0.0, 2.0).pose.yaw_rad, stopped, 1e-3);
 }
 
-/// Energy of the body's motion less the work of the tracks since the start: what the ground has
-/// given, if it is above 0.
+/// Kinetic energy of the body less the work of the tracks since the start: above 0, the ground has
+/// supplied energy.
 TEST(ShearBody, TheGroundGivesNoEnergy) {
   for (const double modulus_m : {0.001, 0.025}) {
     course::Emulated values = robot(modulus_m, 0.6);

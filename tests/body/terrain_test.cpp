@@ -200,7 +200,7 @@ TEST(BodyOnTerrain, AWallIsNotEnteredSideways) {
 }
 
 TEST(BodyOnTerrain, AnEvenlyLoadedRobotDrivesBesideAnObstacleAsItDoesAlone) {
-  // With its length nearby, and never touched: there every station of the tracks has its contact.
+  // With the block nearby but never touched, so that all stations of the tracks are used.
   course::Terrain wall = block(0.05, 2.0);
   wall.blocks[0].place = {0.0, 0.6, 0.0};
   wall.blocks[0].width_m = 0.02;

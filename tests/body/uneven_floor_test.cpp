@@ -57,7 +57,7 @@ TEST(UnevenFloor, AnEvenFloorIsOneEverywhere) {
   EXPECT_EQ(floor.at(3.0, -2.0).slip_offset, 0.0);
 }
 
-// Between the corners of the lattice and on them, near and far: no place is special.
+// Between the corners of the lattice and on them, near and far: the statistics are the same.
 TEST(UnevenFloor, MeanAndSpreadAreThoseOfTheFileAtEveryPlace) {
   for (const double tile_m : {0.0, 0.5}) {
     course::Emulated values = uneven();
@@ -142,7 +142,7 @@ TEST(UnevenFloor, ARobotOnAnEvenFloorIsThatOfItsFile) {
   EXPECT_EQ(robot.battery.full_v, values.battery.full_v);
 }
 
-/// Where a robot is after two seconds straight ahead.
+/// Position of a robot after two seconds straight ahead.
 Pose after_two_seconds(course::ContactLaw law, std::uint64_t floor_seed) {
   course::Emulated values = uneven();
   values.contact_law = law;
@@ -160,7 +160,7 @@ TEST(UnevenFloor, BothBodiesDriveOnIt) {
   }
 }
 
-// Every track loses what the floor below it takes.
+// Every track slips by the deficit of the floor below it.
 TEST(UnevenFloor, SlipOfTheFloorIsAddedToTheTracks) {
   course::Emulated values = uneven();
   values.variation = {.friction_sd = 0.0, .slip_sd = 0.05, .correlation_m = 20.0};

@@ -70,8 +70,8 @@ TEST(Cycle, SendsTheRobotsValuesAsWireParameters) {
   EXPECT_EQ(sent.flags, wire::kUseGyro | wire::kSwapTracks);
 }
 
-/// What the firmware finds within three metres of its outer track, while the gyro turns as the
-/// model says for these track speeds and the left track counts that share of its edges.
+/// The firmware's verdict within three metres of its outer track, while the gyro measures the yaw
+/// rate of the model for these track speeds and the left track counts that share of its edges.
 firmware::TurnMonitor::Verdict found_in_turn(double left_mps, double right_mps, double counted) {
   bridge::Parameters parameters;
   parameters.model.wheelbase_m = 0.40;

@@ -127,8 +127,8 @@ class StepTest : public testing::Test {
   Parameters parameters_{};
   std::shared_ptr<const course::Course> course_;
   std::vector<Sample> samples_ = std::vector<Sample>(1);
-  std::span<const ParameterChange> changes_{};  // of the next tick
-  BoundedList<CarriedState, 1> restart_{};      // ... too
+  std::span<const ParameterChange> changes_{};  // for the next tick
+  BoundedList<CarriedState, 1> restart_{};      // for the next tick
   HostNs now_ = 0;
   bool connected_ = true;
   std::uint32_t session_ = 1;

@@ -114,7 +114,7 @@ TEST_F(StepTest, GoesOnFromWhereARunWasStopped) {
     if (stopped.world.yaw_rad > 0.3 && stopped.world.yaw_rad < 1.2 && stopped.progress_m > 0.7)
       ++turning;
     if (share > 0.5) {
-      // As a step restarts at rest: with its carried state alone.
+      // Like a restart of the step at rest, with only its carried state.
       const CarriedState carried = step->carried();
       step = std::make_unique<Step>(parameters_, course_);
       restart_.push(carried);

@@ -21,7 +21,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// A source that reads `bytes`, and then the end. At most what a pipe holds.
+/// A source that reads `bytes` (at most the capacity of a pipe), and then the end of the stream.
 std::unique_ptr<camera::Source> source_of(const std::string& bytes, double delay_s = 0.0) {
   std::array<int, 2> ends{};
   EXPECT_EQ(::pipe(ends.data()), 0);
@@ -49,7 +49,7 @@ std::string problem(const std::string& bytes) {
   }
 }
 
-// A signal may come at any moment, also just before it waits for the rest of an image.
+// A signal may arrive at any moment, also just before the source waits for the rest of an image.
 TEST(ImagePipe, EndsWithinAnImageOnceItIsStopped) {
   std::array<int, 2> ends{};
   ASSERT_EQ(::pipe(ends.data()), 0);

@@ -24,7 +24,7 @@ SceneCamera bent_camera() {
   return camera;
 }
 
-/// Images of the board all over the view.
+/// Images of the board in all parts of the view.
 std::vector<camera::BoardCorners> views_of(const camera::CalibrationBoard& board, double width_m) {
   const cv::Mat bits = board.draw(4000.0);
   std::vector<camera::BoardCorners> views;

@@ -158,7 +158,7 @@ TEST_F(CameraProgram, SendsWhatComesThroughAPipeWithTheStampsItHasUntilASignal) 
     const Pose truth = drive(i / kFps);
     EXPECT_LT(std::hypot(message->x_m - truth.x_m, message->y_m - truth.y_m), 0.0015);
   }
-  // Half an image: more than a pipe holds, so that the program is within it.
+  // Half an image, more than a pipe holds, so that the program has begun to read it.
   const std::string half = "P5\n1920 1080\n255\n" + std::string(1'000'000, 'x');
   for (std::size_t at = 0; at < half.size();) {
     const ssize_t written = ::write(ends[1], half.data() + at, half.size() - at);
@@ -191,7 +191,7 @@ TEST_F(CameraProgram, SendsImagesOfAnyCameraAtARateAndSizeForPeople) {
     ASSERT_TRUE(message.has_value());
     EXPECT_EQ(message->clock, link::monotonic_clock_name());
     EXPECT_EQ(message->sequence, ++received);
-    // Five a second of twenty: every fourth, but for those that a busy machine skips.
+    // Five of twenty images per second: every fourth, except those that a busy machine skips.
     if (last_us) {
       EXPECT_GE(message->stamp_us - *last_us, 150'000);
     }

@@ -59,7 +59,7 @@ Value some_value(const KeyText& key, std::mt19937& random) {
   return key.choices[below(key.choices.size())];
 }
 
-/// Equal as far as a file tells: angles are converted and back.
+/// Equal within the precision of a file, in which angles are converted.
 bool same(const Value& a, const Value& b) {
   const double* x = std::get_if<double>(&a);
   const double* y = std::get_if<double>(&b);
@@ -98,7 +98,7 @@ TEST(ParameterFile, AnyValuesOfAllParametersReadBackAndNoOtherByteChanges) {
           << keys[i].name;
     }
 
-    // Every old line is there, in order; of a changed one, what stands around the value.
+    // Every old line is kept, in order; of a changed line, the text around the value.
     const std::vector<std::string> next = lines_of(result);
     std::size_t at = 0;
     std::string table;

@@ -19,7 +19,7 @@ class HandDriveInputs : public testing::Test {
   void want(double speed_mps, double yaw_rate_radps) {
     drive_.take({now_, speed_mps, yaw_rate_radps}, now_);
   }
-  /// The last command of `duration_s`, with the person's input kept fresh or not.
+  /// The last command after `duration_s`, with or without fresh input of the person.
   HandCommand run(double duration_s, bool fresh = true) {
     HandCommand out;
     for (double t = 0.0; t < duration_s - kHandCycleS / 2.0; t += kHandCycleS) {

@@ -142,8 +142,8 @@ TEST_F(EncoderMonitorTest, TheDutyTellsBackwardsToo) {
   EXPECT_LT(after_s, 1.0);
 }
 
-// With 300 counts/m a track at rest swings about one edge: the robot answers each with duty the
-// other way, and the speed, which lags, has the sign of the duty before.
+// With 300 counts/m a track at rest oscillates about one edge: the robot reacts to each count with
+// duty of the other sign, and the speed, which lags, has the sign of the previous duty.
 TEST_F(EncoderMonitorTest, ATrackThatSwingsAboutOneEdgeMissesNothing) {
   EXPECT_EQ(run(3.0), 0u);
   drive(0.0);
@@ -232,7 +232,7 @@ TEST_F(EncoderMonitorTest, ATurnThatIsTurnedBackRunsOnForAMoment) {
   }
 }
 
-// Between two arcs of which one turns back, tracks at their limit need a quarter of a second.
+// Between two arcs in opposite directions, tracks at their limit need a quarter of a second.
 TEST_F(EncoderMonitorTest, ATurnAtTheFullRateMayBeTurnedBack) {
   for (const double side : {1.0, -1.0}) {
     monitor_.restart();
@@ -253,7 +253,7 @@ TEST_F(EncoderMonitorTest, ATurnAtTheFullRateMayBeTurnedBack) {
   }
 }
 
-// Steering loads one track and relieves the other, in turn: both gains are those between.
+// Steering alternately loads one track and relieves the other: both gains become the mean.
 TEST_F(EncoderMonitorTest, SmallTurnsOnAStraightTeachNoLowerGain) {
   const double usual = sample_.left_duty;
   for (int i = 0; i < 40; ++i) {

@@ -31,7 +31,7 @@ TEST(Magnitude, IsNotFused) {
   EXPECT_EQ(magnitude(kX, kY), std::sqrt(squares + kY * kY));
 }
 
-/// One number of the last bits of `function` at 20 000 places.
+/// A hash of the last bits of `function` at 20 000 arguments.
 template <class Function>
 std::uint64_t last_bits(Function function) {
   std::uint64_t hash = 14695981039346656037u, state = 1;
@@ -46,8 +46,8 @@ std::uint64_t last_bits(Function function) {
   return hash;
 }
 
-// glibc's functions with FMA round alike on both kinds of processor: their bits are pinned. Those
-// without are others.
+// glibc's functions with FMA give the same bits on both kinds of processor, which are pinned here.
+// Those without FMA give other bits.
 TEST(Arithmetic, TheTextSaysWhatBitsTheFunctionsGive) {
   volatile double one = 1.0;  // the compiler rounds by rules of its own
   const auto bits = last_bits([&](double x, double y) {

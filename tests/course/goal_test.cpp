@@ -100,7 +100,7 @@ TEST(GoalCourse, StartsAtThePoseAndEndsAtTheGoal) {
     EXPECT_EQ(course.start.y_m, from.y_m);
     EXPECT_NEAR(wrap_angle(course.start.yaw_rad - from.yaw_rad), 0.0, 1e-12);
     const Miss by = miss(course, goal);
-    // Without a turn that is too small to be in it, it is off by that turn.
+    // A turn that is too small for the course is left out: the yaw is off by that turn.
     const bool whole = course.path.size() == 3;
     const double off_rad = whole ? 1e-9 : 0.1 * kRadPerDeg;
     const double length_m = magnitude(goal.x_m - from.x_m, goal.y_m - from.y_m);
@@ -110,7 +110,7 @@ TEST(GoalCourse, StartsAtThePoseAndEndsAtTheGoal) {
 }
 
 TEST(GoalCourse, LeavesOutWhatNoCourseFileHas) {
-  // On the spot, straight on, and hardly anything.
+  // On the spot, straight ahead, and hardly any motion.
   EXPECT_EQ(to(kFree, {}, {.x_m = 0.0009, .yaw_rad = 1.0}).path.size(), 1u);
   const Pose ahead{.x_m = 2.0, .y_m = 0.003, .yaw_rad = 0.001};
   const Course straight = to(kFree, {}, ahead);
@@ -136,7 +136,7 @@ TEST(GoalCourse, KeepsFloorAndSpeedOfTheCourse) {
   EXPECT_EQ(after.terrain.surfaces[0].name, "wet \"floor\"");
   EXPECT_EQ(after.fence.corners.size(), 4u);
   EXPECT_EQ(after.fence.keep_out.size(), 1u);
-  // And again from what it has made.
+  // And again from its own output.
   const TextFile first = course_to({"c.toml", kEverything}, {{}, {.x_m = 1.0}});
   const TextFile second = course_to(first, {{.x_m = 1.0}, {.y_m = 1.0}});
   EXPECT_LT(miss(parse_course(second.text, second.path), {.y_m = 1.0}).m, 1e-9);
@@ -152,7 +152,7 @@ TEST(GoalCourse, OutsideOfTheFenceIsRefused) {
   EXPECT_THAT(why_not(kFree, {.x_m = -99.0}, {.x_m = 99.0}),
               HasSubstr("'segment.length_m' is 198"));
   EXPECT_THAT(why_not("", {}, {.x_m = 1.0}), HasSubstr("choose a course"));
-  // Random ones: refused exactly if the goal is outside, for the fence is convex.
+  // Random goals: refused exactly if the goal is outside, because the fence is convex.
   constexpr const char* kSquare =
       "[[segment]]\ntype = \"line\"\nlength_m = 0.3\n"
       "[fence]\nmin_x_m = -1\nmax_x_m = 1\nmin_y_m = -1\nmax_y_m = 1\n";

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""links_test.py ROOT: every link and every path that a page names leads somewhere, and README.md leads to every page."""
+"""links_test.py ROOT: every link and path in a page must exist, and every page must be reachable from README.md."""
 import pathlib
 import re
 import sys
 
 LINK = re.compile(r"\[[^\]]*\]\(([^)\s]+)\)")
-# In a code span: a path with a folder in it, and the name of a file of ours.
+# A path with a folder, in a code span, that names a file of the project.
 PATH = re.compile(r"`((?:\.\./|[\w.-]+/)+[\w.-]+\.(?:h|cpp|md|toml|py|ts|js|ino|rules))`")
 BLOCK = re.compile(r"^```.*?^```$", re.M | re.S)
 FOLDERS = ("daemon", "firmware", "sim", "config", "tests", "scripts", ".github")

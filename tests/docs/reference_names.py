@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""reference_names.py REFERENCE.md PROGRAMS: every name that the programs print stands in that page, between backticks.
+"""reference_names.py REFERENCE.md PROGRAMS: every name that the programs print must be in that page, between backticks.
 
-An emulated run, the report of its recording, what a calibration drive identifies, a small campaign, the doctor with and
-without a robot, and the figures of a live daemon are asked.
+Checked are an emulated run, the report of its recording, an identification from a calibration drive, a small campaign,
+the doctor with and without a robot, and the figures of a live daemon.
 """
 import glob
 import json
@@ -13,7 +13,7 @@ import sys
 import tempfile
 
 
-# Eight runs of which some fail and some are refused.
+# Eight runs: some fail, some are refused.
 CAMPAIGN = """runs = 8
 course = "1-curve"
 [configuration]
@@ -22,12 +22,12 @@ control.time_limit_factor = { list = [1.0, 3.0] }
 drive.max_track_mps = { list = [0.2, 99.0] }
 emulated.body.friction = { uniform = [0.6, 0.9] }
 """
-# Below these stand keys of files, causes and rights: no names of figures.
+# The keys below these are keys of files, causes and rights, not names of figures.
 NAMED = {"privileges", "causes", "sampled", "rank_correlation"}
 
 
 def names(value):
-    """Of all keys below, each by itself, those with dots in pieces, and of the doctor's findings."""
+    """Names of all nested keys (those with dots split into parts) and of the doctor's findings."""
     if isinstance(value, list):
         return {name for one in value for name in names(one)}
     if not isinstance(value, dict):
@@ -43,7 +43,7 @@ def run(*command):
 
 
 def doctor(programs, port):
-    """Whatever it finds."""
+    """The doctor's findings, whatever its status."""
     return json.loads(subprocess.run([os.path.join(programs, "tp100d"), "doctor", "--json", "--port", port],
                                      stdout=subprocess.PIPE, text=True, check=False).stdout)
 
@@ -60,7 +60,7 @@ def campaign(programs, folder):
     spec, out = os.path.join(folder, "spec.toml"), os.path.join(folder, "many")
     with open(spec, "w") as file:
         file.write(CAMPAIGN)
-    # Where runs were refused both end with status 1.
+    # Status 1 is accepted, because some runs are refused.
     for command in (["campaign", spec, "--out", out], ["merge", out]):
         subprocess.run([program, *command], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
     with open(os.path.join(out, "merged.json")) as file:

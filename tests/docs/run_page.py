@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
-"""run_page.py PAGE BUILD: does what a page says, as it stands there: writes its files, runs its commands.
+"""run_page.py PAGE BUILD: follows the instructions of a page literally: writes its files, runs its commands.
 
 ```sh blocks are run one after the other by one bash in a folder that looks like the project's, with BUILD as
 build/release; a block whose first line has a file's name after the language is written to that file. Any command that
-fails fails the page. A word behind ```sh says what is special about the block:
+fails fails the page. A word after ```sh marks the block:
 
-    instead   what takes the place of what a test has not: an emulated robot on $port, another port number
-    enter     somebody presses Enter twice a second
-    start     somebody starts each run as the daemon asks for it: by Enter, or by the word go and Enter
-    others    why it is not run: long, by-hand, fresh, install, ...
+    instead   stands in for what a test does not have: an emulated robot on $port, another port number
+    enter     Enter is pressed twice a second
+    start     each run is started as the daemon requests: by Enter, or by the word go and Enter
+    others    the block is not run; the word is the reason: long, by-hand, fresh, install, ...
 
 Blocks in other languages are not touched.
 """
@@ -24,12 +24,12 @@ BLOCK = re.compile(r"^```(\w+)(?: (\S+))?\n(.*?)^```$", re.M | re.S)
 
 
 def blocks(path):
-    """Language, word and text of each of a page's blocks."""
+    """Language, word and text of each block of a page."""
     with open(path, encoding="utf-8") as file:
         return BLOCK.findall(file.read())
 
 
-# Passes on what a block says and types what it asks for.
+# Forwards the output of a block and types the input that it requests.
 STARTER = """start_runs() {
   while IFS= read -r line; do
     printf '%s\\n' "$line" >&2
@@ -65,11 +65,11 @@ def main():
                 os.symlink(os.path.join(ROOT, name), os.path.join(folder, name))
         os.mkdir(os.path.join(folder, "build"))
         os.symlink(build, os.path.join(folder, "build", "release"))
-        # Black boxes of runs that fail stay here too.
+        # Black boxes of failed runs are written here, too.
         here = dict(os.environ, XDG_STATE_HOME=os.path.join(folder, "state"))
         shell = subprocess.Popen(["bash", "-c", script], cwd=folder, env=here, stdin=subprocess.DEVNULL,
                                  start_new_session=True)
-        # Ends what the page started: at the end of the pipe, which comes when this program ends in whatever way.
+        # Ends the page's programs at the end of the pipe, which comes when this program ends for any reason.
         keeper = subprocess.Popen(["sh", "-c", 'read -r _; kill -s TERM -- "-$1" 2> /dev/null', "keeper", str(shell.pid)],
                                   stdin=subprocess.PIPE, start_new_session=True)
         status = shell.wait()

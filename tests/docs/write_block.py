@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""write_block.py PAGE NAME FOLDER: the block of a page that shows the file NAME, written to FOLDER/NAME."""
+"""write_block.py PAGE NAME FOLDER: writes the block of a page that shows the file NAME to FOLDER/NAME."""
 import os
 import sys
 

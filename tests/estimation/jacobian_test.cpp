@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kStep = 1e-4;
 constexpr double kFastest = 0.25;        // track [m/s]
-constexpr double kFastestGround = 0.33;  // ... with the least slip and the largest turn gain
+constexpr double kFastestGround = 0.33;  // over ground, with the least slip and largest turn gain
 
 model::TrackParameters tracks() {
   model::TrackParameters tracks;
@@ -187,7 +187,7 @@ StateMatrix left_of(const StateMatrix& p, const Eigen::Matrix<double, kRows, kSt
   return p - p * h.transpose() * (h * p * h.transpose() + r).inverse() * h * p;
 }
 
-// Common slip is left out: what the wheelbase gets wrong in a turn would otherwise change it.
+// Without common slip, which an error of the wheelbase in a turn would otherwise change.
 TEST_F(Jacobian, OfTheResidualIsThatOfTheTracksYawRateAndTheBiasWithoutTheCommonSlip) {
   for (int round = 0; round < 2000; ++round) {
     FilterState state{this->state(), StateMatrix::Zero()};

@@ -77,8 +77,8 @@ class MatchedRobot {
   int count_ = 0;
 };
 
-/// Half width of the band in which the mean of so many lies 95 times of a hundred: the sum of many
-/// chi-squared values is nearly normal.
+/// Half-width of the 95 % band of the mean of this many values: the sum of many chi-squared values
+/// is nearly normal.
 double half_band(std::uint32_t count) { return 1.96 * std::sqrt(2.0 * 3.0 / count); }
 
 /// NIS of every camera sample, including those beyond the gate, over many runs.

@@ -57,7 +57,7 @@ TEST_F(OdometryTest, AQuarterCircleEndsWhereGeometrySays) {
   EXPECT_NEAR(odometry.pose().yaw_rad, kPi / 2, 2e-3);
 }
 
-// The pose's covariance is of the world's axes, the twist's of the body's.
+// The covariance of the pose is in world axes, that of the twist in body axes.
 TEST_F(OdometryTest, ARobotThatStartsTurnedHasItsPosesCovarianceTurnedAndTheSameOfItsTwist) {
   const auto driven = [this](double yaw_rad) {
     Odometry odometry(tracks_, noise_);
@@ -68,7 +68,7 @@ TEST_F(OdometryTest, ARobotThatStartsTurnedHasItsPosesCovarianceTurnedAndTheSame
   };
   const Odometry ahead = driven(0.0), left = driven(kPi / 2.0);
   const PlanarCovariance pose = ahead.pose_covariance(), turned = left.pose_covariance();
-  // A robot does not know its direction: the place spreads across it.
+  // The direction is uncertain, so the position is uncertain across it.
   ASSERT_GT(pose.yy, 2.0 * pose.xx);
   ASSERT_GT(pose.y_yaw * pose.y_yaw, 0.1 * pose.yy * pose.yaw_yaw);
   EXPECT_NEAR(turned.xx, pose.yy, 1e-12);
@@ -111,7 +111,7 @@ TEST_F(OdometryTest, WithoutAGyroItIsTheExtendedModel) {
 
 // A gyro that warms up by 6 K with up to 0.002 rad/s/K: integrated alone it would turn the robot by
 // 0.4 rad and take it two metres beside a straight line of 12 m. On an even floor the tracks show
-// the drift; on an uneven one they must not spoil what the gyro says.
+// the drift; on an uneven one they must not degrade the yaw of the gyro.
 class WarmingGyro : public OdometryTest {
  protected:
   struct Floor {
@@ -149,7 +149,7 @@ class WarmingGyro : public OdometryTest {
     bias_radps_ = 0.0;
     return worst_m;
   }
-  /// Of a gyro whose bias is taken at the start alone.
+  /// The same for a gyro whose bias is measured only at the start.
   static double bare_m(double radps_per_degc) {
     double y_m = 0.0, yaw_rad = 0.0;
     for (double t_s = 0.0; t_s < 120.0; t_s += kDt) {
@@ -181,14 +181,14 @@ TEST_F(WarmingGyro, IsNotMadeWorseByAnUnevenFloor) {
       double sum_m = 0.0;
       constexpr int kSeeds = 10;
       for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) sum_m += error_m(drift, floor, seed);
-      // Half a metre is what not knowing the drift costs where there is none.
+      // Estimating a drift that does not exist may cost half a metre.
       EXPECT_LT(sum_m / kSeeds, std::max(0.5, 1.1 * bare_m(drift)))
           << drift << " " << floor.slip_sd << " " << floor.length_m;
     }
   }
 }
 
-// For minutes, as a robot does before a run; forward, backward and on the spot afterwards.
+// Stands for minutes, like a robot before a run; then forward, backward and on the spot.
 TEST_F(OdometryTest, ARobotThatStoodForLongIsKnownAsWellAsBefore) {
   for (const double speed : {0.1, -0.1, 0.0}) {
     Odometry odometry(tracks_, noise_);
@@ -204,7 +204,7 @@ TEST_F(OdometryTest, ARobotThatStoodForLongIsKnownAsWellAsBefore) {
   }
 }
 
-// Whoever switches the robot on may carry it around before it stands.
+// The robot may be carried around after it was switched on, before it stands.
 TEST_F(OdometryTest, ATurnOfTheCarriedRobotIsNoBias) {
   Odometry odometry(tracks_, noise_);
   drive(odometry, 0.0, 0.0, 0.02 + 0.1, 10.0);  // its tracks stand still
@@ -214,7 +214,7 @@ TEST_F(OdometryTest, ATurnOfTheCarriedRobotIsNoBias) {
   EXPECT_NEAR(odometry.pose().yaw_rad, 0.0, 0.01);
 }
 
-// On a ramp one track carries more and slips more: that is no drift of the gyro.
+// On a ramp one track carries more load and slips more, which is not a drift of the gyro.
 TEST_F(OdometryTest, SlopesTeachNothingOfTheGyro) {
   Odometry odometry(tracks_, noise_);
   rest(odometry, 0.02);
@@ -233,7 +233,7 @@ TEST_F(OdometryTest, SlopesTeachNothingOfTheGyro) {
   EXPECT_NEAR(odometry.state().mean[kBias], bias_radps, 1e-5);
 }
 
-// What the wheelbase gets wrong must not pull the heading away from a gyro that was at rest before.
+// An error of the wheelbase must not change the heading of a gyro that was at rest before.
 TEST_F(OdometryTest, InTurnsTheGyroKnowsBetter) {
   Odometry odometry(tracks_, noise_);
   rest(odometry, 0.02);
@@ -256,7 +256,7 @@ TEST_F(OdometryTest, ATurnThatTheTracksDidNotMakeIsFollowed) {
   }
 }
 
-// The gyro saw the turn of a push; how far the robot was moved, nothing has seen.
+// The gyro measured the turn of a push, but no sensor the displacement.
 TEST_F(OdometryTest, APushLeavesTheHeadingKnownAndThePlaceUnknown) {
   Odometry odometry(tracks_, noise_);
   rest(odometry, 0.02);

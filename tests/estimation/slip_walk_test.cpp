@@ -11,7 +11,7 @@ namespace {
 constexpr double kWayM = 0.36;
 constexpr double kNoise = 3e-4;
 
-/// What is estimated after `windows` windows on a floor whose slip difference walks by `step_rtm`.
+/// The estimate after `windows` windows on a floor whose slip difference drifts by `step_rtm`.
 double estimated_rtm(double step_rtm, int windows, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal;

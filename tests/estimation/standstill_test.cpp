@@ -78,7 +78,7 @@ TEST_F(StandstillTest, AStaleImuTeachesNothing) {
   EXPECT_FALSE(standstill_.bias_known());
 }
 
-// A coarse encoder shows nothing of the first moments of a start, the gyro does.
+// A coarse encoder does not show the first moments of a start, but the gyro does.
 TEST_F(StandstillTest, ADrivenTrackIsNotAtRestBeforeItsFirstEdge) {
   feed(200, 0.02, 0.0);
   ASSERT_TRUE(standstill_.rest().has_value());
@@ -89,8 +89,7 @@ TEST_F(StandstillTest, ADrivenTrackIsNotAtRestBeforeItsFirstEdge) {
   EXPECT_NEAR(standstill_.bias_radps(), 0.02, 5e-4);
 }
 
-// The first sample of a standstill brings the mean of the whole window, the following ones
-// themselves.
+// The first sample of a standstill adds the mean of the whole window, each later one only itself.
 TEST_F(StandstillTest, TheWindowCountsOnceAndThenEachSample) {
   feed(101, 0.03, 0.0);
   ASSERT_TRUE(standstill_.rest().has_value());

@@ -71,8 +71,8 @@ TEST(TrackMonitorAlone, AGainLearntAtALowSpeedIsNotThatOfAHigherOne) {
   }
 }
 
-// Steering loads a track and relieves it, in turn: its gain is that between both, with which the
-// load of an arc, somewhat larger than the gyro says, is no stall.
+// Steering alternately loads a track and relieves it: its gain becomes the mean, with which the
+// load of an arc, somewhat larger than the gyro implies, is not a stall.
 TEST(TrackMonitorAlone, SmallTurnsOnAStraightTeachNoLowerGain) {
   const wire::Parameters p = test::good_parameters();
   for (const double mps : {0.06, 0.1, 0.16}) {

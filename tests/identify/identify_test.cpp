@@ -126,7 +126,7 @@ TEST(Identify, FindsARobotOfWhichNothingIsKnown) {
 }
 
 TEST(Identify, SimplerFormsComeFromTheSameDrives) {
-  // What each form can describe exactly.
+  // Drives that each form can describe exactly.
   Truth even;
   even.slip_right = even.slip_left;
   even.x_icr_m = even.slip_angle_rad = 0.0;
@@ -144,7 +144,7 @@ TEST(Identify, SimplerFormsComeFromTheSameDrives) {
     expect_found(*fit(found, key), &TrackParameters::wheelbase_m, even.wheelbase_m,
                  0.01 * even.wheelbase_m);
   expect_found(*fit(found, "gyro"), &TrackParameters::gyro_scale, even.gyro_scale, 0.004);
-  // Nothing of these is to be fitted.
+  // None of these is fitted.
   EXPECT_FALSE(fit(found, "differential"));
   EXPECT_FALSE(fit(found, "eqs_1_5_printed"));
 
@@ -155,7 +155,7 @@ TEST(Identify, SimplerFormsComeFromTheSameDrives) {
   expect_found(*fit(turned, "icr"), &TrackParameters::slip_right, ahead.slip_right, 0.003);
   EXPECT_GT(fit(turned, "differential_fitted")->rms_m, 2.0 * fit(turned, "icr")->rms_m);
 
-  // And into the robot's file.
+  // Also in the robot's file.
   const course::Robot robot = identified_robot(turned, {}, "");
   const course::Robot read = course::parse_robot(course::write_robot(robot, ""), "r.toml");
   const auto& icr = read.baselines[model::baseline("icr")];

@@ -141,7 +141,7 @@ TEST(NextManoeuvre, IsDeterministic) {
 }
 
 TEST(NextManoeuvre, NeverLeavesTheFence) {
-  // Not a rectangle, and with something in the way.
+  // Not a rectangle, and with a keep-out area.
   const course::TextFile room{
       "room.toml",
       "[[segment]]\ntype = \"pivot\"\nangle_deg = 90.0\n[fence]\ncorners_m = [[-0.4, -0.4], "
@@ -178,7 +178,7 @@ Amounts amounts(const std::vector<course::OtherPath>& chosen) {
 }
 
 TEST(NextManoeuvre, WhatIsKnownAlreadyIsNotDrivenForAgain) {
-  // Straight lines and spins first, as many as anybody could want.
+  // Straight lines and spins first, more than enough of them.
   NextManoeuvre next(nothing_known(), area(1.5));
   course::OtherPath known;
   known.name = "known";

@@ -1,13 +1,13 @@
 # cmake -D SKETCH=<tp100.ino> -D WORK=<folder> [-D FAKE_ROBOT=ON] -P arduino_sketch.cmake: compiles the sketch as the
-# Arduino IDE does, every warning on; FAKE_ROBOT: after its line in options.h was uncommented. Fails if a source of ours
-# warns, the image is above its budget, or it is not the one that was asked for.
+# Arduino IDE does, with all warnings; FAKE_ROBOT: with its line in options.h uncommented. Fails if a source of the
+# project causes a warning, if the image is above its budget, or if it is not the requested one.
 set(ARDUINO /usr/share/arduino/hardware)
 find_program(BUILDER arduino-builder)
 if(NOT BUILDER)
   message(FATAL_ERROR "arduino-builder is missing; run scripts/setup")
 endif()
 
-# What is compiled already would not warn again.
+# Start anew, because compiled files would not warn again.
 file(REMOVE_RECURSE ${WORK}/build)
 file(MAKE_DIRECTORY ${WORK}/build ${WORK}/cache)
 if(FAKE_ROBOT)

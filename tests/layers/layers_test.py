@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""layers_test.py COMPILER FOLDERS INCLUDE: the include fences of all libraries, tried with the compiler.
+"""layers_test.py COMPILER FOLDERS INCLUDE: tests with the compiler which headers each library can include.
 
 FOLDERS has a line for each library: its folder, and the directories in which its sources look for headers.
 INCLUDE holds one directory for each library, through which alone its headers are reached.
@@ -8,7 +8,7 @@ import pathlib
 import subprocess
 import sys
 
-# From the ground up. A library sees folders of the lines above its own, and none of its own line.
+# From the lowest layer up. A library may include folders of the lines above its own, and none of its own line.
 LAYERS = [
     'wire',
     'core firmware web',

@@ -1,5 +1,5 @@
 #pragma once
-// Images in the form that the daemon checks; what is between the headers is no image.
+// Data with the JPEG headers that the daemon checks; the rest is not an image.
 
 #include <string>
 

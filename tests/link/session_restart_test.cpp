@@ -156,8 +156,8 @@ TEST(Session, CountsAndTimesOfAnEarlierBootAreForgotten) {
   EXPECT_EQ(rig.session.counters().implausible, 0u);
 }
 
-// The robot is as old after its next boot as it was before: only the nonce tells the new counts
-// from a jump.
+// After its next boot the robot's clock is the same as before: only the nonce distinguishes the new
+// counts from a jump.
 TEST(Session, CountsOfANewBootAreNoJumpOfTheOldOne) {
   SessionSettings settings = SessionRig::settings();
   settings.parameters.max_track_mps = 0.1f;

@@ -126,7 +126,7 @@ TEST(LiveCycle, AChangeOfTheCourseNeitherLocksNorAllocates) {
   LiveRig rig(line());
   rig.steps(400);
   for (int i = 0; i < 4; ++i) {
-    // A sanitizer looks into a type that it meets for the first time, by calls of the system.
+    // A sanitizer makes system calls when it meets a type for the first time.
     rig.watched = i > 0;
     SetupRequest request{.until_ns = rig.now + kNsPerS};
     request.change.step.emplace(bridge::Parameters{}, line());
@@ -156,7 +156,7 @@ TEST(LiveCycle, AChangeIsReturnedBeforeTheRecordOfItsFirstStep) {
   EXPECT_EQ(record->inputs.restart.size(), 1u);
 }
 
-// Pressed for the old course, it must not begin the new one.
+// A start that was pressed for the old course must not begin the new one.
 TEST(LiveCycle, AStartBeforeAChangeBeginsTheOldCourseAndTheChangeIsNotMade) {
   LiveRig rig(line());
   rig.steps(400);

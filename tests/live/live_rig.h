@@ -12,8 +12,8 @@
 
 namespace tp100::live {
 
-/// A cycle with a scripted robot, whose steps can be watched for what a real-time thread must not
-/// do.
+/// A cycle with a scripted robot, whose steps can be monitored for calls that a real-time thread
+/// must not make.
 class LiveRig {
  public:
   explicit LiveRig(std::shared_ptr<const course::Course> course = nullptr)

@@ -139,8 +139,8 @@ class Unplugging : public Run {
   static bool under_way(const ScriptedRobot& robot) {
     return commanded(robot) && robot.received.commands.back().speed_mps > 0.02F;
   }
-  /// Requests a start until the robot moves. A start that comes too early is refused, and a machine
-  /// that stood still ends the run that it began.
+  /// Requests a start until the robot moves. A start that comes too early is refused, and a pause
+  /// of the machine ends the run.
   bool start(server::WebClient& viewer) {
     const auto off = [](const ScriptedRobot& robot) {
       return robot.state == wire::State::kDisarmed || robot.state == wire::State::kFaulted;

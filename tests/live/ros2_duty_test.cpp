@@ -34,7 +34,7 @@ TEST(Ros2Duty, WithANodeOnTheNetworkATurnNeitherCallsTheSystemNorLocksNorAllocat
                 controls, "");
   EXPECT_THAT(threads(), testing::IsSupersetOf({"ros2", "recv"}));
   rig.watched = true;
-  // More than wait for the node if it publishes none.
+  // More than would be queued if the node published none.
   for (int i = 0; i < 2000; ++i) {
     if (i % 50 == 20) rig.cycle.request(OperatorRequest::kHold);
     rig.steps(1);

@@ -1,4 +1,4 @@
-// What starts the robot over ROS 2, and STOP. Driving: tests/robot/hand_drive_test.cpp.
+// Starts of the robot over ROS 2, and STOP. Driving: tests/robot/hand_drive_test.cpp.
 #include "live/ros2_requests.h"
 
 #include <gmock/gmock.h>
@@ -17,7 +17,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-/// Whose choices are answered when the test says so.
+/// Controls that answer choices when the test says so.
 class SlowControls : public server::FakeControls {
  public:
   void choose(const server::SetupChoice& choice, Answer answer) override {
@@ -70,7 +70,7 @@ class Ros2RequestsTest : public ::testing::Test {
   void send_course(const std::string& name) {
     send(ros2::Input::kCourse, ros2::std_msgs::String{.data = name});
   }
-  /// The choice is in force, or refused.
+  /// Answers the choice: it is in force, or refused.
   void answer(const std::string& course, const std::string& why = "") {
     if (why.empty()) requests_.set_course(course);
     std::exchange(controls_.answers.back(), {})(why, "{}");
@@ -172,7 +172,7 @@ TEST_F(Ros2RequestsTest, AStartThatCannotBeginSoonIsRefused) {
   EXPECT_EQ(controls_.starts, 1);
 }
 
-// As after a STOP: what a node repeats must not start the robot again.
+// Like after a STOP, repeated requests of a node must not start the robot again.
 TEST_F(Ros2RequestsTest, AMessageThatIsRepeatedStartsOnce) {
   for (int i = 0; i < 60; ++i) {
     send_goal(1.0, 0.0);
@@ -217,7 +217,7 @@ TEST_F(Ros2RequestsTest, AStartIsOfItsOwnCourseAndPlaceOnly) {
   answer("goal");
   step([](StepRecord& record) { record.snapshot.world.x_m += 0.02; });
   EXPECT_EQ(controls_.starts, 0);
-  // An answer of before is none to what is asked now.
+  // The answer to an earlier request does not count for the present one.
   wait(Ros2Requests::kSilenceNs);
   send_course("3");
   step([](StepRecord& record) { record.inputs.requests.push(OperatorRequest::kHold); });

@@ -61,7 +61,7 @@ class Run : public ::testing::Test {
     log_ = testing::internal::GetCapturedStderr();
     return status;
   }
-  /// What the command has logged so far, while `run` is in it.
+  /// The command's log so far; call within the script of `run`.
   static std::string log_so_far() { return content_of("/proc/self/fd/2"); }
   std::string stats() const { return content_of(stats_path().string()); }
   // Port of the page; waits until it is served.

@@ -227,7 +227,7 @@ TEST_F(SetupChange, ParametersAreSavedIntoTheFileAndTakenBack) {
     const std::string saved = content_of(options_.config);
     EXPECT_EQ(saved, original + "\n[control]\npreview_s = 0.08\n");
     EXPECT_EQ(content_of(kept), original);
-    // The same again changes nothing, and keeps what can be restored.
+    // The same change again has no effect, and the restorable values are kept.
     EXPECT_THAT(ask(viewer, kSaveParameters, "{" + request), HasSubstr(R"("written":false)"));
     EXPECT_EQ(content_of(kept), original);
     EXPECT_THAT(ask(viewer, kSaveParameters, R"({"course":"no-such"})"), HasSubstr("no-such"));
@@ -238,7 +238,7 @@ TEST_F(SetupChange, ParametersAreSavedIntoTheFileAndTakenBack) {
                 HasSubstr(R"({"name":"robot","before":"\"worn\"","after":"\"end-loaded\""})"));
     EXPECT_THAT(ask(viewer, kRestoreParameters, "{}"), HasSubstr(R"("written":true)"));
     EXPECT_EQ(content_of(options_.config), saved);
-    // What somebody else writes meanwhile stays, unless it is wrong.
+    // Changes by other programs meanwhile are kept, unless they are invalid.
     std::ofstream(options_.config) << original << "# by hand\n";
     EXPECT_THAT(ask(viewer, kSaveParameters, "{" + request), HasSubstr(R"("written":true)"));
     EXPECT_EQ(content_of(options_.config), original + "# by hand\n\n[control]\npreview_s = 0.08\n");

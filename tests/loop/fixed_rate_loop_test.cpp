@@ -181,7 +181,7 @@ TEST(FixedRateLoop, GivesALostPortBackAndTakesTheNext) {
   }
 }
 
-// Either would wait for a worker of the kernel that runs at ordinary priority.
+// Both calls would wait for a kernel worker that runs at ordinary priority.
 TEST(FixedRateLoop, NeitherReadsAnEmptyTerminalNorPollsIt) {
   for (const bool robot_paced : {false, true}) {
     for (const bool prompt : {false, true}) {

@@ -1,4 +1,4 @@
-// The layout that ships for Lichtblick and Foxglove shows what is really published.
+// The bundled layout for Lichtblick and Foxglove must refer only to published fields.
 
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ std::map<std::string, Json> schemas() {
   return by_topic;
 }
 
-/// The type of what a path such as /sample.gyro_radps[2] leads to, or what is wrong with it.
+/// The type of the value at a path such as /sample.gyro_radps[2], or why the path is wrong.
 std::string type_at(const std::string& path) {
   static const std::map<std::string, Json> kSchemas = schemas();
   const std::size_t dot = std::min(path.find('.'), path.size());

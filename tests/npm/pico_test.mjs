@@ -8,7 +8,7 @@ import { load } from './packages.mjs';
 
 const { Simulator } = load('rp2040js');
 const FLASH = 0x10000000;
-const ROM_COPIES_TO = 0x41f00; // from the RAM's begin
+const ROM_COPIES_TO = 0x41f00; // offset in the RAM
 
 /** Contents of the flash from a UF2 file, as the chip's ROM takes it. */
 function flashOf(uf2) {
@@ -52,7 +52,7 @@ class Pico {
     this.simulator = new Simulator();
     this.mcu = this.simulator.rp2040;
     this.mcu.logger = { debug() {}, info() {}, warn() {}, error() {} };
-    // This emulator's watchdog ignores that it is fed.
+    // This emulator's watchdog ignores kicks: disable it.
     const dog = Object.values(this.mcu.peripherals).find((one) => one.name === 'WATCHDOG_BASE');
     dog.alarm = { enable: false };
     const write = dog.writeUint32.bind(dog);
@@ -134,7 +134,7 @@ test('the image starts from the flash, says hello and answers', async () => {
   pico.run(5);
   assert.deepEqual(pico.hellos().map((hello) => hello.state), [1]);
 
-  // The watchdog waits 250 ms and is fed in time.
+  // The watchdog's period is 250 ms, and it is kicked in time.
   const late = pico.fed.slice(1).map((feed, i) => feed.at_ms - pico.fed[i].at_ms);
   assert.ok(pico.fed.every((feed) => feed.ms === 250));
   assert.ok(Math.max(...late) < 100, `${Math.max(...late)} ms between two feeds`);

@@ -1,4 +1,4 @@
-// ROS 2's messages as other authors' packages know them: their definitions and their reader of CDR.
+// ROS 2 messages with packages of other authors: message definitions and a reader and writer of CDR.
 import assert from 'node:assert/strict';
 import { load } from './packages.mjs';
 
@@ -6,7 +6,7 @@ const { ros2jazzy } = load('@foxglove/rosmsg-msgs-common');
 const { MessageReader, MessageWriter } = load('@foxglove/rosmsg2-serialization');
 const readers = new Map(), writers = new Map();
 
-/** The definition of `type`, package/Name, and after it those of all messages within it. */
+/** The definition of `type` (package/Name), followed by those of all nested messages. */
 export function definitionsOf(type) {
   const found = new Map();
   const collect = (name) => {
@@ -18,13 +18,13 @@ export function definitionsOf(type) {
   return [...found.values()];
 }
 
-/** The message of `type`, package/msg/Name, in these bytes. */
+/** Decodes a message of `type` (package/msg/Name). */
 export function decode(type, bytes) {
   if (!readers.has(type)) readers.set(type, new MessageReader(definitionsOf(type.replace('/msg/', '/'))));
   return readers.get(type).readMessage(bytes);
 }
 
-/** The bytes of a message of `type`, package/msg/Name; fields that are left out are zero. */
+/** Encodes a message of `type` (package/msg/Name); missing fields are zero. */
 export function encode(type, message) {
   if (!writers.has(type)) writers.set(type, new MessageWriter(definitionsOf(type.replace('/msg/', '/'))));
   return writers.get(type).writeMessage(message);
@@ -50,10 +50,11 @@ export function quaternion({ roll_rad: roll, pitch_rad: pitch, yaw_rad: yaw }) {
     w: cr * cp * cy + sr * sp * sy };
 }
 
-/** Stands for a field that is compared elsewhere. */
+/** Marks a field that is compared elsewhere. */
 export const elsewhere = Symbol('elsewhere');
 
-/** Where a message is not the expected one, with no field more or less; numbers may differ by `tolerance`. */
+/** The path of the first difference from the expected message, including extra or missing fields; numbers may differ by
+ * `tolerance`. */
 export function difference(actual, expected, tolerance) {
   if (expected === elsewhere || Object.is(actual, expected)) return undefined;
   if (typeof expected === 'number' && typeof actual === 'number' && Math.abs(actual - expected) <= tolerance) return undefined;
@@ -67,8 +68,8 @@ export function difference(actual, expected, tolerance) {
   return undefined;
 }
 
-/** Variances of x, y and yaw in a covariance of ROS. Its other elements are what a planar estimate has: x, y and yaw are
- * correlated as they may be (the matrix is symmetric and positive semidefinite), and z, roll and pitch are unknown. */
+/** Variances of x, y and yaw in a covariance of ROS. Checks that the rest is that of a planar estimate: the covariance
+ * of x, y and yaw is symmetric and positive semidefinite, and z, roll and pitch are unknown. */
 export function planarVariances(covariance) {
   const at = (row, column) => covariance[6 * row + column], planar = [0, 1, 5];
   for (let row = 0; row < 6; ++row)
@@ -76,7 +77,7 @@ export function planarVariances(covariance) {
       assert.equal(at(row, column), at(column, row));
       if (!planar.includes(row) || !planar.includes(column)) assert.equal(at(row, column), row === column ? 1e6 : 0);
     }
-  // By Cholesky; rounding may take as much as a share of the variance.
+  // Cholesky decomposition; the tolerance for rounding is a share of the variance.
   const factor = planar.map(() => [0, 0, 0]);
   planar.forEach((row, i) => planar.slice(0, i + 1).forEach((column, j) => {
     const rest = at(row, column) - factor[i].slice(0, j).reduce((sum, value, k) => sum + value * factor[j][k], 0);

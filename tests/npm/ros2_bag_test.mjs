@@ -1,4 +1,4 @@
-// A recording as a bag of rosbag2, read by other authors' packages: every field against the recording's own channels.
+// A recording as a rosbag2 bag, read by packages of other authors: every field is compared with its channels.
 import assert from 'node:assert/strict';
 import { execFileSync, spawnSync } from 'node:child_process';
 import { mkdtemp, readFile, readdir, rm, writeFile } from 'node:fs/promises';
@@ -22,7 +22,7 @@ function nearDeviations(covariance, { sd_x_m: x, sd_y_m: y, sd_yaw_rad: yaw }, w
   planarVariances(covariance).forEach((value, i) => near(value, expected[i], `${what} variance ${i}`, 1e-9));
 }
 
-/** Keys with numbers of a robot's file, by section. */
+/** The numeric keys of a robot's file, by section. */
 async function robotFile(name) {
   const sections = {};
   let section = {};
@@ -66,7 +66,7 @@ async function bagOf(options, work, status = 0) {
   }
 }
 
-// As rosbag2 writes it: kinds of rmw as numbers, the largest duration for none.
+// As written by rosbag2: policies of rmw as numbers, and the largest duration for "none".
 const wholeNumbers = { intAsBigInt: true };
 const endless = { sec: 9223372036n, nsec: 854775807n };
 const depths = new Map([['/tf', 100n], ['/imu/data', 5n], ['/clock', 1n]]);
@@ -88,7 +88,7 @@ test('the bag is what rosbag2 reads', () => bagOf([short], async ({ reader, topi
     assert.match(schema.name, /^\w+\/msg\/\w+$/);
     assert.match(channel.metadata.get('topic_type_hash'), /^RIHS01_[0-9a-f]{64}$/);
     assert.deepEqual(parseYaml(channel.metadata.get('offered_qos_profiles'), wholeNumbers), [qosOf(channel.topic)], channel.topic);
-    // The schema says what the packages' own definition says, message by message.
+    // The schema must equal the packages' own definitions, message by message.
     const ours = parse(new TextDecoder().decode(schema.data), { ros2: true });
     const fields = (definition) => definition.definitions.filter((field) => !field.isConstant)
       .map(({ name, type, isArray, arrayLength }) => [name, type, isArray ?? false, arrayLength]);
@@ -117,7 +117,7 @@ const poseOf = (pose) => ({ position: { x: pose.x_m, y: pose.y_m, z: pose.z_m },
 const zeros = (count) => new Array(count).fill(0);
 const vector = ([x, y, z]) => ({ x, y, z });
 
-/** What every topic of the bag must hold, made from the recording's own channels: log time and message. */
+/** Expected log times and messages of every topic of the bag, made from the recording's own channels. */
 function expectedBag(json, radius, perMetre) {
   const samples = new Map(json('/sample').map(({ logTime, value }) => [logTime, value]));
   const [{ value: course }] = json('/course');
@@ -170,11 +170,11 @@ const counters = ['bytes_in', 'bytes_out', 'frames_in', 'frames_out', 'samples',
   'crc_errors', 'cobs_errors', 'oversize', 'undersize', 'unknown_type', 'wrong_size', 'implausible', 'foreign_bytes', 'unwritten',
   'sync_replies', 'sync_rejected', 'reconnects', 'reboots', 'silences', 'unanswered', 'refused', 'unknown_board', 'robot_faults',
   'robot_corrupted', 'missed_edges'];
-// Of a good link whose robot has no fault; all others stay zero.
+// Counters that increase on a good link with a robot without faults; all others stay zero.
 const counting = ['bytes_in', 'bytes_out', 'frames_in', 'frames_out', 'samples', 'early', 'foreign_bytes', 'sync_replies'];
 const preparing = { closed: 2, listening: 1, hello: 1, parameters: 1, syncing: 1 };
 
-/** /tp100/state is said at each change and once a second, of what estimates, samples and events say then. */
+/** /tp100/state must be published at each change and once a second, with the current estimates, samples and events. */
 function checkStates(states, json, facts) {
   const estimates = new Map(json('/estimate').map(({ logTime, value }) => [logTime, value]));
   const samples = json('/sample');
@@ -203,7 +203,7 @@ function checkStates(states, json, facts) {
       { level: faults === '' ? 0 : 2, name: 'tp100d: run', message, hardware_id, values: entries },
       { level: preparing[session] ?? 0, name: 'tp100d: link', message: session, hardware_id, values: [...newest, ...counts] },
     ] }, 0), undefined, `/tp100/state at ${logTime}`);
-    // As text they have ten digits.
+    // The text has ten digits.
     numbers.forEach((key, i) => assert.equal(Number(said.at(i - 3).value), Number(estimate[key].toPrecision(10)), key));
     const counted = link.slice(-counters.length).map(({ value: text }) => Number(text));
     counted.forEach((count, i) => {
@@ -245,7 +245,7 @@ for (const { what, options, robot = 'end-loaded', status = 0 } of runs)
     let spread = 0, correlated = 0, turning = 0;
     for (const { logTime, value } of messages('/odom')) {
       const { fused } = estimates.get(logTime);
-      // Without a camera it is the fused estimate's. With one, only that knows where it is all the time.
+      // Without a camera it is that of the fused estimate. With one, only the fused pose is corrected.
       if (!camera) nearDeviations(value.pose.covariance, fused, '/odom');
       const [x, y, yaw] = planarVariances(value.pose.covariance);
       spread = Math.max(spread, Math.sqrt(x + y) / Math.hypot(fused.sd_x_m, fused.sd_y_m));
@@ -262,7 +262,7 @@ for (const { what, options, robot = 'end-loaded', status = 0 } of runs)
     for (const { value } of messages('/imu/data'))
       for (const covariance of [value.angular_velocity_covariance, value.linear_acceleration_covariance])
         covariance.forEach((variance, i) => assert.equal(variance > 0, i % 4 === 0));
-    // Without a camera the odometry's frame is the map's.
+    // Without a camera the odometry frame equals the map frame.
     const shift = Math.max(...messages('/tf').map(({ value }) => Math.hypot(value.transforms[0].transform.translation.x,
       value.transforms[0].transform.translation.y)));
     assert.ok(camera ? shift > 1e-4 : shift === 0, `shift ${shift}`);

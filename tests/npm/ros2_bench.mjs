@@ -1,6 +1,6 @@
-// ros2_bench.mjs SECONDS ROUNDS TRIALS [LOSS]: how soon ROS 2's topics arrive, what they cost, and how soon the robot is
-// told to stop and stands when its driver is lost, in each way or in that one, as JSON rows; 0 leaves a part out. Run it
-// in_network.
+// ros2_bench.mjs SECONDS ROUNDS TRIALS [LOSS]: delay of ROS 2 topics, their cost to the loop, and the times until the
+// robot is commanded to stop and stands after each kind of loss of the driver (or only LOSS), as JSON rows; 0 leaves a
+// part out. Run it in_network.
 import { execFileSync } from 'node:child_process';
 import { readFile, readdir, writeFile } from 'node:fs/promises';
 import { cpus } from 'node:os';
@@ -28,7 +28,7 @@ async function slowCourse(folder, duration) {
   return file;
 }
 
-/** Every topic while the robot drives: what is lost, and the age of what arrives. */
+/** Measures every topic while the robot drives: lost messages, and the age of those that arrive. */
 const measureTopics = (pacing) => withRobot(async ({ folder, daemon }) => {
   const peer = await Peer.ofEverything('42timed');
   const course = await slowCourse(folder, seconds + 5);
@@ -44,13 +44,13 @@ const measureTopics = (pacing) => withRobot(async ({ folder, daemon }) => {
   const key = (bytes) => Buffer.from(bytes).subarray(0, 64).toString('hex');
   for (const topic of topics.keys()) {
     if (latched.includes(topic)) continue;
-    // Its time in the bag is the step's.
+    // A message's time in the bag is that of its step.
     const sent = bag.get(topic), at = new Map(sent.map(({ data, logTime }, i) => [key(data), { logTime, i }]));
     const received = peer.found.filter(({ message }) => message === `rt${topic}`);
     if (received.length === 0) continue;
     const steps = received.map(({ cdr }) => at.get(key(Buffer.from(cdr, 'hex'))));
     const arrived = received.map(({ received_ns }) => BigInt(received_ns));
-    // Before both ends have met nothing is sent.
+    // Messages before the discovery of the subscriber are not counted as lost.
     const lost = sent.length - steps[0].i - received.length;
     printTimes(`pacing ${pacing}: ${topic}, step to received`, steps.map(({ logTime }, i) => Number(arrived[i] - logTime) / 1e6), 'ms', { lost });
     if (topic !== '/odom') continue;
@@ -63,7 +63,7 @@ const measureTopics = (pacing) => withRobot(async ({ folder, daemon }) => {
 
 const median = (values) => percentile(values, 0.5);
 
-/** A daemon's threads: name, whether it is the loop, where it ran last, how often and how long it ran and waited for a
+/** A daemon's threads: name, whether it is the loop, last processor, how often and how long it ran and waited for a
     processor [s]. */
 async function threadsOf(pid) {
   const out = [];
@@ -84,7 +84,7 @@ const total = (threads, key) => threads.reduce((sum, thread) => sum + thread[key
 /** Processor time that the host of a virtual machine gave to others [s]. */
 const stolen_s = async () => Number((await readFile('/proc/stat', 'utf8')).split('\n')[0].split(/\s+/)[8]) / 100;
 
-/** Of one short run: figures of the loop's lateness, and what its threads did meanwhile. */
+/** One short run: figures of the loop's lateness, and its threads' processor times. */
 async function loopRun({ ros2, subscriber, dds_cpu }) {
   let out;
   await withRobot(async ({ folder, daemon }) => {
@@ -114,16 +114,16 @@ async function loopRun({ ros2, subscriber, dds_cpu }) {
   return out;
 }
 
-/** The ratio of two medians over the same rounds, and between what bounds 95 % of such rounds would have it (bootstrap). */
+/** The ratio of two medians over the same rounds, and its 95 % interval (bootstrap over rounds). */
 function ratioOf(values, without) {
   const ratio = (rounds) => median(rounds.map((i) => values[i])) / median(rounds.map((i) => without[i]));
   const drawn = Array.from({ length: 4000 }, () => ratio(values.map(() => Math.floor(Math.random() * values.length))));
   return { p50: ratio([...values.keys()]), low: percentile(drawn, 0.025), high: percentile(drawn, 0.975) };
 }
 
-/** The loop's lateness with and without ROS 2, in turns, and where it comes from. Two runs without it show what the machine
-    does by itself: what another interval does not leave behind is no effect of ROS 2. Runs are short and many, and each
-    round begins with another one, so that a bad moment of the machine spoils few. */
+/** The loop's lateness with and without ROS 2 in alternating runs, and its sources. Two runs without ROS 2 show the
+    noise of the machine: a ratio within their interval is not an effect of ROS 2. There are many short runs, and each
+    round begins with another one, so that a disturbance of the machine affects few. */
 async function measureLoop() {
   const candidates = [{ name: 'without ROS 2' }, { name: 'without ROS 2, once more' }, { name: 'with ROS 2, nobody listens', ros2: true },
     { name: 'with ROS 2 and a subscriber of every topic', ros2: true, subscriber: true }];
@@ -153,7 +153,7 @@ async function measureLoop() {
   }
 }
 
-/** Each way to lose a driver of another machine. */
+/** Measures each kind of loss of a driver on another machine. */
 const measureLosses = () => withSecondHost((under) => withRobot(async ({ folder, daemon }) => {
   for (const loss of ways) {
     const record = join(folder, loss);

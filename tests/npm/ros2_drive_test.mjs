@@ -41,7 +41,7 @@ test('the robot is told to stop within 250 ms of the last message of a driver th
       assert.ok(told !== undefined && moved !== undefined, `${loss}: the robot was not driven before`);
       t.diagnostic(`${loss}: told to move for ${told.toFixed(0)} ms, moved for ${moved.toFixed(0)} ms`);
       assert.ok(told < 250, `${loss}: the robot was told to move for ${told} ms`);
-      // From 0.15 m/s by 0.6 m/s^2, and until its loops have settled.
+      // Time to brake from 0.15 m/s at 0.6 m/s^2 and for the robot's loops to settle.
       assert.ok(moved < 1200, `${loss}: the robot moved for ${moved} ms`);
     });
   })));
@@ -68,7 +68,7 @@ test('a node places the robot, and what is no message is refused', limits, () =>
   await run.said(/state: syncing -> ready/);
   await peer.matched('/initialpose', pose);
   const at = (frame_id) => ({ header: { frame_id }, pose: { pose: { position: { x: 0.5, y: -0.25 }, orientation: { z: Math.SQRT1_2, w: Math.SQRT1_2 } } } });
-  // Again until it is heard: the daemon's reader may have met this writer only after the message.
+  // Repeats until it is received: the daemon's reader may discover this writer only after the message.
   const heard = async (send, pattern) => {
     for (; !run.lines.some((line) => pattern.test(line)); await Promise.race([run.said(pattern), pause(2000)])) send();
   };
@@ -77,7 +77,7 @@ test('a node places the robot, and what is no message is refused', limits, () =>
   await heard(() => peer.publish('/initialpose', pose, at('map')), /placed at \(0\.500, -0\.250\) m, 90\.0 deg/);
   await driver.peer.until(() => driver.peer.messages('/odom').length > 0 && Math.abs(driver.place().x - 0.5) < 0.01
     && Math.abs(driver.place().yaw - Math.PI / 2) < 0.01);
-  // Big-endian, cut short, too long, 64 KB, nothing at all; NaN. Once another writer drives, they would only be ignored.
+  // Big-endian, truncated, too long, 64 KB, empty; NaN. Sent before another writer drives, when they would be ignored.
   const broken = ['00000000', '00010000', `00010000${'00'.repeat(40)}`, `00010000${'00'.repeat(60)}`, `00010000${'ff'.repeat(65000)}`, '00',
     `00010000${'ff'.repeat(48)}`];
   await driver.take();

@@ -1,4 +1,4 @@
-// A node of ROS 2 that drives the robot, ways to lose it, and how long the robot is told to move and moves after that.
+// A ROS 2 node that drives the robot, kinds of its loss, and how long the robot is told to move and moves after it.
 import { execFileSync } from 'node:child_process';
 import { readdir } from 'node:fs/promises';
 import { join } from 'node:path';
@@ -13,7 +13,7 @@ const periodMs = 25;
 export const pause = (ms) => new Promise((resolve) => { setTimeout(resolve, ms); });
 
 export class Driver {
-  /** `under`: a command to run it by. */
+  /** `under`: prefix of its command. */
   constructor(run, { domain = 42, type = twist, under = [] } = {}) {
     this.run = run;
     this.type = type;
@@ -25,7 +25,7 @@ export class Driver {
     this.ended = this.drivesEnded();
     await Promise.all([this.peer.matched('/cmd_vel', this.type), this.peer.matched('/tp100/drive', bool)]);
     const taken = () => this.run.lines.filter((line) => /ROS 2 \/cmd_vel takes the wheel/.test(line)).length;
-    // Refused, the log says so at once; asked again too soon, what was taken would be released.
+    // A refusal is logged at once. Do not ask again too soon, because that would release the wheel.
     for (const before = taken(), askMs = 2000; taken() === before;) {
       this.peer.publish('/tp100/drive', bool, { data: false });
       this.peer.publish('/tp100/drive', bool, { data: true });
@@ -37,13 +37,13 @@ export class Driver {
   drivesEnded() {
     return this.run.lines.filter((line) => /state: driving -> /.test(line)).length;
   }
-  /** Sends one velocity; `stamp_ms`: when it was wanted. */
+  /** Sends one velocity; `stamp_ms`: its time stamp. */
   drive(speed_mps, rate_radps, stamp_ms = Date.now()) {
     const velocity = { linear: { x: speed_mps }, angular: { z: rate_radps } };
     const stamp = { sec: Math.floor(stamp_ms / 1000), nanosec: Math.round(stamp_ms % 1000 * 1e6) };
     this.peer.publish('/cmd_vel', this.type, this.type === twist ? velocity : { header: { stamp, frame_id: 'base_link' }, twist: velocity });
   }
-  /** Drives steadily; the time of the last message. */
+  /** Drives at a constant velocity; returns the time of the last message. */
   async driveFor(ms, speed_mps, rate_radps) {
     let last = 0;
     for (const end = Date.now() + ms; Date.now() < end;) {
@@ -53,16 +53,16 @@ export class Driver {
     }
     return last;
   }
-  /** Where the robot is, by the newest /odom. */
+  /** The robot's pose by the newest /odom. */
   place() {
     const { pose } = decode(odometry, this.peer.messages('/odom').at(-1)).pose;
     return { ...pose.position, yaw: angles(pose.orientation).yaw };
   }
-  /** Where the robot truly is, by the newest /ground_truth of an emulator that publishes it. */
+  /** The robot's true position by the newest /ground_truth of an emulator that publishes it. */
   truth() {
     return decode(truth, this.peer.messages('/ground_truth').at(-1)).pose.position;
   }
-  /** Drives to within 3 cm of a point; on a machine that stood still meanwhile, by another drive. */
+  /** Drives to within 3 cm of a point; drives again if a pause of the machine ended the drive. */
   async driveTo(x, y) {
     for (;;) {
       if (this.drivesEnded() > this.ended) await this.take();
@@ -76,11 +76,11 @@ export class Driver {
   }
 }
 
-/** Long enough to see the robot stand, and too short for being disarmed by silence. */
+/** Long enough for the robot to stop, and too short to be disarmed for silence. */
 const lossMs = 1500;
 
-/** Ways to lose the driver in real time, each for that long; the driver is ended after that. Where it is back before, its
- * loss's end is returned. */
+/** Kinds of loss of the driver, each for lossMs in real time; then the driver is ended. If it returns earlier, the
+ * end of its loss is returned. */
 export const losses = {
   'silence': () => pause(lossMs),
   'writer killed': async (driver) => {
@@ -92,22 +92,22 @@ export const losses = {
     await pause(lossMs);
     driver.peer.kill();
   },
-  // Messages go on, what they were made of does not.
+  // Messages continue, with an unchanged stamp.
   'frozen stamp': async (driver, last) => {
     for (const end = Date.now() + lossMs; Date.now() < end; await pause(periodMs)) driver.drive(0.1, 0.3, last);
   },
-  // The other end of the network goes on sending.
+  // The other end of the network keeps sending.
   'link cut': async (driver) => {
     execFileSync('ip', ['link', 'set', 'eth0', 'down']);
     const end = await driver.driveFor(lossMs, 0.1, 0.3);
     execFileSync('ip', ['link', 'set', 'eth0', 'up']);
-    // A participant that begins before the other end has noticed does not use it.
+    // A participant that starts before the other end has noticed would not use the link.
     await pause(1000);
     return end;
   },
 };
 
-/** Loses a driver `trials` times; the times of the last fresh messages [ms], each with begin and end of its trial. */
+/** Loses a driver `trials` times; returns the times of the last fresh messages, begin and end of each trial [ms]. */
 export async function loseDriver(run, loss, trials, settings) {
   const times = [];
   let driver;
@@ -117,7 +117,7 @@ export async function loseDriver(run, loss, trials, settings) {
     const begin = Date.now();
     let last = await driver.driveFor(400 + Math.random() * 300, 0.05 + Math.random() * 0.1, Math.random() - 0.5);
     const end = await losses[loss](driver, last) ?? Date.now();
-    // Where it lives on, it knows when it sent the last one.
+    // A driver that still runs knows when it sent the last message.
     if (loss === 'silence') last = Math.max(...driver.peer.found.map(({ written_ns }) => (written_ns ?? 0) / 1e6));
     times.push({ begin, last, end });
     if (loss === 'silence') continue;
@@ -128,8 +128,8 @@ export async function loseDriver(run, loss, trials, settings) {
   return times;
 }
 
-/** Milliseconds after `last` up to which the recording's commands ask for motion (`told`) and up to which its encoders count
- * (`moved`), for each of these times; undefined where they did not before. */
+/** For each of these times: milliseconds after `last` until which the recording's commands request motion (`told`) and
+ * its encoders count (`moved`); undefined if they did not before. */
 export async function movedAfter(folder, times) {
   const [run] = await readdir(folder);
   const { topics } = await readMcap(join(folder, run, 'run.mcap'));

@@ -45,7 +45,7 @@ test('another implementation receives every message of a run', limits, (t) => wi
       const received = listener.messages(topic), sent = bag.get(topic).map(({ data }) => Buffer.from(data));
       assert.ok(received.length > 0, topic);
       if (qos[0] === 'B') {
-        // Some may be lost, but none is altered or repeated.
+        // Best effort: some messages may be lost, but none may be altered or repeated.
         let at = -1;
         for (const bytes of received) {
           at = sent.findIndex((each, i) => i > at && same(bytes, each));
@@ -75,7 +75,7 @@ test('another implementation receives every message of a run', limits, (t) => wi
       t.diagnostic(`age of /odom, ${kind}: ${[0.5, 0.99].map((share) =>
         percentile(ages.map((age) => age[kind]), share).toFixed(2)).join(', ')} ms (median, 99 %)`);
 
-    // What is told of each writer is what the bag's channel says.
+    // The announced writers must be those of the bag's channels.
     const writers = listener.found.filter(({ writer }) => writer);
     assert.deepEqual(writers.map(({ topic }) => topic).sort(), [discovery, ...[...topics.keys()].map((name) => `rt${name}`)].sort());
     for (const channel of reader.channelsById.values()) {
@@ -108,7 +108,7 @@ test('another implementation receives every message of a run', limits, (t) => wi
 }));
 
 test('who comes late receives what is latched', limits, () => withRobot(async ({ daemon }) => {
-  // The key goes before the environment's domain.
+  // The configuration key overrides the environment's domain.
   const run = await daemon('[ros2]\nenabled = true\ndomain = 3', ['--course', '1-straight', '--stay', '--wait']);
   await run.said(/state: syncing -> ready/);
   const listener = await Peer.ofEverything(3);
@@ -120,7 +120,7 @@ test('who comes late receives what is latched', limits, () => withRobot(async ({
       const value = decode(topics.get(topic)[0], listener.messages(topic)[0]);
       if (topic === '/path') assert.ok(value.poses.length > 50);
     }
-    // Qualities of service that are not offered are refused as DDS prescribes.
+    // Subscriptions with a QoS that is not offered are refused as DDS prescribes.
     await strict.until(() => ['rt/imu/data', 'rt/odom'].every((topic) =>
       strict.found.some(({ incompatible }) => incompatible === topic)));
     assert.ok(!strict.found.some(({ message }) => message));
@@ -181,7 +181,7 @@ test('nobody is on the network unless it is switched on', limits, () => withRobo
     const off = await daemon('', ['--duration', '2']);
     await off.exit;
     assert.ok(!listener.found.some(({ participant, writer }) => participant || writer));
-    // The same with it: the listener would have seen the first.
+    // The same with ROS 2 on, to show that the listener would have seen the first daemon.
     const on = await daemon('[ros2]\nenabled = true', ['--duration', '2']);
     await on.exit;
     assert.equal(listener.found.filter(({ participant }) => participant).length, 1);
@@ -215,7 +215,7 @@ test('a course in virtual time is on the topics as it is in its bag, with /clock
     }
     const clock = listener.messages('/clock').map((bytes) => nanoseconds(decode('rosgraph_msgs/msg/Clock', bytes).clock));
     clock.forEach((at, i) => assert.ok(i === 0 || at > clock[i - 1]));
-    // Virtual time goes no faster than the real one.
+    // Virtual time must not run faster than real time.
     const times = listener.found.filter(({ message }) => message === 'rt/clock').map(({ received_ns }) => BigInt(received_ns));
     assert.ok(times.at(-1) - times[0] > (clock.at(-1) - clock[0]) * 9n / 10n);
   } finally {
@@ -224,7 +224,7 @@ test('a course in virtual time is on the topics as it is in its bag, with /clock
   }
 });
 
-/** Calls `work` on a loopback interface as most machines have it: it does not multicast. */
+/** Calls `work` with a loopback interface as on most machines, without multicast. */
 async function withoutMulticast(work) {
   const ip = (options) => execFileSync('ip', options.split(' '));
   ip('link set lo multicast off');
@@ -256,7 +256,7 @@ for (const [announced, domain] of [['at 127.0.0.1', '42>127.0.0.1'], ['by multic
       }
     })));
 
-/** Of these ports of 10.0.0.1, those at which nobody listens to another host; `under`: a command of that host. */
+/** Those of these ports of 10.0.0.1 that are closed to another host; `under`: prefix of commands on that host. */
 const closedPorts = (under, ports) => JSON.parse(execFileSync(under[0], [...under.slice(1), process.execPath, '-e', `
   const { createSocket } = require('node:dgram');
   const closed = [];
@@ -270,7 +270,7 @@ const closedPorts = (under, ports) => JSON.parse(execFileSync(under[0], [...unde
 
 test('another host sees what is published on its network, and nothing of this machine alone', limits, () =>
   withSecondHost((under) => withRobot(async ({ daemon }) => {
-    // Of domain 42: where participants announce themselves, and the first one's own.
+    // Ports of domain 42: two of discovery, and the first participant's own.
     const ports = [17900, 17901, 17910, 17911];
     const odometry = ['rt/odom=nav_msgs::msg::dds_::Odometry_=RV'];
     const there = new Peer(42, odometry, under), here = new Peer('42@127.0.0.1', odometry);

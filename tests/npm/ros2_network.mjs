@@ -1,5 +1,5 @@
-// ROS 2's network in a test: other participants (ros2_peer, which is Fast DDS), the emulated robot with daemons, and a
-// second host. A program that is started here does not outlive the test, however that ends.
+// The ROS 2 network of a test: other participants (ros2_peer, which is Fast DDS), the emulated robot with daemons, and
+// a second host. Programs that are started here do not outlive the test, however it ends.
 import assert from 'node:assert/strict';
 import { execFileSync, spawn } from 'node:child_process';
 import { once } from 'node:events';
@@ -11,7 +11,7 @@ import { encode } from './ros2.mjs';
 
 export const program = (name) => join(process.env.TP100_BIN, name);
 
-/** As spawn; the program is killed when this one is gone. */
+/** Like spawn; the program is killed when this one ends. */
 export const start = (command, options, settings) => spawn('setpriv', ['--pdeathsig', 'KILL', command, ...options], settings);
 
 // Topic: type, and quality of service: reliable or best effort, transient local or volatile.
@@ -34,7 +34,7 @@ export const ddsType = (type) => `${type.replace('/msg/', '::msg::dds_::')}_`;
 
 /** A Fast DDS participant and what it has found and received. */
 export class Peer {
-  /** `under`: a command to run it by. */
+  /** `under`: prefix of its command. */
   constructor(domain, wanted, under = []) {
     this.found = [];
     this.waiting = new Set();
@@ -49,15 +49,15 @@ export class Peer {
       this.found.push(JSON.parse(line));
       for (const check of this.waiting) check();
     });
-    // Fast DDS 2.9.1 may send to a participant that it has just discovered before it has opened a channel to it, and ends
-    // itself (https://github.com/eProsima/Fast-DDS/pull/3169).
+    // Fast DDS 2.9.1 may send to a newly discovered participant before it has opened a channel to it, and then aborts
+    // (https://github.com/eProsima/Fast-DDS/pull/3169).
     this.process.once('exit', (code, signal) => {
       if (signal !== 'SIGABRT') return;
       this.found = this.found.filter(({ matched }) => matched === undefined);
       this.start();
     });
   }
-  /** All topics with the quality of service that is offered. */
+  /** Subscribes to all topics with the offered quality of service. */
   static async ofEverything(domain) {
     const listener = new Peer(domain, [...[...topics].map(([name, [type, qos]]) => `rt${name}=${ddsType(type)}=${qos}`),
       `${discovery}=${entitiesType}=RT`]);
@@ -79,7 +79,7 @@ export class Peer {
   publish(topic, type, message) {
     this.process.stdin.write(`rt${topic}=${ddsType(type)} ${Buffer.from(encode(type, message)).toString('hex')}\n`);
   }
-  /** Waits until somebody receives what is published on that topic. */
+  /** Waits until the topic has a subscriber. */
   matched(topic, type) {
     return this.until(() => this.found.some(({ matched, count }) => matched === `rt${topic}=${ddsType(type)}` && count > 0));
   }
@@ -96,7 +96,7 @@ export class Peer {
   }
 }
 
-/** Keys of [loop] beside which other programs run as well. */
+/** Settings of [loop] with which other programs can run at the same time. */
 export const ordinary = 'priority = 0\nlock_memory = false\nspin_us = 0\nhold_cpu_latency = false';
 
 /** An emulated robot with these options, for daemons that `work` starts. */
@@ -120,7 +120,7 @@ export async function withRobot(work, more = []) {
         const lines = [], waiting = new Set();
         createInterface({ input: child.stderr }).on('line', (line) => {
           lines.push(line);
-          // On a busy machine a run may be aborted; the daemon would then wait for somebody who starts it again.
+          // On a busy machine a run may be aborted; the daemon would then wait for another start.
           if (/state: running -> aborted/.test(line) && !options.includes('--stay')) child.kill('SIGTERM');
           for (const check of waiting) check();
         });
@@ -142,7 +142,7 @@ export async function withRobot(work, more = []) {
   }
 }
 
-/** Milliseconds below which a share of these values are. */
+/** The value below which this share of the values lies. */
 export const percentile = (values, share) => [...values].sort((a, b) => a - b)[Math.floor(share * (values.length - 1))];
 
 /** Calls `work` with a command that runs another one on a second host, at the other end of the network eth0. */

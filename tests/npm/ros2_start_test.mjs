@@ -16,7 +16,7 @@ const silenceMs = 2100;
 const unheardMs = 3000;
 const busy = /refused: (no robot|no fresh sample|the gyro|the robot|another request)|state: (arming|running) -> (aborted|idle)/;
 
-/** A node that starts the robot, and what the daemon's log says of it. */
+/** A node that starts the robot, and the daemon's log about it. */
 class Starter {
   constructor(run) {
     this.run = run;
@@ -26,8 +26,8 @@ class Starter {
       `rt/ground_truth=${ddsType(pose)}=RV`]);
   }
   /**
-   * Asks, once that is no repetition, until the log has that line; again where a busy machine ends the run or its start, and
-   * where nothing comes of it: the daemon's reader may have met this writer only after the message.
+   * Sends a request, once it does not count as a repetition, until the log has that line. Repeats it if a busy machine
+   * ends the run or its start, or if nothing is logged: the daemon's reader may discover this writer too late.
    */
   async ask(topic, type, message, answer) {
     await this.peer.matched(topic, type);
@@ -39,7 +39,7 @@ class Starter {
       line = await this.said(new RegExp(`${answer.source}|${busy.source}`), before, unheardMs);
     }
   }
-  /** The first such line; empty if `unheard` ms later there is none of a request or a state either. */
+  /** The first matching line; empty if after `unheard` ms there is no line about a request or a state either. */
   async said(pattern, from, unheard = Infinity) {
     for (const asked = Date.now();;) {
       const lines = this.run.lines.slice(from), line = lines.find((each) => pattern.test(each));
@@ -76,7 +76,7 @@ const withStarter = (work) => withRobot(async ({ folder, daemon }) => {
   await starter.peer.end();
   run.child.kill('SIGTERM');
   await run.exit;
-  // Bit for bit, whatever course it was.
+  // Every recording must replay bit for bit, with any course.
   for (const record of await readdir(records)) execFileSync(program('tp100d'), ['replay', join(records, record), '--out', join(folder, 'again')], { stdio: 'ignore' });
 }, ['--ros2']);
 
@@ -105,12 +105,12 @@ test('what starts no run is refused with its reason', limits, () => withStarter(
   await starter.goal(5, 0, 0, /\/goal_pose refused: the path leaves the fence at \(1\.8/);
   await starter.goal(0.5, 0, 0, /\/goal_pose refused: a pose in frame 'odom'; give it in 'map'/, 'odom');
   await starter.goal(NaN, 0, 0, /\/goal_pose refused: a pose that is not finite/);
-  // Nothing, other types, big-endian, 64 KB; of two refusals within a second the log has one.
+  // Empty, other types, big-endian, 64 KB; two refusals within a second are logged once.
   const none = /\/goal_pose refused: no geometry_msgs\/msg\/PoseStamped in little-endian CDR/;
   for (; !run.lines.some((line) => none.test(line)); await pause(500))
     for (const cdr of ['00', '00010000', '00000000', `00010000${'00'.repeat(56)}`, `00010000${'ff'.repeat(65000)}`])
       starter.peer.process.stdin.write(`rt/goal_pose=${ddsType(pose)} ${cdr}\n`);
-  // A type of another name is not received at all.
+  // A writer of another type is not matched at all.
   const other = new Peer(42, ['+rt/goal_pose=geometry_msgs::msg::dds_::Pose_=RV', `+rt/tp100/stop=${ddsType(empty)}=RV`]);
   await other.matched('/tp100/stop', empty);
   assert.ok(!other.found.some(({ matched, count }) => matched?.startsWith('rt/goal_pose') && count > 0));

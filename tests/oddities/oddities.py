@@ -1,5 +1,4 @@
-"""Faults of a robot that violate the protocol or physics, and what the reaction to one must be; the rows:
-oddity_list.py."""
+"""Faults of a robot that violate the protocol or physics, and the required reactions; oddity_list.py has the rows."""
 import time
 from collections import namedtuple
 

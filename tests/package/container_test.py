@@ -1,4 +1,4 @@
-"""Builds the container from the package, and runs it as its reader would: with nothing, and with a robot's port."""
+"""Builds the container from the package, and runs it as a user would: without arguments, and with a robot's port."""
 import contextlib
 import glob
 import json
@@ -29,11 +29,11 @@ def may_build():
 
 
 class Output:
-    """What a program prints, line by line."""
+    """The output of a program, line by line."""
 
     def __init__(self, *command, env):
         self.text = ""
-        # Its input stays open: nobody presses Enter.
+        # Its input stays open, without Enter.
         self.program = subprocess.Popen(command, env=env, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                         stderr=subprocess.STDOUT, start_new_session=True)
 
@@ -60,14 +60,14 @@ def drives_the_emulated_robot(container, env):
         with urllib.request.urlopen(page, timeout=20) as answer:
             check(b"<!doctype html>" in answer.read(), f"{page} is no page")
         run_it.until("hello from an emulated board")
-        # Not its end: a machine that stands still for 200 ms ends any drive in real time.
+        # Does not wait for the end: a pause of the machine of 200 ms ends any drive in real time.
         run_it.until("motors on")
     finally:
         run_it.close()
 
 
 def treats_a_port_as_physical(container, env, robot, folder):
-    """A port passed in whose board says that it is a Mega: nothing starts by itself."""
+    """With a port whose board identifies itself as a Mega, nothing may start by itself."""
     link = folder + "/robot"
     robot = Output(robot, "robot", "--board", "avr", "--link", link, env=env)
     try:
@@ -103,13 +103,13 @@ def container(build, robot=None):
         settings = json.loads(run("buildah", "inspect", "--type", "image", image, env=env))["OCIv1"]["config"]
         check(settings["User"] == "tp100" and settings["Entrypoint"] == ["/usr/bin/tp100-start"]
               and "8765" in str(settings["ExposedPorts"]), f"the image's settings: {settings}")
-        # A warning of an image for another processor comes first.
+        # The last line: a warning about an image for another processor may come first.
         made = run("buildah", "from", image, env=env).splitlines()[-1]
         drives_the_emulated_robot(made, env)
         treats_a_port_as_physical(made, env, robot or build + "/bin/tp100-sim", folder)
         print("built, driven, and a robot's port waited for Enter")
     finally:
-        # What another user of the namespace owns, this one cannot remove from outside.
+        # Files that belong to another user of the namespace can be removed only inside it.
         if os.geteuid() != 0:
             subprocess.run(["buildah", "unshare", "rm", "-rf", folder], check=False)
         shutil.rmtree(folder, ignore_errors=True)

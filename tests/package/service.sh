@@ -70,7 +70,7 @@ journalctl --no-pager -o cat -u $starved | grep -q 'stopped: .*; start it again'
 systemctl stop $starved
 rm -r /etc/tp100/starved.toml /run/systemd/system/$starved.service.d
 
-# ROS 2's topics need more than the unit allows; the drop-in of ROS2.md allows it, and not more is taken.
+# ROS 2 needs more than the unit allows; with the drop-in of ROS2.md it works, and uses no more than that.
 topics=tp100d@topics
 printf '[link]\nport = "/srv/robot"\n[ros2]\nenabled = true\n' >/etc/tp100/topics.toml
 refused $topics
@@ -79,7 +79,7 @@ mkdir -p /run/systemd/system/$topics.service.d
 printf '[Service]\n@ROS2_DROP_IN@\n' >/run/systemd/system/$topics.service.d/ros2.conf
 systemctl daemon-reload
 systemctl start $topics
-# Whoever listens where a second participant of domain 0 does is told of it (RTPS 2.2, 9.6.1).
+# A listener on the port of a second participant of domain 0 receives announcements (RTPS 2.2, 9.6.1).
 announced() {
   timeout 2 perl -MSocket -e 'socket(S, PF_INET, SOCK_DGRAM, 0) and bind(S, sockaddr_in(7412, INADDR_LOOPBACK)) and
     recv(S, $message, 4, 0) // die; exit($message ne "RTPS")'

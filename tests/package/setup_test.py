@@ -93,7 +93,7 @@ mv build/$2/cache build/$2/CMakeCache.txt""")
     check("libopencv-dev" in camera and "ROS2=OFF" in camera and "TESTS=OFF" in camera and camera.count("=OFF") == 2, f"and the camera: {camera}")
     everything = asked()
     check("libgtest-dev" in everything and "=OFF" not in everything, f"for everything: {everything}")
-    # Which a program says that refuses ROS 2 because the demo built it.
+    # A program built by the demo without ROS 2 refuses it and names this command.
     check("cyclonedds-dev" in everything and "ROS2=ON" in everything, f"for everything: {everything}")
     check("--preset" not in (fewer := asked("tp100d")), f"what was configured is left out again: {fewer}")
 

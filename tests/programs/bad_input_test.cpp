@@ -90,7 +90,7 @@ TEST_F(BadInput, MissingFiles) {
   expect_refused({"tp100-sim", "course", "1-curve", "--robot", "r2d2"}, "r2d2");
   expect_refused({"tp100d", "report", folder_.path().string()}, "name a recording or its folder");
   EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));
-  // A corrupted recording is no table of speeds.
+  // A corrupted recording is not accepted as a table of speeds.
   expect_refused({"tp100d", "replay", write("junk.mcap", "junk"), "--out", folder_.file("o.csv")},
                  "recording");
   expect_refused({"tp100-sim", "course", "3", "--out", "/proc/x"}, "/proc/x");

@@ -29,14 +29,14 @@ max_y_m = 1
 
 
 def started(folder, name, *command):
-    """A program with its output in a file. It ends with this test, in whatever way that ends."""
+    """Starts a program with its output in a file. It ends with this test, however that ends."""
     with open(os.path.join(folder, name), "w", encoding="utf-8") as log:
         return subprocess.Popen(["setpriv", "--pdeathsig", "KILL", *command], stdin=subprocess.DEVNULL, stdout=log,
                                 stderr=subprocess.STDOUT)
 
 
 def when(what, condition, patience_s=60.0):
-    """The first true value of the condition."""
+    """Waits until the condition is true; returns its value."""
     until_s = time.monotonic() + patience_s
     while time.monotonic() < until_s:
         if value := condition():

@@ -1,5 +1,5 @@
-// `tp100-sim demo`, which starts a robot and a daemon, and test::Process, which starts it: nothing
-// that they start outlives them.
+// `tp100-sim demo`, which starts a robot and a daemon, and test::Process, which starts the demo:
+// their child processes must not outlive them.
 
 #include <gtest/gtest.h>
 #include <sys/prctl.h>
@@ -97,7 +97,7 @@ TEST_F(Demo, WithoutHeadlessItStaysAndSaysHowToGoOn) {
   ASSERT_TRUE(demo.wait_for("scored against exact truth")) << demo.output();
   ASSERT_TRUE(demo.wait_for("demo: stays after the run. Drive again: Start on the page"))
       << demo.output();
-  // Whatever ends the run on a busy machine.
+  // On a busy machine the run may end for any reason.
   ASSERT_TRUE(demo.wait_for("running -> ")) << demo.output();
   ASSERT_TRUE(demo.wait_for("Enter alone is STOP")) << demo.output();
   // Ctrl-C goes to the demo, too, which has to wait for the daemon's disarm.
@@ -111,7 +111,7 @@ TEST_F(Demo, WithoutHeadlessItStaysAndSaysHowToGoOn) {
 
 TEST_F(Demo, AKilledDemoTakesItsRobotAndItsDaemonWithIt) {
   Adoption adoption;
-  // What a killed program leaves in the folder of temporary files goes with the test's folder.
+  // The temporary files of a killed program are removed with the test's folder.
   Process demo({"/usr/bin/env", "TMPDIR=" + folder_.path().string(),
                 TP100_BINARY_DIR "/bin/tp100-sim", "demo", "--headless", "--course",
                 short_course(folder_)});

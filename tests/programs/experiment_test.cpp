@@ -30,7 +30,7 @@ class Experiment : public Godot {
   }
 };
 
-// How old the answers are, and so the status, is the machine's affair.
+// The age of the answers, and thus the status, depends on the machine.
 TEST_F(Experiment, JudgesARunByTheTruthAndDoesNotDriveItAgain) {
   const Finished driven = experiment();
   ASSERT_LE(driven.status, 1) << driven.output;

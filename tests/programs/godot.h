@@ -1,5 +1,5 @@
 #pragma once
-// The engine's project sim/godot without a display or with one in memory, and lockstep runs in it.
+// The engine's project sim/godot, without a display or with a virtual one, and lockstep runs in it.
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@
 
 namespace tp100::test {
 
-/// A display in memory.
+/// A virtual display.
 class Screen {
  public:
   Screen() {
@@ -30,7 +30,7 @@ class Screen {
     EXPECT_FALSE(name_.empty()) << server_.output();
   }
   const std::string& name() const { return name_; }
-  /// Mouse and keyboard, as xdotool has them.
+  /// Mouse and keyboard input, as arguments of xdotool.
   void input(std::vector<std::string> words) const {
     words.insert(words.begin(), {"/usr/bin/env", "DISPLAY=" + name_, "xdotool"});
     const Finished done = run(words);
@@ -43,8 +43,8 @@ class Screen {
   std::string name_;
 };
 
-/// Runs scripts/godot with so many robots, with a window on `screen` that looks from above, or
-/// without.
+/// Runs scripts/godot with this number of robots, without a window or with one on `screen` that
+/// shows the scene from above.
 class Engine {
  public:
   explicit Engine(const std::string& course, const std::string& listen = "127.0.0.1:0",
@@ -98,7 +98,7 @@ class Godot : public testing::Test {
     std::ofstream(path) << "[world]\n" << world;
     return path;
   }
-  /// The figures of a lockstep run in the engine; `name` is the folder for the run's poses.
+  /// Drives in lockstep in the engine and returns the figures; `name`: folder for the run's poses.
   nlohmann::json drive(const Engine& engine, const std::string& course,
                        const std::string& authority, const std::string& name = "run",
                        std::size_t robot = 0, const std::string& kind = "end-loaded") {

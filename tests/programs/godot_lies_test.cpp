@@ -1,4 +1,4 @@
-// The engine as a world that lies: its answers are falsified on their way to the bridge, in
+// The engine as a world with false answers: a proxy falsifies them on their way to the bridge, in
 // lockstep.
 
 #include <gmock/gmock.h>
@@ -26,7 +26,7 @@ Json changed(Json answer, const Json& patch) {
 class GodotLies : public Godot, public testing::WithParamInterface<const char*> {
  protected:
   std::string authority() const { return GetParam(); }
-  /// The figures of a run in which the engine's answers come by way of `liar`.
+  /// The figures of a run in which the engine's answers pass through `liar`.
   Json drive_by(const Liar& liar, const std::string& course) const {
     const Finished driven = run({"tp100-sim", "course", course, "--json", "--world", liar.address(),
                                  "--config", config("authority = \"" + authority() + "\"\n")});
@@ -46,13 +46,13 @@ class GodotLies : public Godot, public testing::WithParamInterface<const char*> 
   }
 };
 
-/// What is wrong with an answer that asks for STOP, so that nobody who accepted it would drive on.
+/// Defects of an answer that also requests STOP, so that a bridge that accepts it would stop.
 struct Falsified {
   const char* name;
   Json patch;
 };
 
-// Each is told just before the truth.
+// Each false answer is sent just before the true one.
 TEST_P(GodotLies, AnAnswerThatCannotBeIsNotAccepted) {
   const std::string course = short_course(folder_);
   const Engine engine(course);
@@ -127,7 +127,7 @@ TEST_P(GodotLies, ARobotThatIsSaidToBeBlockedIsImmobilised) {
 INSTANTIATE_TEST_SUITE_P(Authorities, GodotLies, testing::Values("bridge", "world"),
                          [](const auto& param) { return std::string(param.param); });
 
-/// Only a world that owns the pose can lie about it.
+/// Only a world that owns the pose can falsify it.
 class GodotPoseLies : public GodotLies {};
 
 TEST_P(GodotPoseLies, AJumpOffThePathEndsTheRun) {
@@ -146,7 +146,7 @@ TEST_P(GodotPoseLies, ARobotThatIsSaidToFaceBackwardsEndsTheRun) {
             "heading");
 }
 
-// Its tracks run, its gyro and its encoders agree, and its place never changes.
+// The robot's tracks run, its gyro and encoders agree, but its position never changes.
 TEST_P(GodotPoseLies, APoseThatStandsStillEndsTheRun) {
   Json frozen;
   EXPECT_EQ(cause([&](Json answer) -> Datagrams {

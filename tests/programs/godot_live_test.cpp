@@ -33,7 +33,7 @@ TEST_F(Godot, LostEndsTheRunAndANewOneIsWelcome) {
 }
 
 #ifdef TP100_HAS_CAMERA
-// How many images a second this machine renders, and whether they come in time, is its affair.
+// The image rate and the delay of the images depend on the machine and are not judged.
 TEST_F(Godot, RendersForATp100dThatDrives) {
   const Finished done = run({TP100_SOURCE_DIR "/scripts/overhead", "--json", "--live", "--bin",
                              TP100_BINARY_DIR "/bin", "--course", short_course(folder_)});

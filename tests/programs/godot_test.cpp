@@ -33,8 +33,7 @@ class GodotCourses : public Godot, public testing::WithParamInterface<const char
 
 TEST_P(GodotCourses, AreDrivenOverTheEnginesRays) { expect_driven(GetParam(), "bridge", 0.05); }
 
-// What the tracks do on the real floor and in the engine differs by the friction, so the bounds are
-// wider.
+// The friction on the real floor and in the engine differs, so the bounds are wider.
 TEST_P(GodotCourses, AreDrivenByTheEnginesPhysics) { expect_driven(GetParam(), "world", 0.08); }
 
 INSTANTIATE_TEST_SUITE_P(Papers, GodotCourses,
@@ -68,7 +67,7 @@ class GodotBody : public Godot {
   }
 };
 
-// The engine's clock is that of the poses: on a level straight both bodies go equally far.
+// The engine's clock is that of the poses: on a level straight line both bodies move equally far.
 TEST_F(GodotBody, GoesAsFarAsTheRobotOnItsFloor) {
   const Engine engine("1-straight");
   drive(engine, "1-straight", "world");
@@ -77,8 +76,8 @@ TEST_F(GodotBody, GoesAsFarAsTheRobotOnItsFloor) {
   EXPECT_NEAR(at.truth_x_m, at.world_x_m, 0.03);
 }
 
-// On the ends of its tracks alone its wheelbase would be 26.9 cm for the emulated robot's 20.6: 0.9
-// rad in a half circle.
+// If only the ends of its tracks carried load, its wheelbase would be 26.9 cm instead of the
+// emulated robot's 20.6 cm: 0.9 rad in a half circle.
 TEST_F(GodotBody, TurnsWithTheLoadThatItsTracksCarry) {
   const Engine engine("1-curve", "127.0.0.1:0", nullptr, 1, "uniform");
   drive(engine, "1-curve", "world", "run", 0, "uniform");
@@ -97,7 +96,7 @@ TEST_F(Godot, GivesTheSamePosesToTheBitEveryTime) {
 
 class GodotRobots : public Godot, public testing::WithParamInterface<const char*> {};
 
-// The robots have one course, which each can only drive if the other does not stand on it.
+// The robots share one course, which each can drive only if the other does not stand on it.
 TEST_P(GodotRobots, AreObstaclesToEachOther) {
   const Engine engine("1-straight", "127.0.0.1:0", nullptr, 2);
   const nlohmann::json first = drive(engine, "1-straight", GetParam(), "first", 0);
@@ -108,7 +107,7 @@ TEST_P(GodotRobots, AreObstaclesToEachOther) {
   EXPECT_EQ(again.value("cause", ""), "immobilised") << again;
 }
 
-// Half a metre apart, at the same time, each by a program that knows nothing of the other.
+// Half a metre apart, at the same time, each by a program that is independent of the other.
 TEST_P(GodotRobots, DriveSideBySideAsEachDoesAlone) {
   const std::string beside = folder_.file("beside.toml");
   std::ofstream(beside) << "[start]\ny_m = 0.5\n[[segment]]\ntype = \"line\"\nlength_m = 1.0\n"

@@ -1,5 +1,5 @@
 #pragma once
-// Stands between the bridge and an external world and falsifies what the world answers.
+// A proxy between the bridge and an external world that falsifies the world's answers.
 
 #include <arpa/inet.h>
 #include <netinet/in.h>
@@ -59,7 +59,7 @@ class LocalUdp {
   }
 
  private:
-  // The socket interface knows all addresses by one type.
+  // The socket interface uses one type for all addresses.
   static sockaddr* generic(sockaddr_in& address) {
     return static_cast<sockaddr*>(static_cast<void*>(&address));
   }
@@ -68,10 +68,10 @@ class LocalUdp {
 
 class Liar {
  public:
-  /// The datagrams that the bridge gets instead of an answer to a pose, in their order.
+  /// Returns the datagrams that the bridge gets instead of an answer to a pose, in order.
   using Lie = std::function<std::vector<std::string>(const nlohmann::json& answer)>;
 
-  /// Lies from a second after the run's beginning to its end; everything else is passed on.
+  /// Falsifies answers from a second after the run's beginning to its end, and forwards all else.
   Liar(const std::string& world_address, Lie lie)
       : lie_(std::move(lie)),
         world_port_(static_cast<std::uint16_t>(
@@ -86,9 +86,9 @@ class Liar {
 
   /// Where the bridge finds this world.
   std::string address() const { return "udp:127.0.0.1:" + std::to_string(front_.port()); }
-  /// Answers that were falsified.
+  /// Number of falsified answers.
   int lies() const { return lies_; }
-  /// Sends as somebody else would.
+  /// Sends a datagram to the bridge from another port.
   void send_from_elsewhere(const std::string& datagram) const {
     stranger_.send(datagram, bridge_port_);
   }

@@ -52,7 +52,7 @@ TEST_F(Overhead, EveryImageShowsTheRobotWhereItIs) {
   EXPECT_LT(figure(figures, "fused_max_m"), 0.02);
 }
 
-// It rests there for 0.6 s; odometry goes on meanwhile.
+// The hand stays there for 0.6 s, during which odometry continues.
 TEST_F(Overhead, AHandOverTheMarkerDoesNotMoveTheFusedPose) {
   const nlohmann::json figures =
       film({"--course", "1-straight", "--hand", "--rate", "5", "--from", "5", "--seconds", "4"});

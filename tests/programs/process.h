@@ -13,7 +13,7 @@
 namespace tp100::test {
 
 /// One of the project's programs. The destructor kills it if it still runs; so does the end of the
-/// thread that made it, in whatever way.
+/// thread that made it, for any reason.
 class Process {
  public:
   /// `arguments[0]` is tp100d, tp100-sim or an absolute path. Standard output and standard error go
@@ -60,7 +60,7 @@ bool eventually(const std::function<bool()>& condition);
 /// The first number of that name in the file that tp100d --stats writes once a second; -1 if there
 /// is none yet.
 double figure(const std::string& stats, const std::string& name);
-/// Waits until the daemon that writes `stats` has made a hundred more cycles. Returns false after a
+/// Waits until the daemon that writes `stats` has run a hundred more cycles. Returns false after a
 /// minute.
 bool goes_on(const std::string& stats);
 

@@ -1,4 +1,4 @@
-// The C library without FMA, as of an older processor: recordings from there are replayed here.
+// The C library without FMA, as on an older processor: recordings made with it are replayed here.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -87,7 +87,7 @@ class WheelsUpFromThePage : public testing::Test {
     token_ = answer["token"];
     begun_ = robot_->output().size();
   }
-  /// One sign of life; `more`: an answer.
+  /// Sends one watch request; `more`: with an answer.
   json watch(const json& more = json::object()) {
     const std::chrono::duration<double, std::milli> now =
         std::chrono::steady_clock::now().time_since_epoch();
@@ -109,9 +109,9 @@ class WheelsUpFromThePage : public testing::Test {
     })) << answer;
     return answer;
   }
-  /// What the robot said since the check began.
+  /// The robot's output since the check began.
   std::string robot_output() { return robot_->output().substr(begun_); }
-  /// Why the motors are off, as the robot says; empty: they run.
+  /// The robot's reason why the motors are off; empty: they run.
   std::string last_cause() {
     if (robot_ == nullptr) return {};
     const std::string all = robot_->output();
@@ -127,7 +127,7 @@ class WheelsUpFromThePage : public testing::Test {
     })) << robot_->output();
   }
   /// The result of a check in which `meanwhile` happens. On a busy machine the firmware may stop
-  /// the tracks, or nobody may be heard for too long, before: then it is begun again.
+  /// the tracks before, or no watch request may arrive for too long: then the check is begun again.
   json checked(const std::function<json()>& meanwhile) {
     json result;
     for (int tries = 0; tries < 5; ++tries) {
@@ -154,7 +154,7 @@ class WheelsUpFromThePage : public testing::Test {
   std::unique_ptr<Caller> caller_;
   std::string page_, token_;
   std::size_t begun_ = 0;
-  bool alone_ = false;  // nobody is meant to watch
+  bool alone_ = false;  // the test stops watching on purpose
 };
 
 TEST_F(WheelsUpFromThePage, MovesNothingBeforeItIsConfirmedAndFindsAGoodRobotWell) {

@@ -1,5 +1,5 @@
 #pragma once
-// What tests of the recorder need: a folder, records to feed, and the numbers of recorded steps.
+// Fixture of the recorder's tests: a folder, input records, and the numbers of recorded steps.
 
 #include <gtest/gtest.h>
 

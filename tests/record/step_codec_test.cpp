@@ -129,7 +129,7 @@ TEST(StepCodec, TakesTheDriftOfTheFirstExchanges) {
   }
 }
 
-// Without a course a step that goes on with a run has nothing to follow.
+// Without a course, a step that continues a run has no path to follow.
 TEST(StepCodec, RefusesARestartWithinARun) {
   for (const RunState state : {RunState::kArming, RunState::kRunning}) {
     const auto record = random_record(3, true);

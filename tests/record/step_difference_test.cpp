@@ -72,7 +72,7 @@ TEST(LargestDifference, ADecisionOrACountThatDiffersIsNoRounding) {
 TEST(LargestDifference, NoNumberIsFarFromEveryNumberAndNotFromNone) {
   const auto recorded = random_record(5), computed = random_record(5);
   LargestDifference largest;
-  // Processors differ in the sign of what an invalid operation gives.
+  // Processors differ in the sign of the NaN of an invalid operation.
   recorded->snapshot.filter.nis = std::nan("");
   computed->snapshot.filter.nis = -std::nan("");
   largest.add(*recorded, *computed);

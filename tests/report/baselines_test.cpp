@@ -1,4 +1,4 @@
-// The simpler forms of the model on a run, against what they say worked out by hand.
+// The simpler forms of the model on a run, compared with results calculated by hand.
 
 #include "report/baselines.h"
 

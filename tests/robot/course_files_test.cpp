@@ -45,7 +45,7 @@ TEST(CourseFiles, HaveOneTimeZeroWhereTheRunBegins) {
   EXPECT_LT(poses["t_s"][0], 0.02);
   EXPECT_NEAR(poses["t_s"][poses.rows() - 1], figures["duration_s"].get<double>(), 0.05);
   EXPECT_LT(drive.samples.front().t_s, -0.5) << "the standstill before the run";
-  // The camera's poses have that zero, too: where it saw the robot, it was.
+  // The camera's times have the same zero: at each of them the robot was where the camera saw it.
   std::size_t seen = 0;
   for (const identify::SeenPose& pose : drive.camera) {
     const auto near = truth.lower_bound(pose.t_s);

@@ -1,5 +1,5 @@
 #pragma once
-// Trials of each way to lose the driver, and how soon the robot is told to stop.
+// Trials of each way to lose the driver, and the time until the robot is commanded to stop.
 
 #include <cmath>
 #include <random>
@@ -13,12 +13,12 @@ namespace tp100::sim {
 /// Ways to lose the driver. A process that is killed closes its socket like any other.
 enum class Loss {
   kSocketClosed,  ///< or the writer is gone
-  kSilence,       ///< no message any more: cable cut, page hung, tab suspended
-  kFrozenInput,   ///< messages go on, the person's input does not
+  kSilence,       ///< messages end: cable cut, page hung, tab suspended
+  kFrozenInput,   ///< messages continue, but the person's input does not change
   kDelayed,       ///< messages arrive a second late, all at once
   kTakenOver,     ///< another viewer takes the wheel as soon as it gets it
   kReleased,
-  kZeroInput,  ///< what the page sends when it is hidden or loses the focus
+  kZeroInput,  ///< sent by a page that is hidden or loses the focus
   kStopped,    ///< another viewer presses STOP
 };
 inline constexpr std::array<std::pair<Loss, const char*>, 8> kLosses = {{
@@ -32,7 +32,7 @@ inline constexpr std::array<std::pair<Loss, const char*>, 8> kLosses = {{
     {Loss::kStopped, "stopped by another viewer"},
 }};
 
-/// Whether the daemon hears of the loss; else the input has to grow old.
+/// Whether the daemon is notified of the loss; else it detects it by the age of the input.
 inline bool is_heard(Loss loss) {
   return loss == Loss::kSocketClosed || loss == Loss::kReleased || loss == Loss::kZeroInput ||
          loss == Loss::kStopped;
@@ -46,10 +46,10 @@ inline constexpr std::array<std::pair<Client, const char*>, 3> kClients = {{
     {Client::kRos2Stamped, "TwistStamped"},
 }};
 
-/// Since the last fresh input of the driver, in virtual time.
+/// Times since the last fresh input of the driver, in virtual time.
 struct LossTimes {
-  std::vector<double> command_ms;  ///< a command of standstill is on the wire, and no other follows
-  std::vector<double> duty_ms;     ///< both motors have less duty than moves a track
+  std::vector<double> command_ms;   ///< a command of standstill is sent, and no other follows
+  std::vector<double> duty_ms;      ///< both motors have too little duty to move a track
   std::vector<double> standing_ms;  ///< the robot stands
   std::string wrong;                ///< what else went wrong; empty: nothing
 };
@@ -88,7 +88,7 @@ inline LossTimes lose_driver(Loss loss, int trials, std::uint64_t seed,
     const double rate_radps = between(-1.0, 1.0);
     const HostNs period_ns = static_cast<HostNs>(1 + random() % 8) * HandDriven::kPeriodNs;
     HostNs last_input_ns = 0, next_ns = 0;
-    // Whether it is refused, as far as the client learns.
+    // Gives an input; true if the client learns that it was refused.
     const auto give = [&](double speed, double rate, double age_s = 0.0) {
       if (!ros2) return drive.drive(kDriver, token, speed, rate, age_s).contains("refused");
       drive.receive_velocity(speed, rate, age_s, 1, client == Client::kRos2Stamped);

@@ -1,5 +1,5 @@
 #pragma once
-// Random sequences of hand commands inside a fence, and how far out of it they took the robot.
+// Random sequences of hand commands inside a fence, and how far the robot leaves it.
 
 #include <algorithm>
 #include <array>
@@ -18,7 +18,7 @@ namespace tp100::sim {
 struct FenceRun {
   double outside_m =
       -1.0;  ///< greatest distance of the true centre from the fence; negative: inside
-  double estimated_outside_m = -1.0;  ///< the same of the pose that the daemon steers by
+  double estimated_outside_m = -1.0;  ///< the same for the steering pose
   double pose_error_m = 0.0;          ///< greatest error of that pose
   double driven_m = 0.0;
   double at_fence_s = 0.0;  ///< the fence limited the speed
@@ -41,7 +41,7 @@ inline double outside_m(const Pose& pose, const course::Fence& fence) {
   return out_m;
 }
 
-/// Corners of a dented area beside the start, in a direction that follows from `seed`.
+/// Corners of a concave area beside the start, in a direction that follows from `seed`.
 inline course::Polygon area_beside_start(std::uint64_t seed) {
   std::mt19937_64 random(seed + 1000);
   const double angle = std::uniform_real_distribution<>(-kPi, kPi)(random);
@@ -53,7 +53,7 @@ inline course::Polygon area_beside_start(std::uint64_t seed) {
   return area;
 }
 
-/// One drive of `duration_s` on a floor, robot and fence that follow from `seed`.
+/// Drives for `duration_s`, with floor, robot and fence that follow from `seed`.
 inline FenceRun drive_in_fence(std::uint64_t seed, double duration_s) {
   constexpr std::array<const char*, 6> kRobots = {"end-loaded", "uniform", "front-heavy",
                                                   "slippery",   "large",   "worn"};
@@ -77,7 +77,7 @@ inline FenceRun drive_in_fence(std::uint64_t seed, double duration_s) {
     course->fence.keep_out = {area_beside_start(seed)};
     what += ", keep-out area";
   }
-  // A polygon is the same fence.
+  // Some fences are the same rectangle as a polygon.
   if (seed % 4 == 0) course->fence.corners = course::corners_of(course->fence);
   if (seed % 2 == 0) {
     course::Surface surface;

@@ -55,7 +55,7 @@ TEST_F(HandDriveTest, AnInputAloneNeverArms) {
   ASSERT_TRUE(drive.wait_until_ready());
   EXPECT_TRUE(drive.drive(kA, "", 0.1, 0.0).contains("refused"));
   EXPECT_TRUE(drive.drive(kA, "0123", 0.1, 0.0).contains("refused"));
-  // Not even past everything that checks it.
+  // Not even if it bypasses all earlier checks.
   drive.before_step = [&](HostNs) { drive.controls().drive({"", 0.1, 0.0, 0.0}, drive.now()); };
   drive.step_for(1.0);
   EXPECT_EQ(drive.state(), RunState::kIdle);
@@ -154,7 +154,7 @@ INSTANTIATE_TEST_SUITE_P(Losses, DeadMan,
                            return name;
                          });
 
-// Velocities that stream on while nobody took the wheel, or after a STOP.
+// Velocities that are streamed while nobody has the wheel, or after a STOP.
 TEST_F(HandDriveTest, VelocitiesOfRos2NeverArm) {
   HandDriven drive({.loaded = load({})});
   ASSERT_TRUE(drive.wait_until_ready());
@@ -170,7 +170,7 @@ TEST_F(HandDriveTest, VelocitiesOfRos2NeverArm) {
   drive.call(kA, "stop");
   drive.step_for(1.0);
   EXPECT_EQ(drive.state(), RunState::kAborted);
-  // Nor does a true that is repeated.
+  // A repeated `true` does not take it either.
   drive.before_step = [&](HostNs) {
     drive.receive_drive(true);
     drive.receive_velocity(0.1, 0.2);
@@ -220,7 +220,7 @@ TEST_F(HandDriveTest, ASecondWriterOfVelocitiesIsIgnored) {
   drive.step_for(0.5);
   EXPECT_GT(drive.record().snapshot.command.speed_mps, 0.0);
   EXPECT_THAT(drive.take_messages(), HasSubstr("second writer"));
-  // Nor does it drive on for the first one, which is lost.
+  // It does not continue for the first driver either, which is lost.
   drive.before_step = [&](HostNs) { drive.receive_velocity(0.1, 0.0, 0.0, 2); };
   drive.step_for(0.3);
   EXPECT_TRUE(asks_for_standstill(drive.record()));

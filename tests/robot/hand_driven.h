@@ -1,6 +1,6 @@
 #pragma once
 // An emulated robot driven by hand in virtual time: the daemon's cycle, controls and request
-// handler with everything but sockets and threads, and the robot at the other end of a cable.
+// handler without sockets and threads, and the robot at the other end of a cable.
 
 #include <functional>
 #include <memory>
@@ -25,7 +25,7 @@ namespace tp100::sim {
 
 struct HandDrivenSettings {
   Loaded loaded{};
-  std::shared_ptr<const course::Course> course{};  ///< null: none
+  std::shared_ptr<const course::Course> course{};  ///< null: no course
   std::uint64_t seed = 1;
   messages::Sink* sink = nullptr;
 };
@@ -101,8 +101,8 @@ class HandDriven {
     return step_until([&] { return record_.snapshot.drive_refusal == StartRefusal::kNone; }, 10.0);
   }
 
-  /// Viewer `id` calls a service, connecting first if it is new. The answer as JSON; a refusal as
-  /// {"refused": text}.
+  /// Viewer `id` calls a service; connects first if it is new. Returns the answer as JSON, a
+  /// refusal as {"refused": text}.
   nlohmann::json call(std::uint32_t id, const std::string& service,
                       const nlohmann::json& request = nlohmann::json::object(),
                       server::Permission permission = server::Permission::kCommand) {
@@ -131,14 +131,15 @@ class HandDriven {
     handler_.leave(*viewer, now());
     viewers_.erase(id);
   }
-  /// Viewer `id` takes the wheel and waits until the robot is armed; the token, or the refusal.
+  /// Viewer `id` takes the wheel and waits until the robot is armed. Returns the token or the
+  /// refusal.
   std::string take(std::uint32_t id) {
     const nlohmann::json answer = call(id, "drive_take");
     if (!answer.contains("token")) return answer.value("refused", "");
     step_until([&] { return state() == RunState::kDriving; }, 1.0);
     return answer["token"];
   }
-  /// What viewer `id` wants, with the person's input as old as `age_s`.
+  /// Viewer `id` sends its input, which is `age_s` old.
   nlohmann::json drive(std::uint32_t id, const std::string& token, double speed_mps,
                        double yaw_rate_radps, double age_s = 0.0) {
     return call(id, "drive",
@@ -147,7 +148,7 @@ class HandDriven {
                  {"yaw_rate_radps", yaw_rate_radps},
                  {"input_ms", (to_s(now()) - age_s) * 1e3}});
   }
-  /// A message of a ROS 2 node, which its writer sent `age_s` ago.
+  /// Receives a message of a ROS 2 node, which its writer sent `age_s` ago.
   template <class Message>
   void receive(ros2::Input input, const Message& message, double age_s = 0.0,
                std::uint64_t writer = 1) {
@@ -158,7 +159,7 @@ class HandDriven {
                 .cdr = ros2::serialized(message)},
                now());
   }
-  /// What the writer of /cmd_vel wants, as TwistStamped if `stamped`.
+  /// Receives a velocity on /cmd_vel, as TwistStamped if `stamped`.
   void receive_velocity(double speed_mps, double yaw_rate_radps, double age_s = 0.0,
                         std::uint64_t writer = 1, bool stamped = false) {
     ros2::geometry_msgs::Twist twist{};
@@ -176,9 +177,9 @@ class HandDriven {
   void receive_drive(bool wanted) {
     receive(ros2::Input::kDrive, ros2::std_msgs::Bool{.data = wanted});
   }
-  /// No writer is left on that topic.
+  /// Reports that no writer is left on that topic.
   void writers_gone(ros2::Input input) { ros2_.take({.input = input, .gone = true}, now()); }
-  /// ROS 2 takes the wheel, and the robot is armed; else the messages.
+  /// ROS 2 takes the wheel and the robot is armed; returns the messages if that fails.
   std::string take_by_ros2() {
     receive_drive(false);
     take_messages();
@@ -225,7 +226,7 @@ class HandDriven {
     }
     return viewer;
   }
-  // By a clock of its own.
+  // Offset of the writer's own clock.
   static constexpr HostNs kWriterClockNs = 1'700'000'000 * kNsPerS;
 
   void take_results() {

@@ -163,7 +163,7 @@ TEST_F(OverheadCameraRun, ABusyPortABadAddressAndAStandAreErrorsOfOneLine) {
   EXPECT_EQ(run({"tp100-sim", "robot", "--camera=nothing"}).status, 2);
 }
 
-// The goal is a wide one: as many manoeuvres as show the way.
+// With a wide goal for the intervals: only a few manoeuvres are driven.
 TEST_F(OverheadCameraRun, AnIdentificationThatDrivesItselfAsksForNothing) {
   for (int attempt = 0;; ++attempt) {
     Process body({"tp100-sim", "robot", "--link", port(), "--course", "1-straight", "--robot",

@@ -55,7 +55,7 @@ Recorded drive(const std::string& course, const std::string& folder, bool camera
   return recorded;
 }
 
-/// What `tp100-sim course --json` prints.
+/// The output of `tp100-sim course --json`.
 Json figures_of_the_run(const Recorded& run) {
   return Json::parse(
       report::result_json(run.result, report::figures(run.result, load_course(run.result.course))));

@@ -1,5 +1,5 @@
-// A step that restarts at a standstill goes on as before, and whoever begins with it there gets
-// the same results bit for bit.
+// A step that restarts at standstill continues as before, and a replay that begins there gives the
+// same results bit for bit.
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ struct Scenario {
   const char* course;
   bridge::Setup setup;
   bool camera;
-  bool changes;  ///< of live parameters at random
+  bool changes;  ///< with random changes of live parameters
 };
 
 /// The inputs of two runs of a course with more than a minute of standstill before each.
@@ -72,7 +72,7 @@ void set_results(const bridge::Outputs& out, StepRecord& record) {
 }
 
 TEST_P(Restart, LosesNothingAndRepeatsBitForBit) {
-  constexpr std::size_t kMax = 8;  // that are followed to the end
+  constexpr std::size_t kMax = 8;  // restarts that are followed to the end
   std::mt19937 random(7);
   bridge::Step step = new_step();
   std::vector<bridge::Step> followers;
@@ -159,7 +159,7 @@ INSTANTIATE_TEST_SUITE_P(Courses, Restart,
                                   (param.param.changes ? "Changes" : "");
                          });
 
-// What the live daemon does by itself.
+// The live daemon restarts the step by itself.
 TEST(RestartPeriod, ARobotThatStandsStillHoldsAMinuteOfHistory) {
   class Count : public messages::Sink {
    public:

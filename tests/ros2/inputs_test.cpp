@@ -117,7 +117,7 @@ TEST_F(InputsTest, AGoalIsAPoseOfTheMap) {
     turned.pose.orientation.x = bad;
     EXPECT_FALSE(read_pose(received(Input::kGoal, turned), why_)) << bad;
   }
-  // Another type under that name.
+  // Another type with the same name.
   EXPECT_FALSE(read_pose(received(Input::kGoal, pose(0.0, 0.0)), why_));
   EXPECT_EQ(why_, "no geometry_msgs/msg/PoseStamped in little-endian CDR");
   EXPECT_FALSE(read_pose(received(Input::kInitialPose, goal(0.0, 0.0, "map")), why_));
@@ -184,7 +184,7 @@ TEST(CdrReading, RefusesEveryTruncationAndWhatIsTooLong) {
   for (std::size_t size = 0; size < whole.size(); ++size)
     EXPECT_FALSE(deserialized<diagnostic_msgs::DiagnosticArray>(std::span(whole).first(size)))
         << size;
-  // Up to three bytes of padding are DDS's.
+  // DDS may add up to three bytes of padding.
   Bytes longer = whole;
   longer.resize(whole.size() + 3);
   EXPECT_TRUE(deserialized<diagnostic_msgs::DiagnosticArray>(longer));
@@ -214,7 +214,7 @@ TEST(CdrReading, RefusesLengthsThatTheBytesDoNotHave) {
   EXPECT_TRUE(deserialized<std_msgs::Bool>(Bytes{0, 1, 0, 0, 1}));
 }
 
-// Whatever changes on the way: what is accepted is finite and in its range.
+// However a message is corrupted, accepted values are finite and within their ranges.
 TEST_F(InputsTest, WhateverArrivesIsRefusedOrInItsRange) {
   std::mt19937_64 random(1);
   int accepted = 0;

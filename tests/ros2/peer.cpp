@@ -81,7 +81,7 @@ std::string guid_text(const rtps::GUID_t& guid) {
   return hex(guid.guidPrefix.value, 12) + hex(guid.entityId.value, 4);
 }
 
-/// The address behind `mark` in the first argument; empty: there is none.
+/// The address after `mark` in the first argument; empty: none.
 std::string address_behind(char mark, const std::string& domain) {
   const std::size_t at = domain.find(mark);
   if (at == std::string::npos) return {};
@@ -94,7 +94,7 @@ std::string text_of(const UserData& data) {
   return {data.begin(), data.end()};
 }
 
-/// Any type: the bytes as they came.
+/// Any type, as received bytes.
 class RawType : public fast::TopicDataType {
  public:
   explicit RawType(const std::string& name) {
@@ -269,7 +269,7 @@ int main(int argc, char** argv) {
     if (topic == nullptr) return 1;
     if (publishes) {
       fast::DataWriterQos offered = with(fast::DATAWRITER_QOS_DEFAULT, qos);
-      // As of another version of the type: what counts is what is received.
+      // Like another version of the type: only the received bytes matter.
       constexpr std::string_view kOther = "typehash=RIHS01_00;";
       offered.user_data().data_vec({kOther.begin(), kOther.end()});
       auto* const writer = publisher->create_datawriter(topic, offered, &matches);

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""silence_test.py BUILD CONFIG with|without: who listens and speaks on networks, in one of its own (in_network).
+"""silence_test.py BUILD CONFIG with|without: which programs listen or send on networks. Run it in_network.
 
 The daemon with the shipped CONFIG and the emulated robot, beside a network to other machines: an Ethernet pair (veth)
 whose packets are counted. `with`: the programs have ROS 2.
@@ -32,7 +32,7 @@ def network():
 
 
 def packets():
-    """How many were sent to other machines."""
+    """Number of packets sent to other machines."""
     with open("/proc/net/dev", encoding="utf-8") as file:
         for line in file:
             name, _, counters = line.partition(":")
@@ -49,14 +49,14 @@ def table(name):
 
 
 def sockets():
-    """Each of the network that listens or needs no connection."""
+    """All sockets of the network that listen or need no connection."""
     found = set()
     for protocol in ("tcp", "tcp6", "udp", "udp6", "raw", "raw6"):
         for address, state in table(protocol):
             if protocol.startswith("tcp") and state != LISTENING:
                 continue
             host, port = address.split(":")
-            # Of four bytes in the processor's order.
+            # IPv4: four bytes in the processor's order.
             host = ".".join(str(int(host[i:i + 2], 16)) for i in (6, 4, 2, 0)) if len(host) == 8 else host
             found.add(f"{protocol} {host}:{int(port, 16)}")
     with open("/proc/net/packet", encoding="utf-8") as file:
@@ -65,7 +65,7 @@ def sockets():
 
 
 def open_sockets(process):
-    """Files of the process that are sockets of any kind."""
+    """Open files of the process that are sockets of any kind."""
     folder = f"/proc/{process.pid}/fd"
     found = set()
     for name in os.listdir(folder):
@@ -79,7 +79,7 @@ def open_sockets(process):
 
 
 class Watched:
-    """A program, and all that was seen of it on networks until its end."""
+    """A program, and its observed network activity until its end."""
 
     def __init__(self, command, status=0, meanwhile=None):
         before = packets()
@@ -89,7 +89,7 @@ class Watched:
             while process.poll() is None:
                 try:
                     self.own |= open_sockets(process)
-                except (FileNotFoundError, PermissionError):  # it has just ended
+                except (FileNotFoundError, PermissionError):  # the process has just ended
                     continue
                 self.network |= sockets()
                 self.looks += 1
@@ -105,14 +105,14 @@ class Watched:
         check(self.looks > 10, self.said)
 
     def expect(self, network):
-        """Nothing but these sockets, and no packet."""
+        """Checks that there were only these sockets, and no packets."""
         check(self.network == network and len(self.own) >= len(network) and bool(self.own) == bool(network)
               and self.sent == 0, f"{self.said}\n{self.log}")
         print(self.said)
 
 
 def page(watched):
-    """Reads the page once the daemon listens, and says whether it has."""
+    """Reads the page once the daemon listens; returns whether it did."""
     if "tcp 127.0.0.1:8765" not in watched.network:
         return False
     with urllib.request.urlopen("http://127.0.0.1:8765/", timeout=10) as answer:
@@ -151,7 +151,7 @@ def main(build, config, ros2):
             if ros2 == "with":
                 local = daemon("--listen", "off", enabled="true")
                 check(local.sent == 0 and any(each.startswith("udp ") for each in local.network), local.said)
-                # What counts packets, and finds sockets, can find some.
+                # Shows that the test can detect packets and sockets.
                 out = daemon("--listen", "off", enabled="true", interface=f'"{NEAR}"')
                 check(out.sent > 0 and out.own, out.said)
         finally:

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""without_dds.py BUILD: everything built anew without Cyclone DDS, beside BUILD, which has it: what it can and refuses."""
+"""without_dds.py BUILD: builds all without Cyclone DDS, which BUILD has; tests what works and what it refuses."""
 import glob
 import json
 import os
@@ -11,7 +11,7 @@ import package_test  # noqa: E402
 from host import ROOT, check, package, run  # noqa: E402
 from verdict import run as attempt  # noqa: E402
 
-# At the depth of the presets' folders the compiler's cache has what these have compiled.
+# At the same depth as the presets' folders, so that the compiler's cache can reuse their objects.
 WITHOUT = ROOT + "/build/without_dds"
 
 

@@ -193,7 +193,7 @@ TEST_F(RunFolder, RoomIsMadeByTheOldestRunsWithoutANote) {
   EXPECT_THAT(none.why_not, HasSubstr("1 have a name, note or tags"));
 }
 
-// Whatever lies in the folder: nothing that is kept is lost, and it fits, or the reason is said.
+// With any content of the folder: no kept run is lost, and the rest fits or the reason is reported.
 TEST_F(RunFolder, RoomIsMadeAmongRandomRuns) {
   std::mt19937 random(7);
   const auto up_to = [&](unsigned most) { return static_cast<unsigned>(random() % (most + 1U)); };
@@ -238,7 +238,7 @@ TEST_F(RunFolder, RoomIsMadeAmongRandomRuns) {
     for (const auto& each : list_runs(runs_)) left += each.bytes;
     EXPECT_EQ(left, freed.bytes);
     EXPECT_EQ(freed.why_not.empty(), left <= quota);
-    // Those deleted are the oldest of those that may be, and no more than needed.
+    // Only the oldest deletable runs are deleted, and no more than necessary.
     std::vector<std::string> oldest;
     for (const auto& each : before)
       if (deletable.contains(each.folder)) oldest.insert(oldest.begin(), each.folder);

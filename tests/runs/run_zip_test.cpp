@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-// What another reader, Python's, finds in an archive: checks it and unpacks it into a folder.
+// Checks an archive with another reader, Python's, and unpacks it into a folder.
 constexpr const char* kUnpack =
     "import sys,zipfile; z=zipfile.ZipFile(sys.argv[1]); bad=z.testzip(); "
     "assert bad is None, bad; z.extractall(sys.argv[2])";
@@ -36,7 +36,7 @@ class RunZipTest : public ::testing::Test {
     for (char& each : text) each = static_cast<char>(random_());
     write(name, text);
   }
-  /// Everything that comes, in parts of at most `part` bytes.
+  /// Reads the whole archive, in parts of at most `part` bytes.
   static std::string all_of(RunZip& zip, std::size_t part = 65'536) {
     std::string all, into(part, '\0');
     while (all.size() < zip.size()) {

@@ -76,7 +76,7 @@ TEST_F(ServerTest, PagesOfOtherDaemonsOfTheMachineWatchAndStopAndDoNothingElse) 
   client.call(Service::kStop);
   EXPECT_TRUE(eventually([&] { return controls_.stops == 1; }));
   EXPECT_EQ(controls_.holds, 0);
-  // Such a page has no reason to ask for anything else.
+  // A page from another origin has no reason to request anything else.
   const std::string get = "GET /api/runs HTTP/1.1\r\nHost: 127.0.0.1\r\n";
   EXPECT_THAT(http_head(port_, get + origin + "\r\n"), HasSubstr("403"));
   EXPECT_THROW(WebClient(port_, "127.0.0.1", "Origin: http://127.0.0.1:1\r\n"), std::runtime_error);

@@ -231,7 +231,7 @@ TEST_F(ServerTest, ARunIsDownloadedWholeAsOneArchive) {
   EXPECT_THAT(answer, HasSubstr("a/poses.csvt_s\n"));
 }
 
-// A process that is killed says no goodbye: its socket is closed by the kernel.
+// A killed process sends no close frame: the kernel closes its socket.
 TEST_F(ServerTest, ADriverWhoseProcessIsKilledIsLostAtOnce) {
   record_.snapshot.run_state = RunState::kIdle;
   record_.snapshot.drive_refusal = StartRefusal::kNone;

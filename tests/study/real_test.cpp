@@ -25,7 +25,7 @@ const RealStudy& study_of(std::size_t robot) {
 const RealStudy& maxxii() { return study_of(0); }
 const RealStudy& husky() { return study_of(1); }
 
-/// The speeds of a real robot with the motion that a form predicts for them, and noise.
+/// Track speeds of a real robot, with the motion that a form predicts for them plus noise.
 RealRobot made_up(RealRobot robot, const SlipForm& form, const SlipConstants& constants,
                   double noise) {
   std::mt19937 random(7);

@@ -69,7 +69,7 @@ TEST(Reproduction, ThePageSaysFirstWhatItCameTo) {
 }
 
 TEST(Reproduction, ThePageTellsLimitsInWordsAndExplainsItsOwn) {
-  // The figure, its limit, and what that comes to.
+  // The figure, its limit, and the verdict.
   EXPECT_THAT(reproduction_page(made_up(0.5)),
               HasSubstr("<td>0.50</td><td>0.60</td><td class='t'>holds</td><td>0.50</td>"));
   const std::string missed = reproduction_page(made_up(0.7));

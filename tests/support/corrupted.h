@@ -1,5 +1,5 @@
 #pragma once
-// Messages as a bad line or a hostile sender gives them.
+// Messages corrupted as by a bad line or a hostile sender.
 
 #include <random>
 #include <string>

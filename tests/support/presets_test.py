@@ -60,7 +60,7 @@ def main():
 
         expect(0, ["dev"], "--nightly", "-L", "arm64")
         expect(0, ["dev", "asan", "fuzz"], "--nightly", "-R", "fuzz.wire")
-        # Only a build tells which tests a test program has.
+        # The tests of a test program are known only after a build.
         expect(0, [*PRESETS], "--nightly", "-R", "Suite")
         expect(1, ["dev"], "--nightly", "-R", "no_such_test")
 

@@ -1,4 +1,4 @@
-// The page as it was just built, in front of a tp100d that runs already:
+// Serves the page as just built, in front of a tp100d that runs already:
 // `node dev/proxy.mjs DAEMON_PORT [PORT]`.
 import { createServer, request as ask } from 'node:http';
 import { connect } from 'node:net';

@@ -1,21 +1,21 @@
-// The text of a course file and its pieces. An edit replaces, inserts or removes only what it is about: comments, order
-// and layout of everything else stay as they were written.
+// The text of a course file and its pieces. An edit replaces, inserts or removes only the values concerned: comments,
+// order and layout of everything else stay as they were written.
 import { parseTOML, type AST } from 'toml-eslint-parser';
 
 export type Value = number | string | boolean | Value[];
 
-/** Tables that a file may have many of. */
+/** Tables that may occur several times in a file. */
 export type PieceTable = 'segment' | 'ramp' | 'block' | 'surface' | 'disturbance' | 'keep_out';
 
-/** A table: its values by key, and where they stand. */
+/** A table: its values by key, and their positions in the text. */
 export interface Piece {
   readonly table: string;
-  /** Among the tables of its name. */
+  /** Index among the tables of its name. */
   readonly index: number;
   readonly values: Readonly<Record<string, Value>>;
-  /** Of each value, in the text. */
+  /** Position of each value in the text. */
   readonly ranges: Readonly<Record<string, readonly [number, number]>>;
-  /** From its header to its last value; undefined: it is not written as a table of its own. */
+  /** From its header to its last value; undefined if it is not written as a table of its own. */
   readonly range: readonly [number, number] | undefined;
 }
 
@@ -53,7 +53,7 @@ export class CourseText {
       else if (!same(piece.values[key], value)) edits.push({ from: range[0], to: range[1], text: written(value) });
     }
     if (missing.length > 0) edits.push(this.inserted(piece, missing));
-    // From the end, so that the places of the others stay.
+    // From the end, so that the other positions stay valid.
     edits.sort((a, b) => b.from - a.from);
     return edits.reduce((text, { from, to, text: by }) => text.slice(0, from) + by + text.slice(to), this.text);
   }
@@ -67,7 +67,7 @@ export class CourseText {
     return joined(this.text.slice(0, at), body, this.text.slice(at));
   }
 
-  /** The text with one more table before the one of its name that is there. */
+  /** The text with one more table, before the one of its name at `index`. */
   addedBefore(table: PieceTable, index: number, values: Readonly<Record<string, Value>>): string {
     const range = this.all(table)[index]?.range;
     if (range === undefined) return this.added(table, values);
@@ -75,7 +75,7 @@ export class CourseText {
     return joined(this.text.slice(0, at), block(`[[${table}]]`, values), this.text.slice(at));
   }
 
-  /** The text with other values in the place of keys of a piece. */
+  /** The text with `keys` of a piece replaced by `values`. */
   replaced(piece: Piece, keys: readonly string[], values: Readonly<Record<string, Value>>): string {
     const lines = keys.flatMap((key) => piece.ranges[key]?.[0] ?? []).map((at) => this.text.lastIndexOf('\n', at) + 1);
     const first = Math.min(...lines);
@@ -85,7 +85,7 @@ export class CourseText {
     return text.slice(0, first) + Object.entries(values).map(([key, value]) => line(key, value)).join('') + text.slice(first);
   }
 
-  /** The text without a piece, without the comments that stand right above it. */
+  /** The text without a piece and without the comments directly above it. */
   removed(piece: Piece): string {
     if (piece.range === undefined) throw inOneLine(piece);
     const from = this.above(piece.range[0]);
@@ -140,7 +140,7 @@ export class CourseText {
     return { from: at, to: at, text };
   }
 
-  /** The beginning of the comment lines right above a place. */
+  /** The beginning of the comment lines directly above a position. */
   private above(at: number): number {
     let from = this.text.lastIndexOf('\n', at - 1) + 1;
     for (;;) {
@@ -150,7 +150,7 @@ export class CourseText {
     }
   }
 
-  /** Behind the line of a place. */
+  /** The position after the line of `at`. */
   private lineEnd(at: number): number {
     const end = this.text.indexOf('\n', at);
     return end < 0 ? this.text.length : end + 1;
@@ -185,7 +185,7 @@ function line(key: string, value: Value): string {
   return `${key} = ${written(value)}\n`;
 }
 
-/** As a person writes it: millimetres and thousandths of a degree at most, and numbers with a point. */
+/** A value as a person writes it: numbers with a point, at most to millimetres and thousandths of a degree. */
 export function written(value: Value): string {
   if (Array.isArray(value)) return `[${value.map(written).join(', ')}]`;
   if (typeof value !== 'number') return JSON.stringify(value);

@@ -1,4 +1,4 @@
-// A course file that is being drawn: what the map shows of it, the points by which it is dragged, and new pieces.
+// A course file that is being drawn: what the map shows of it, the handles by which it is changed, and new pieces.
 import type { Point2 } from '../scene/geometry.ts';
 import type { Course, Place, PathPoint, RobotShape } from '../state/messages.ts';
 import type { CourseText, Piece, PieceTable, Value } from './course_text.ts';
@@ -12,16 +12,16 @@ export interface Selected {
   index: number;
 }
 
-/** A point that is dragged. */
+/** A point that can be dragged. */
 export interface Handle {
-  /** Stays while its point is dragged. */
+  /** Stays the same while its point is dragged. */
   id: string;
   label: string;
-  /** A turn changes a direction, the others a place. */
+  /** True: changes a direction; false: a position. */
   turns: boolean;
   at: Point2;
   piece: Selected;
-  /** The text with this point there. */
+  /** The text with this point moved to `to`. */
   drag(to: Point2): string;
 }
 
@@ -41,7 +41,7 @@ min_y_m = -0.8
 max_y_m = 0.8
 `;
 
-/** Values of a new piece, and of every key that a piece may leave out. */
+/** Values of a new piece, and defaults of the keys that a piece may omit. */
 export const kValues: Record<PieceTable, Record<string, Value>> = {
   segment: {},
   ramp: { heading_deg: 0, height_m: 0.05, up_deg: 15, top_m: 0.2, down_deg: 15, width_m: 0.4 },
@@ -60,7 +60,7 @@ function place(piece: Piece): Place {
   return { x_m: number(piece, 'x_m'), y_m: number(piece, 'y_m'), heading_rad: number(piece, 'heading_deg') * kRad };
 }
 
-/** Corners as they are written; undefined: there are none that can be drawn. */
+/** Corners as written; undefined if there are none that can be drawn. */
 export function corners(piece: Piece): Point2[] | undefined {
   const list = piece.values.corners_m;
   if (!Array.isArray(list)) return undefined;
@@ -70,7 +70,7 @@ export function corners(piece: Piece): Point2[] | undefined {
 
 const pairs = (all: readonly Point2[]): Value => all.map(({ x, y }) => [x, y]);
 
-/** The corners of the fence, of the rectangle as well. */
+/** The corners of the fence, which may be a polygon or a rectangle. */
 export function fenceCorners(fence: Piece): Point2[] | undefined {
   const drawn = corners(fence);
   if (drawn !== undefined) return drawn;
@@ -137,7 +137,7 @@ export function draftCourse(text: CourseText, name: string, robot: RobotShape): 
   };
 }
 
-/** Every point by which the draft is dragged, in the order of the file. */
+/** All handles of the draft, in the order of the file. */
 export function handles(text: CourseText): Handle[] {
   return [...pathHandles(text), ...placedHandles(text), ...disturbanceHandles(text), ...cornerHandles(text)];
 }
@@ -222,7 +222,7 @@ function turn(id: string, label: string, piece: Piece, centre: Point2, yaw_rad: 
   return { ...handle(id, label, piece, at, (to) => drag(Math.atan2(to.y - centre.y, to.x - centre.x))), turns: true };
 }
 
-/** To the nearer side. */
+/** The angle of a turn in degrees, to the nearer side; at least one degree. */
 function turned(angle_rad: number): number {
   const angle = angle_rad - 2 * Math.PI * Math.round(angle_rad / (2 * Math.PI));
   return Math.max(Math.abs(angle / kRad), 1) * (angle < 0 ? -1 : 1);
@@ -232,7 +232,7 @@ export function pathOf(text: CourseText): PathPoint[] {
   return points(startOf(text.one('start')), text.all('segment'));
 }
 
-/** The place at the end of the path, a bit further on: for what is added without a press on the map. */
+/** A point a little beyond the end of the path, for pieces that are added without a press on the map. */
 export function beyond(text: CourseText): Point2 {
   const end = endOf(text);
   return { x: end.x + 0.3 * Math.cos(end.yaw_rad), y: end.y + 0.3 * Math.sin(end.yaw_rad) };
@@ -243,7 +243,7 @@ function endOf(text: CourseText): Frame {
   return frames(start, text.all('segment')).at(-1) ?? start;
 }
 
-/** The text with a new piece at a point, and which one it is. */
+/** The text with a new piece at a point, and that piece. */
 export function added(text: CourseText, tool: Tool, at: Point2): { text: string; piece: Selected } {
   const from = endOf(text);
   const segment = (values: Record<string, Value>): { text: string; piece: Selected } => ({
@@ -261,7 +261,7 @@ export function added(text: CourseText, tool: Tool, at: Point2): { text: string;
   const on = nearest(pathOf(text), at);
   if (tool === 'disturbance') {
     const at_m = on?.s_m ?? 0;
-    // Listed along the path.
+    // Disturbances are listed in the order of the path.
     const before = text.all('disturbance').filter((each) => number(each, 'at_m') <= at_m);
     if (before.length < index) return { text: text.addedBefore('disturbance', before.length, { ...kValues.disturbance, at_m }), piece: { table: tool, index: before.length } };
     return { text: text.added(tool, { ...kValues.disturbance, at_m }), piece: { table: tool, index } };
@@ -273,7 +273,7 @@ export function added(text: CourseText, tool: Tool, at: Point2): { text: string;
   return { text: text.added(tool, values), piece: { table: tool, index } };
 }
 
-/** The text with a corner more, in the middle of the edge behind corner `index`. A rectangle becomes a polygon. */
+/** The text with one more corner, in the middle of the edge after corner `index`. A rectangle becomes a polygon. */
 export function withCorner(text: CourseText, piece: Piece, index: number): string {
   const list = piece.table === 'fence' ? fenceCorners(piece) : corners(piece);
   const [a, b] = [list?.[index], list?.[(index + 1) % (list.length || 1)]];
@@ -282,7 +282,7 @@ export function withCorner(text: CourseText, piece: Piece, index: number): strin
   return withCorners(text, piece, [...list.slice(0, index + 1), middle, ...list.slice(index + 1)]);
 }
 
-/** The text without one corner; three stay. */
+/** The text without one corner; at least three remain. */
 export function withoutCorner(text: CourseText, piece: Piece, index: number): string {
   const list = corners(piece);
   return list === undefined || list.length <= 3 ? text.text : withCorners(text, piece, list.filter((_, i) => i !== index));

@@ -1,4 +1,4 @@
-// Draws a course: its points over the map, its values and its text in the drawer, checked by the daemon as it changes.
+// The editor of a course: its points over the map, its values and its text in the drawer; the daemon checks changes.
 import { h, setAttribute, setClass, setText } from '../panel/dom.ts';
 import type { Bounds, Point2 } from '../scene/geometry.ts';
 import { kDefaultShape } from '../scene/robot_model.ts';
@@ -26,7 +26,7 @@ const kTools: [tool: Tool, title: string][] = [
 
 /** The map under the draft. */
 export interface DrawMap {
-  /** Shows a draft instead of the course in force, in that frame; without one the course again. */
+  /** Shows a draft in that frame instead of the course in force; undefined: the course again. */
   draft(course: Course | undefined, frame: Bounds | undefined): void;
   pixel(at: Point2): Point2 | undefined;
   world(at: Point2): Point2 | undefined;
@@ -66,7 +66,7 @@ export class CourseEditor {
     private readonly map: DrawMap,
     private readonly ask: (call: SetupCall) => Promise<unknown>,
     private readonly robot: () => RobotShape | undefined,
-    /** Drawing has begun or is over. */
+    /** Called when drawing begins or ends. */
     private readonly opens: (on: boolean) => void,
   ) {
     this.stage = new DrawStage((at) => map.pixel(at), (at) => map.world(at), {
@@ -115,7 +115,7 @@ export class CourseEditor {
     this.opens(false);
   }
 
-  /** Draws what has changed, and has it checked when it stays for a moment. */
+  /** Draws changes, and has them checked by the daemon once nothing has changed for a moment. */
   tick(now_ms: number, mayChange: boolean): void {
     if (!this.active) return;
     if (this.changed) {
@@ -143,7 +143,7 @@ export class CourseEditor {
     for (const [tool, title] of kTools) {
       const element = button(`draw-${tool}`, title);
       setAttribute(element, 'aria-pressed', 'false');
-      // Without a pointer there is no place to press: it is added beyond the end of the path.
+      // Pressed by key: the piece is added beyond the end of the path.
       element.addEventListener('click', (event) => {
         if (event.detail === 0) this.add(tool, beyond(this.course));
         else this.pick(this.tool === tool ? undefined : tool);
@@ -202,7 +202,7 @@ export class CourseEditor {
   private press(at: Point2): void {
     if (this.tool === undefined) return;
     this.add(this.tool, at);
-    // A path is drawn point by point, of the rest one at a time.
+    // Path tools stay selected for the next point; other tools add one piece.
     if (this.tool !== 'line' && this.tool !== 'arc') this.pick(undefined);
   }
 
@@ -233,7 +233,7 @@ export class CourseEditor {
     this.corner = undefined;
   }
 
-  /** A change of the text; `over`: undo goes back to before it. */
+  /** Changes the text; `over`: the change is complete and becomes one step of undo. */
   private edit(change: () => string, over: boolean): void {
     try {
       this.take(change());
@@ -249,12 +249,12 @@ export class CourseEditor {
     try {
       this.course = new CourseText(text);
     } catch {
-      // What is wrong the daemon says; the map keeps what could be read last.
+      // The daemon reports the error; the map keeps the last text that could be read.
       return;
     }
     this.handles_ = handles(this.course);
     this.changed = true;
-    // The next key may come before the next image.
+    // At once, because the next key may come before the next frame.
     if (this.active) this.stage.draw(this.handles_, this.selected);
   }
 

@@ -1,9 +1,9 @@
-// The values of the selected piece as numbers to type.
+// Input fields for the values of the selected piece.
 import { h } from '../panel/dom.ts';
 import { kValues, type Selected } from './draft.ts';
 import type { Piece, PieceTable, Value } from './course_text.ts';
 
-/** What a table may hold beside what it was written with. */
+/** Keys that a table may have beside those that are written. */
 const kOf: Record<string, Record<string, Value>> = {
   ...kValues,
   '': { description: '', speed_mps: 0.1 },
@@ -31,7 +31,7 @@ export function fields(piece: Piece, set: (key: string, value: Value) => void): 
   return form;
 }
 
-/** Tells whether the fields shown are of that piece with these values. */
+/** Differs if other fields or values have to be shown. */
 export function signature(course: Piece, selected: Selected | undefined, piece: Piece | undefined): string {
   return JSON.stringify([course.values, selected, piece?.values]);
 }

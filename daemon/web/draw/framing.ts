@@ -2,7 +2,7 @@
 import { bounds, type Bounds } from '../scene/geometry.ts';
 import type { Course } from '../state/messages.ts';
 
-/** Of a small course there is room around it, to draw on. */
+/** Margin around a course, and least size, so that there is room to draw. */
 const kRoom_m = 0.2;
 const kLeast_m = 1.2;
 const kMaxSize_m = 200;
@@ -14,7 +14,7 @@ export function frameOf(course: Course): Bounds {
   return { min_x: box.min_x - wide, max_x: box.max_x + wide, min_y: box.min_y - high, max_y: box.max_y + high };
 }
 
-/** Around its middle; a larger factor shows more. */
+/** The box scaled about its middle; a larger factor shows more. */
 export function zoomed(box: Bounds, factor: number): Bounds {
   const [x, y] = [(box.min_x + box.max_x) / 2, (box.min_y + box.max_y) / 2];
   const [wide, high] = [(factor * (box.max_x - box.min_x)) / 2, (factor * (box.max_y - box.min_y)) / 2];

@@ -1,17 +1,17 @@
-// The states of a text that is edited, one for each finished change.
+// Undo history of a text: one state for each finished change.
 const kMaxStates = 200;
 
 export class History {
   private texts: string[] = [''];
   private at = 0;
 
-  /** Another file. */
+  /** Begins anew with another file. */
   restart(text: string): void {
     this.texts = [text];
     this.at = 0;
   }
 
-  /** A change is finished. */
+  /** Adds the state after a finished change. */
   add(text: string): void {
     if (text === this.text) return;
     this.texts = [...this.texts.slice(0, this.at + 1), text].slice(-kMaxStates);

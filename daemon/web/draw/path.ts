@@ -1,11 +1,11 @@
-// The path of a draft: where its segments lie, and the values with which one of them ends at a point.
+// The path of a draft: where its segments lie, and the values with which a segment ends at a given point.
 import type { Point2 } from '../scene/geometry.ts';
 import type { PathPoint } from '../state/messages.ts';
 import type { Piece } from './course_text.ts';
 
 export interface Frame extends Point2 {
   yaw_rad: number;
-  /** Along the path. */
+  /** Distance along the path. */
   s_m: number;
 }
 
@@ -22,7 +22,7 @@ export function startOf(start: Piece): Frame {
   return { x: number(start, 'x_m'), y: number(start, 'y_m'), yaw_rad: number(start, 'yaw_deg') * kRad, s_m: 0 };
 }
 
-/** How far a segment goes, and how much it turns. */
+/** Length and turn of a segment. */
 function extent(segment: Piece): { length_m: number; angle_rad: number } {
   const angle_rad = number(segment, 'angle_deg') * kRad;
   if (segment.values.type === 'line') return { length_m: number(segment, 'length_m'), angle_rad: 0 };
@@ -30,7 +30,7 @@ function extent(segment: Piece): { length_m: number; angle_rad: number } {
   return { length_m: 0, angle_rad };
 }
 
-/** The share `part` of a segment that begins at `from`. */
+/** The end of the share `part` of a segment that begins at `from`. */
 export function along(from: Frame, segment: Piece, part = 1): Frame {
   const { length_m, angle_rad } = extent(segment);
   const [length, angle] = [part * length_m, part * angle_rad];
@@ -48,7 +48,7 @@ export function along(from: Frame, segment: Piece, part = 1): Frame {
   };
 }
 
-/** Where each segment begins, and at last the end. */
+/** The beginning of each segment, and the end of the last one. */
 export function frames(start: Frame, segments: readonly Piece[]): Frame[] {
   const all = [start];
   for (const segment of segments) all.push(along(all.at(-1) ?? start, segment));
@@ -71,13 +71,13 @@ function pathPoint({ x, y, yaw_rad, s_m }: Frame): PathPoint {
   return { x_m: x, y_m: y, yaw_rad, s_m };
 }
 
-/** The length of a line from there that ends nearest to a point; at least 1 cm. */
+/** Length of the line from `from` that ends nearest to a point; at least 1 cm. */
 export function lineTo(from: Frame, to: Point2): number {
   const ahead = Math.cos(from.yaw_rad) * (to.x - from.x) + Math.sin(from.yaw_rad) * (to.y - from.y);
   return Math.max(ahead, 0.01);
 }
 
-/** The arc that leaves there along the heading and ends at a point. */
+/** The arc that begins at `from` along its heading and ends at a point. */
 export function arcTo(from: Frame, to: Point2): { radius_m: number; angle_deg: number } {
   const [dx, dy] = [to.x - from.x, to.y - from.y];
   const ahead = Math.cos(from.yaw_rad) * dx + Math.sin(from.yaw_rad) * dy;
@@ -89,7 +89,7 @@ export function arcTo(from: Frame, to: Point2): { radius_m: number; angle_deg: n
   return { radius_m: Math.max(radius_m, 0.01), angle_deg: side * Math.max(angle_deg, 0.1) };
 }
 
-/** The place along a path that is nearest to a point. */
+/** The point of a path that is nearest to a point of the floor. */
 export function nearest(path: readonly PathPoint[], to: Point2): PathPoint | undefined {
   let best: PathPoint | undefined;
   let least = Infinity;
@@ -100,7 +100,7 @@ export function nearest(path: readonly PathPoint[], to: Point2): PathPoint | und
   return best;
 }
 
-/** The point of the path at a length from its start. */
+/** The point of the path at a distance along it. */
 export function pointAt(path: readonly PathPoint[], s_m: number): PathPoint | undefined {
   return path.find((point) => point.s_m >= s_m - 1e-9) ?? path.at(-1);
 }

@@ -1,9 +1,9 @@
-// The points of a draft over the map: dragged with mouse, pen or finger, and with the arrow keys.
+// The handles of a draft over the map: moved with mouse, pen or finger, and with the arrow keys.
 import { setAttribute, setClass } from '../panel/dom.ts';
 import type { Point2 } from '../scene/geometry.ts';
 import type { Handle, Selected } from './draft.ts';
 
-/** A finger needs more room than the eye. */
+/** Larger than the drawn handle, so that a finger can hit it. */
 const kReach_px = 18;
 const kNudge_m = 0.01;
 const kFarNudge_m = 0.1;
@@ -17,12 +17,12 @@ const kArrows: Record<string, Point2> = {
 
 export interface StageActions {
   select(handle: Handle): void;
-  /** A handle is moved to a point of the floor; `over`: with that the gesture ends. */
+  /** A handle is moved to a point of the floor; `over`: the gesture has ended. */
   move(handle: Handle, to: Point2, over: boolean): void;
-  /** The floor was pressed where no handle is. */
+  /** The floor was pressed where there is no handle. */
   press(at: Point2): void;
   remove(handle: Handle): void;
-  /** Nearer or farther. */
+  /** Zooms; a larger factor shows more. */
   zoom(factor: number): void;
 }
 
@@ -33,7 +33,7 @@ export class DrawStage {
   private dragged: { id: string; pointer: number } | undefined;
 
   constructor(
-    /** A place of the floor on the map, and back; undefined while no map is shown. */
+    /** Converts a point of the floor to one of the map, and back; undefined while no map is shown. */
     private readonly pixel: (at: Point2) => Point2 | undefined,
     private readonly world: (at: Point2) => Point2 | undefined,
     private readonly actions: StageActions,
@@ -72,7 +72,7 @@ export class DrawStage {
     return this.dragged !== undefined;
   }
 
-  /** Puts the handles where they are; cheap if nothing has changed. */
+  /** Positions the handles on the map; cheap if nothing has changed. */
   draw(handles: readonly Handle[], selected: Selected | undefined): void {
     this.handles = handles;
     const gone = new Set(this.knobs.keys());
@@ -157,7 +157,7 @@ export class DrawStage {
     this.focus(id);
   }
 
-  /** The handle that is meant, where several are within reach. */
+  /** The nearest of the handles within reach. */
   private nearest(event: PointerEvent): string | undefined {
     const box = this.element.getBoundingClientRect();
     let [best, least]: [string | undefined, number] = [undefined, kReach_px];

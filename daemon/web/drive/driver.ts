@@ -1,11 +1,11 @@
-// Drives by hand: holds the wheel's token and sends what the person wants, as long as there is a
-// person at this page. It takes the wheel only on request.
+// Driving by hand: holds the wheel's token and sends the person's input while a person attends this
+// page. It takes the wheel only on request.
 import type { State } from '../state/messages.ts';
 import type { Inputs, Wish } from './inputs.ts';
 import { reason, type Call } from '../state/service.ts';
 
 export const kPeriod_ms = 40;
-/** More calls without an answer are a connection that stands still: more would only be late. */
+/** With this many calls unanswered, the connection is stalled: further input would only arrive late. */
 const kMaxUnanswered = 5;
 
 export interface Limits {
@@ -14,7 +14,7 @@ export interface Limits {
 }
 
 export class Driver {
-  /** Of the robot's limits, 0 to 1. */
+  /** Share of the robot's limits, 0 to 1. */
   share = 0.5;
   limits: Limits = { speed_mps: 0.2, yaw_rate_radps: 1 };
   wish: Wish | undefined;
@@ -24,8 +24,8 @@ export class Driver {
   private unanswered = 0;
 
   /**
-   * `attended`: there is a person at this page, which is visible and has the focus. `ended`: the wheel is lost or released,
-   * with the reason, if it was not released here.
+   * `attended`: whether a person is at this page, which is visible and has the focus. `ended`: called when the wheel is
+   * lost, with the reason, or released here, with an empty text.
    */
   constructor(
     private readonly call: Call,
@@ -59,32 +59,32 @@ export class Driver {
     const token = this.token;
     if (token === undefined) return;
     this.forget();
-    // The daemon stops the robot without input.
+    // A failure does not matter: without input the daemon stops the robot.
     this.call('drive_release', { token }).catch(() => undefined);
     this.ended('');
   }
 
-  /** The connection ended, or STOP was pressed. */
+  /** Call when the connection has ended or STOP was pressed. */
   lose(why: string): void {
     if (!this.drives) return;
     this.forget();
     this.ended(why);
   }
 
-  /** The focus or the page is gone: a standstill goes out while it still can. */
+  /** Call when the page loses the focus or is closed: sends a standstill while it still can. */
   leave(): void {
     this.inputs.clear();
     if (this.drives) this.send(this.inputs.wish());
   }
 
-  /** Another state of the daemon. */
+  /** A state of the daemon was received. */
   received(state: State): void {
     if (!this.drives) return;
     if (state.run === 'driving') this.wasDriven = true;
     else if (this.wasDriven) this.lose(state.run === 'idle' ? 'the robot was disarmed' : `the drive is over: ${state.run}`);
   }
 
-  /** Call it every kPeriod_ms. */
+  /** Call every kPeriod_ms. */
   tick(): void {
     if (!this.drives || !this.attended()) return;
     this.send(this.inputs.wish());
@@ -106,7 +106,7 @@ export class Driver {
         this.unanswered = Math.max(0, this.unanswered - 1);
       },
       (error: unknown) => {
-        // An answer for an older token says nothing about this one.
+        // A failure with an older token does not concern this one.
         if (token === this.token) this.lose(reason(error));
       },
     );

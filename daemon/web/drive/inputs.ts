@@ -1,7 +1,7 @@
-// What the person at this page wants of the robot: keys, a touch stick or a gamepad, and when the
-// person last gave it. A control that may be frozen is ignored.
+// The person's input by keys, touch stick or gamepad, with the time at which it was given. The input
+// of a device that may be frozen is ignored.
 
-/** Where a wish comes from. */
+/** Source of a wish. */
 export type Source = 'none' | 'keys' | 'stick' | 'gamepad';
 
 export interface Wish {
@@ -10,7 +10,7 @@ export interface Wish {
   /** -1 clockwise to 1 counter-clockwise. */
   left: number;
   source: Source;
-  /** When the person gave it, on the page's clock. */
+  /** When it was given, on the page's clock. */
   at_ms: number;
 }
 
@@ -21,7 +21,7 @@ export interface Pad {
   axes: readonly number[];
 }
 
-/** Keys by their place on the keyboard, whatever its language. */
+/** Keys by their position on the keyboard, independent of its layout. */
 const kKeys: Record<string, { forward: number; left: number }> = {
   ArrowUp: { forward: 1, left: 0 },
   KeyW: { forward: 1, left: 0 },
@@ -33,10 +33,10 @@ const kKeys: Record<string, { forward: number; left: number }> = {
   KeyD: { forward: 0, left: -1 },
 };
 
-/** Values of a gamepad that have not changed for this long are those of a device that is gone or stuck. */
+/** If the values of a gamepad have not changed for this long, it counts as disconnected or stuck. */
 export const kFrozen_ms = 150;
 const kDeadZone = 0.12;
-/** Full speed before the stop of the stick: there, its values may stand still in a living hand. */
+/** Full speed before the stick's end stop: at the stop its values may not change although it is held. */
 const kFullTravel = 0.9;
 
 export function isDriveKey(code: string): boolean {
@@ -55,7 +55,7 @@ export function travel(axis: number): number {
 }
 
 export class Inputs {
-  /** The gamepad is deflected, but its values do not change. */
+  /** True: the gamepad's stick is deflected, but its values do not change. */
   frozen = false;
   private readonly held = new Set<string>();
   private stick: { forward: number; left: number } | undefined;
@@ -67,7 +67,7 @@ export class Inputs {
     private readonly now: () => number,
   ) {}
 
-  /** False: the key is none that drives. */
+  /** Records a key; false if it is not a driving key. */
   key(code: string, down: boolean): boolean {
     if (!isDriveKey(code)) return false;
     if (down) this.held.add(code);
@@ -75,12 +75,12 @@ export class Inputs {
     return true;
   }
 
-  /** The touch stick is held there; undefined: it was let go. */
+  /** Position of the touch stick; undefined: it was released. */
   touch(at: { forward: number; left: number } | undefined): void {
     this.stick = at;
   }
 
-  /** The focus or the page is gone: whatever was held counts no more. */
+  /** Call when the page loses the focus or is closed: forgets everything that was held. */
   clear(): void {
     this.held.clear();
     this.stick = undefined;
@@ -91,7 +91,7 @@ export class Inputs {
   wish(): Wish {
     const now_ms = this.now();
     const pad = this.pad(now_ms);
-    // The browser reports the end of a press or a touch, or takes the focus away: held means held.
+    // Reliable without a time limit: the browser reports the end of a press or touch, or the focus is lost.
     if (this.stick !== undefined)
       return { forward: clamp(this.stick.forward), left: clamp(this.stick.left), source: 'stick', at_ms: now_ms };
     if (this.held.size > 0) {
@@ -106,11 +106,11 @@ export class Inputs {
     return pad ?? { forward: 0, left: 0, source: 'none', at_ms: now_ms };
   }
 
-  /** A gamepad is only polled, and a poll repeats the last values of a pad that is out of reach. */
+  /** Gamepads are only polled, and a pad out of range keeps its last values: they count only while they change. */
   private pad(now_ms: number): Wish | undefined {
     const pad = this.pads().find((each) => each?.connected === true && each.axes.length >= 2);
     const values = pad ? `${String(pad.timestamp)} ${pad.axes.join(' ')}` : '';
-    // The first look at a pad does not show that it lives.
+    // The first values of a pad do not show that it is connected.
     if (values !== this.padValues && this.padValues !== '') this.padChanged_ms = now_ms;
     this.padValues = values;
     this.frozen = false;

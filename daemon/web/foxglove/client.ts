@@ -13,7 +13,7 @@ export interface ServerInfo {
 export interface ClientEvents {
   /** The server sent its identity. */
   serverInfo(info: ServerInfo): void;
-  /** Services are known. Called before any other request: what is sent here goes out first. */
+  /** The services are known. Called before any other request, so that requests made here are sent first. */
   ready(): void;
   closed(retry_ms: number): void;
   status(level: number, message: string): void;
@@ -82,7 +82,7 @@ export class Client {
     this.connection.send(codec.unsubscribe([id]));
   }
 
-  /** Fails if there is no server, it has no such service, it refuses, or the connection ends first. */
+  /** Rejects if there is no server, it has no such service, it refuses, or the connection ends first. */
   call(name: string, request: unknown = {}): Promise<unknown> {
     const service = this.services.get(name);
     if (!this.ready) return Promise.reject(new Error('not connected'));

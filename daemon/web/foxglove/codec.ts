@@ -151,7 +151,7 @@ export function unsubscribe(subscriptionIds: number[]): string {
   return JSON.stringify({ op: 'unsubscribe', subscriptionIds });
 }
 
-/** All parameters if `names` is empty. The answer carries the same `id`. */
+/** Requests parameters, all if `names` is empty. The answer has the same `id`. */
 export function getParameters(names: string[], id: string): string {
   return JSON.stringify({ op: 'getParameters', parameterNames: names, id });
 }

@@ -5,7 +5,7 @@ export type Socket = Pick<WebSocket, 'send' | 'close' | 'onopen' | 'onclose' | '
 
 export interface ConnectionEvents {
   opened(): void;
-  /** It retries `retry_ms` from now. */
+  /** The connection ended; it is retried in `retry_ms`. */
   closed(retry_ms: number): void;
   text(frame: string): void;
   binary(frame: ArrayBuffer): void;
@@ -90,8 +90,7 @@ export class Connection {
   }
 
   private watch(): void {
-    // A page that was asleep, or got no processor time, did not listen for longer than one watch
-    // period.
+    // At most one watch period: a page that was suspended or got no processor time was not listening.
     const now_ms = this.now();
     this.silent_ms += Math.min(now_ms - this.watched_ms, kWatch_ms);
     this.watched_ms = now_ms;

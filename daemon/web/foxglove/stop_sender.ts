@@ -1,4 +1,4 @@
-// Sends STOP to a daemon until it has taken it: at once, or first of all with the next connection.
+// Sends STOP to a daemon until it has accepted it: at once, or as the first request of the next connection.
 import { StopButton } from '../state/stop.ts';
 import type { Client } from './client.ts';
 
@@ -29,7 +29,7 @@ export class StopSender {
         this.button.answered(answer?.acknowledged === true, took_ms);
       },
       () => {
-        // Refused or lost: send it again, now or with the next connection.
+        // Refused or lost: send it again, soon or with the next connection.
         this.button.disconnected();
         setTimeout(() => {
           if (this.button.unsent && this.client.ready) this.send();

@@ -8,17 +8,17 @@ export interface Keys {
   pause(): void;
   /** Takes the wheel. */
   drive(): void;
-  /** A key that may drive is pressed or let go. True: this page drives, and the key has no other meaning. */
+  /** A possible driving key is pressed or released. True: this page drives, and the key has no other meaning. */
   driveKey(code: string, down: boolean): boolean;
   camera(index: number): void;
   nextCamera(): void;
   /** Shows the list of keys. */
   keys(): void;
-  /** Steps through a recording; nothing while live. */
+  /** Steps through a recording; does nothing while live. */
   step(direction: 1 | -1): void;
 }
 
-/** Whether the space bar is text input there. */
+/** Whether `target` uses the space bar itself. */
 function typing(target: EventTarget | null): boolean {
   return target instanceof HTMLElement && target.matches('input:not([type=range]), select, textarea');
 }

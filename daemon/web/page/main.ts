@@ -72,14 +72,14 @@ const kTopics: Topic[] = [
   '/camera/image',
 ];
 const kNumbers_ms = 100;
-/** At most 30 images a second; a frame that is due within half of a display's period is not put off. */
+/** At most 30 frames per second; the margin lets a frame be drawn that is due within half a display period. */
 const kView_ms = 1000 / 30 - 8;
 const kPlots_ms = 100;
 const kChips_ms = 200;
 const kWindow_s = 60;
 
 const live = new Store();
-/** Source of the view, the figures and the diagrams: the robot, or a recording. The bar is always live. */
+/** Data source of the view, figures and diagrams: the robot or a recording. The bar is always live. */
 let shown = live;
 let player: Player | undefined;
 let loading: AbortController | undefined;
@@ -177,7 +177,7 @@ function mayCommand(): boolean {
   return metadata.commands !== 'stop';
 }
 
-/** A pose is drawn on the map of the robot, not of a recording. */
+/** Begins or ends drawing of a pose, on the live map: not on that of a recording. */
 function drawPlace(on: boolean): void {
   if (on) {
     backToLive();
@@ -187,7 +187,7 @@ function drawPlace(on: boolean): void {
   courses.drawing(on);
 }
 
-/** A course is drawn on the map, in the place of the list of courses. */
+/** Begins or ends drawing of a course on the map; the editor replaces the list of courses. */
 function drawCourse(on: boolean): void {
   if (on) {
     backToLive();
@@ -293,7 +293,7 @@ for (const topic of kTopics) {
       driver.received(message as State);
     }
     else if (topic === '/recording') runs.changed();
-    // Only the path driven before; from here on the page draws its own.
+    // Only the path driven before is needed; from here on the page records its own.
     else if (topic === '/path_history') client.unsubscribe(topic);
   });
 }
@@ -303,7 +303,7 @@ Promise.all([past('/estimate'), past('/slip')]).then(
   () => undefined,
 );
 
-/** Channels of every step that nothing but a signal needs. */
+/** Channels with a message in every step that only signals need. */
 const kOnDemand = ['/sample', '/command'];
 const demanded = new Set<string>();
 function demand(): void {
@@ -331,7 +331,7 @@ listen({
 });
 
 function driveKey(code: string, down: boolean): boolean {
-  // A key that was let go counts even when this page no longer drives.
+  // The release of a key counts even if this page no longer drives.
   if (!driver.drives && down) return false;
   const drives = inputs.key(code, down) && driver.drives;
   if (drives) driver.tick();

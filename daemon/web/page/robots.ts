@@ -1,6 +1,6 @@
-// The page of all robots: a card for each daemon of the machine and for those that the configuration
-// names. Every card has a connection of its own to its daemon: none depends on another, nor on the
-// daemon that served the page.
+// The page with all robots: a card for each daemon on this machine and for those that the
+// configuration names. Every card has a connection of its own to its daemon and depends neither on
+// another card nor on the daemon that served the page.
 import './theme.css';
 import './base.css';
 import './header.css';
@@ -66,7 +66,7 @@ function showCards(): void {
   setText(note, listed ? '' : 'The daemon that served this page does not answer: robots that start now are missing.');
 }
 
-// Before any element that might handle the key itself. With the focus on a card, the space bar means its robot.
+// Before any element that might handle the key itself. With the focus on a card, the space bar stops its robot.
 window.addEventListener('keydown', (event) => {
   if (event.key !== 'Escape' && event.code !== 'Space') return;
   event.preventDefault();

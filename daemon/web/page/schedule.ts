@@ -1,12 +1,12 @@
-// Work that is due when the browser draws.
+// Periodic work, done when the browser draws a frame.
 
 export interface Task {
-  /** At most once in this time; 0: at every frame. */
+  /** Least time between two runs; 0: at every frame. */
   period_ms: number;
   run(now_ms: number): void;
 }
 
-/** Runs the tasks from the next frame on, in this order, for as long as the page lives. */
+/** Runs the tasks from the next frame on, in this order, as long as the page exists. */
 export function everyFrame(tasks: readonly Task[]): void {
   const due_ms = tasks.map(() => 0);
   const frame = (now_ms: number): void => {

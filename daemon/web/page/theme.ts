@@ -1,4 +1,4 @@
-// The theme, dark or light: as the system prefers, or as this browser was told last.
+// The theme, dark or light: the system's preference, or the last choice in this browser.
 import { h, icon, setAttribute } from '../panel/dom.ts';
 import { colour, forgetColours } from '../scene/palette.ts';
 
@@ -9,7 +9,7 @@ const kPreference = matchMedia('(prefers-color-scheme: light)');
 
 const preferred = (): Theme => (kPreference.matches ? 'light' : 'dark');
 
-/** A browser may refuse to keep anything. */
+/** The stored choice; undefined if there is none or the browser denies storage. */
 function kept(): Theme | undefined {
   try {
     const theme = localStorage.getItem(kKey);
@@ -21,11 +21,11 @@ function kept(): Theme | undefined {
 
 function keep(theme: Theme): void {
   try {
-    // What the system prefers is followed, also when that changes.
+    // The system's preference is not stored, so that the page follows when it changes.
     if (theme === preferred()) localStorage.removeItem(kKey);
     else localStorage.setItem(kKey, theme);
   } catch {
-    // It lasts as long as the page.
+    // Without storage the choice lasts as long as the page.
   }
 }
 
@@ -37,10 +37,10 @@ function apply(theme: Theme): void {
   document.querySelector('meta[name="theme-color"]')?.setAttribute('content', colour('panel'));
 }
 
-// Before anything is drawn.
+// Set before anything is drawn.
 apply(kept() ?? preferred());
 
-/** A button for the other theme. `changed`: what was drawn by script has to be drawn anew. */
+/** A button that switches to the other theme. `changed`: redraws what is drawn by scripts. */
 export function themeSwitch(changed: () => void): HTMLElement {
   const button = h('button', { type: 'button', class: 'theme-switch', title: 'Light or dark page', 'aria-label': 'Light page' }, icon('theme'));
   const use = (theme: Theme): void => {

@@ -1,4 +1,4 @@
-// The two boxes that switch notifications and sound on, and how the browser does them.
+// The two checkboxes for notifications and sound, and their implementation in the browser.
 import { Alerts, type Outlets } from '../state/alerts.ts';
 import { h } from './dom.ts';
 
@@ -13,7 +13,7 @@ class BrowserOutlets implements Outlets {
     try {
       new Notification(`TP100: ${title}`, { body: text, tag: 'tp100' });
     } catch {
-      // Browsers of phones leave it to service workers.
+      // Browsers on phones allow it only to service workers.
     }
   }
 
@@ -43,7 +43,7 @@ export class AlertChoice {
     const sound = box('alert-sound', 'sound', this.alerts.sounds);
     sound.input.addEventListener('change', () => {
       this.alerts.sounds = sound.input.checked;
-      // Also shows the browser that a person wants it.
+      // Also proves to the browser that the user wants sound.
       if (sound.input.checked) outlets.beep();
     });
     const notify = box('alert-notify', 'notify', this.alerts.notifies && 'Notification' in window);

@@ -1,4 +1,4 @@
-// The image of a camera beside the view of the course: the newest that was taken before the moment shown.
+// The camera image beside the view of the course: the newest one taken before the time shown.
 import type { Store } from '../state/store.ts';
 import { h, setAttribute, setClass, setText } from './dom.ts';
 
@@ -45,7 +45,7 @@ export class CameraImagePanel {
     setAttribute(this.element, 'data-t_s', taken_s.toFixed(3));
   }
 
-  /** Another source. */
+  /** Call when the data source changes. */
   reset(): void {
     this.received = -1;
   }

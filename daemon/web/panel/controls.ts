@@ -1,5 +1,5 @@
-// Start, hold and record. What moves the robot is confirmed if the daemon requires it; what stops
-// it never is.
+// Start, hold and record. Actions that move the robot are confirmed if the daemon requires it;
+// actions that stop it never are.
 import { bytes, clock } from '../state/format.ts';
 import type { State } from '../state/messages.ts';
 import type { Store } from '../state/store.ts';
@@ -88,7 +88,7 @@ export class Controls {
     const why = !mayCommand ? kNoRights : (state?.why_not_start ?? '');
     setAttribute(this.start.button, 'title', why === '' ? 'Start the course (r)' : why);
     const left_s = state?.pause_left_s;
-    // In the place of a start, which a run has no use for.
+    // Pause replaces Start, which is not needed during a run.
     const runs = state?.can.pause === true || state?.can.resume === true;
     this.start.button.hidden = runs;
     this.pause.button.hidden = !runs;

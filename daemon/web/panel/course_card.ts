@@ -1,4 +1,4 @@
-// A course as a card: its outline with obstacles, its figures, and what can be done with it.
+// A course as a card: its outline with obstacles, its figures and its actions.
 import { footprint } from '../scene/geometry.ts';
 import { facts, type CourseEntry, type Piece } from '../state/setup.ts';
 import { confirmed, h } from './dom.ts';
@@ -8,7 +8,7 @@ const kMargin_m = 0.12;
 export interface CardActions {
   choose(course: CourseEntry): void;
   remove(course: CourseEntry): void;
-  /** Opens its file to draw on. */
+  /** Opens its file in the editor. */
   edit(course: CourseEntry): void;
 }
 
@@ -45,7 +45,7 @@ export function courseCard(course: CourseEntry, actions: CardActions): HTMLEleme
   return card;
 }
 
-/** Asks once more before anything is lost. */
+/** A button that asks for confirmation before it deletes. */
 function deleteButton(course: CourseEntry, actions: CardActions): HTMLElement {
   const button = h('button', { type: 'button', class: 'link card-delete' }, 'delete');
   button.dataset.fixed = String(course.in_force);

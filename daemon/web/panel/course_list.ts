@@ -1,4 +1,4 @@
-// Courses, robot, set-up and the robot's place: chosen while no run is under way.
+// Choice of course, robot, set-up and the robot's pose, while no run is under way.
 import { onCourse, type State } from '../state/messages.ts';
 import { kindOf, kMaxText, nameOf, type CourseEntry, type FileKind, type RobotEntry, type SetupCall, type SetupList } from '../state/setup.ts';
 import type { Store } from '../state/store.ts';
@@ -40,7 +40,7 @@ export class CourseList {
 
   constructor(
     private readonly ask: Ask,
-    /** Shows the map and lets a pose be drawn on it, or ends that. */
+    /** Shows the map and begins drawing of a pose on it, or ends it. */
     private readonly drawPlace: (on: boolean) => void,
     private readonly editor: CourseEditor,
     private readonly now: () => number = () => performance.now(),
@@ -107,7 +107,7 @@ export class CourseList {
     void this.load();
   }
 
-  /** Whether the daemon takes a change now. */
+  /** Whether the daemon accepts a change now. */
   get changeable(): boolean {
     return this.mayChange;
   }
@@ -187,7 +187,7 @@ export class CourseList {
     }
   }
 
-  /** Asks the daemon; true: done. */
+  /** Asks the daemon for a change; true: done. */
   private async change(call: SetupCall): Promise<boolean> {
     this.asking = true;
     this.mayChange = false;
@@ -201,7 +201,7 @@ export class CourseList {
       return false;
     } finally {
       this.asking = false;
-      // Also what a refusal has left in a selector.
+      // Redraw also after a refusal, which leaves a wrong choice in a selector.
       this.shown = '';
       this.next_ms = 0;
     }

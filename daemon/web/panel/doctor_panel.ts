@@ -1,5 +1,5 @@
-// The Doctor tab: examines port, robot and machine one after the other, and lists what was found;
-// and lets the tracks run where they are free.
+// The Doctor tab: examines port, robot and machine one after the other and lists the findings; and
+// checks the tracks while they are off the ground.
 import { kParts, verdict, type DoctorAnswer, type Finding } from '../state/doctor.ts';
 import type { Store } from '../state/store.ts';
 import { h, setAttribute, setClass, setText } from './dom.ts';

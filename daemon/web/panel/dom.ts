@@ -14,7 +14,7 @@ export function h<K extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
-/** Changes the page only if the text differs. */
+/** Sets the text; touches the page only if it differs. */
 export function setText(element: Element, text: string): void {
   if (element.textContent !== text) element.textContent = text;
 }
@@ -27,7 +27,7 @@ export function setAttribute(element: Element, name: string, value: string): voi
   if (element.getAttribute(name) !== value) element.setAttribute(name, value);
 }
 
-/** Before anything is lost the button asks once more: the first press changes its text, the second acts. */
+/** Makes a button ask for confirmation: the first press changes its text, the second acts. */
 export function confirmed(button: HTMLButtonElement, question: string, act: () => void): void {
   const text = button.textContent;
   button.addEventListener('click', () => {
@@ -39,7 +39,7 @@ export function confirmed(button: HTMLButtonElement, question: string, act: () =
   });
 }
 
-/** One of a fixed set of symbols, drawn, because fonts lack them. */
+/** One of a fixed set of symbols, as drawings because fonts lack them. */
 export function icon(name: keyof typeof kIcons): SVGSVGElement {
   const svg = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
   svg.setAttribute('viewBox', '0 0 16 16');

@@ -1,4 +1,4 @@
-// Tabs under the view; keyboard as usual for tabs: arrows move, the selected one is shown.
+// Tabs below the view, with the usual keys: arrows select a tab, the selected one is shown.
 import { h, setAttribute, setText } from './dom.ts';
 
 export interface Page {

@@ -1,5 +1,5 @@
-// Driving by hand: the button that takes the wheel, and while this page drives the stick, what is
-// wanted and what the robot does.
+// Driving by hand: the button that takes the wheel, and while this page drives the stick, the
+// commanded and the actual motion.
 import type { Driver } from '../drive/driver.ts';
 import type { Inputs } from '../drive/inputs.ts';
 import { degrees, fixed } from '../state/format.ts';
@@ -65,7 +65,7 @@ export class DrivePanel {
     );
   }
 
-  /** Takes the wheel, confirmed if the daemon requires it. It never releases: what starts does not stop. */
+  /** Takes the wheel, confirmed if the daemon requires it. Never releases it: a control that starts never stops. */
   press(): void {
     if (this.button.disabled || this.driver.drives) return;
     const now_ms = this.now();
@@ -106,7 +106,7 @@ export class DrivePanel {
 
   private showButton(state: State | undefined, fresh: boolean, mayCommand: boolean): void {
     this.needsConfirmation = state?.confirm_start !== false;
-    // Another driver can be asked.
+    // Another driver can be asked for the wheel.
     const other = state?.driver?.fresh === true && !this.driver.drives;
     this.button.disabled = !(fresh && !this.driver.drives && (state?.can.drive === true || other));
     const confirm = this.now() < this.confirmUntil_ms;
@@ -145,7 +145,7 @@ export class DrivePanel {
   }
 }
 
-/** A stick for finger or mouse. It springs back when it is let go. */
+/** A stick for finger or mouse. It springs back when released. */
 class Stick {
   readonly element = h('div', { class: 'drive-stick', 'aria-hidden': 'true' });
   private readonly knob = h('div', { class: 'drive-knob' });

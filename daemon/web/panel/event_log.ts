@@ -1,4 +1,4 @@
-// Events, newest first: by the wall clock where it is known, filtered by level and by words.
+// Events, newest first: with the wall-clock time if it is known, filtered by level and by words.
 import { clock, wallClock } from '../state/format.ts';
 import type { Event } from '../state/messages.ts';
 import { kEvents, type Store } from '../state/store.ts';
@@ -25,7 +25,7 @@ export class EventLog {
     this.element.append(h('div', { class: 'events-bar' }, this.level, this.search, ...more), h('div', { role: 'log' }, this.list), this.none);
   }
 
-  /** `began_unix_s`: the Unix time of t_s = 0; undefined: not known, or the time is virtual. */
+  /** `began_unix_s`: Unix time of t_s = 0; undefined if not known or if the time is virtual. */
   show(store: Store, began_unix_s: number | undefined): void {
     if (store !== this.source || store.events.length === 0 || began_unix_s !== this.began_unix_s) {
       this.source = store;

@@ -1,4 +1,4 @@
-// One finding of an examination, with what to do.
+// One finding of an examination, with its remedy.
 import type { Finding } from '../state/doctor.ts';
 import { h } from './dom.ts';
 

@@ -1,4 +1,4 @@
-// What was identified: every parameter before and after, the errors before and after, and the new robot file to save.
+// Result of an identification: every parameter and the errors before and after, and the new robot file to save.
 import { degrees, fixed } from '../state/format.ts';
 import { decimals, fileName, type Errors, type FoundParameter, type Identified } from '../state/identify.ts';
 import { nameOf, type SetupList } from '../state/setup.ts';
@@ -87,7 +87,7 @@ export class FoundRobot {
     }
   }
 
-  /** Now, and in the configuration file for the next start. */
+  /** Chooses the saved robot now, and in the configuration file for the next start. */
   private async configure(): Promise<void> {
     try {
       await this.call('choose', { robot: this.saved });
@@ -114,7 +114,7 @@ function row({ name, before, found, value, half_interval }: FoundParameter): HTM
   );
 }
 
-/** Against the camera, or of the worst drive against what was measured by hand. */
+/** Errors against the camera, or those of the worst drive against the measurements by hand. */
 function errors(of: string, { rms_m, max_m, rms_rad, runs }: Errors): string {
   if (rms_m !== undefined) return `${of}, against the camera: ${fixed(100 * rms_m, 2)} cm rms, ${fixed(100 * (max_m ?? NaN), 2)} cm at most, ${degrees(rms_rad, 2)}\u00b0 rms.`;
   const worst = (values: (number | undefined)[]): number | undefined => {

@@ -48,7 +48,7 @@ export class Histogram {
     setAttribute(this.bars, 'aria-label', summary);
   }
 
-  /** Another source. */
+  /** Call when the data source changes. */
   reset(): void {
     this.shown = -1;
     this.edges = '';

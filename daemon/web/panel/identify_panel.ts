@@ -66,7 +66,7 @@ export class IdentifyPanel {
     void this.load();
   }
 
-  /** STOP was pressed on this page: what was confirmed before does not begin any more. */
+  /** STOP was pressed on this page: a drive that was confirmed before does not begin any more. */
   forget(): void {
     this.pressed++;
   }
@@ -113,7 +113,7 @@ export class IdentifyPanel {
         }));
         this.setup = JSON.parse(setup ?? '') as SetupList;
         this.runs = (JSON.parse(runs ?? '') as RunsList).runs;
-        // A measurement is being typed: nothing changes under the hand.
+        // Do not redraw while a measurement is being typed.
         if (`${setup}${runs}` === this.shown || (document.activeElement?.closest('.identify-measured') ?? null) !== null) return;
         this.shown = `${setup}${runs}`;
         this.list.replaceChildren(...calibrationCourses(this.setup).map((course) => this.course(course)));
@@ -217,7 +217,7 @@ export class IdentifyPanel {
     } catch (error: unknown) {
       this.say(reason(error), true);
     } finally {
-      // What was done shows before the next thing may be.
+      // Show the result before the next action is enabled.
       await this.load();
       this.busy = false;
     }

@@ -1,4 +1,4 @@
-// Which robot this page belongs to, in the header and in the browser's tab.
+// The robot of this page, named in the header and in the browser's tab.
 import type { Link } from '../state/messages.ts';
 import type { Store } from '../state/store.ts';
 import { h, icon, setAttribute, setText } from './dom.ts';
@@ -9,7 +9,7 @@ export class Identity {
   private readonly robots = h('a', { class: 'robots-link', href: 'robots.html', 'aria-label': 'All robots', title: 'All robots' }, icon('grid'));
   readonly element = h('div', { class: 'identity' }, this.robots, h('h1', {}, 'TP100'), this.setting, this.badge);
 
-  /** `metadata`: what the daemon said when this page connected. */
+  /** `metadata`: sent by the daemon when this page connected. */
   show(store: Store, metadata: { robot?: string; setup?: string }): void {
     const state = store.get('/state');
     const parts = [state?.robot ?? metadata.robot, state?.setup ?? metadata.setup].filter(Boolean);
@@ -22,7 +22,7 @@ export class Identity {
   }
 }
 
-/** What the robot on the port is; empty while it is not known. */
+/** Kind of the robot on the port; empty while it is not known. */
 function robotText(kind?: Link['kind']): string {
   return kind === 'simulated' ? 'simulated inside the board' : kind ?? '';
 }

@@ -1,4 +1,4 @@
-// Every key of the page.
+// The list of the page's keys.
 import { h } from './dom.ts';
 
 const kKeys: [key: string, meaning: string][] = [

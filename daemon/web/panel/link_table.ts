@@ -1,4 +1,4 @@
-// Link, loop and viewers in full.
+// Table with all figures of link, loop and viewers.
 import { bytes, count, duration, fixed } from '../state/format.ts';
 import type { Distribution } from '../state/messages.ts';
 import type { Store } from '../state/store.ts';

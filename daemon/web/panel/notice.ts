@@ -1,4 +1,4 @@
-// Below the view: the most severe current problem, with what to do, and all others on request.
+// Below the view: the most severe current problem with its remedy, and all others on request.
 import { fixed } from '../state/format.ts';
 import type { Store } from '../state/store.ts';
 import { h, icon, setAttribute, setText } from './dom.ts';
@@ -20,7 +20,7 @@ export class Notice {
   private answerUntil_ms = 0;
   private all: Problem[] = [];
   private open = false;
-  /** What was closed; something else opens the notice again. */
+  /** The text that was closed; another text opens the notice again. */
   private closed = '';
   private shown = '';
 
@@ -71,7 +71,7 @@ export class Notice {
 
 const text = (all: Problem[]): string => JSON.stringify(all);
 
-/** The most severe first. */
+/** All current problems, the most severe first. */
 function problems(store: Store, connected: boolean, retryIn_s: number, replaying: boolean): Problem[] {
   if (!connected) return [{ level: 'bad', what: 'No connection to tp100d', todo: retryIn_s > 0 ? 'trying again' : 'connecting' }];
   const state = store.get('/state');
@@ -84,7 +84,7 @@ function problems(store: Store, connected: boolean, retryIn_s: number, replaying
     const note = (link?.note ?? '').replace(`${link?.port ?? ''}: `, '');
     all.push({ level: 'warn', what: port, todo: state.session === 'closed' ? note : state.why_not_start });
   }
-  // After a run that came to its end, a fault says why the next one cannot begin, not that this one failed.
+  // After a completed run, a fault explains why the next one cannot begin; the run did not fail.
   const level = state.run === 'finished' ? 'warn' : 'bad';
   for (const fault of state.faults) if (fault.name !== 'stop_requested') all.push({ level, what: fault.cause, todo: fault.fix });
   if (store.battery.low && !replaying)

@@ -1,4 +1,4 @@
-// The current figures, large.
+// The row of large current figures.
 import { degrees, fixed, millimetres, percent } from '../state/format.ts';
 import type { Topic } from '../state/messages.ts';
 import type { Store } from '../state/store.ts';
@@ -16,7 +16,7 @@ const kFigures: Figure[] = [
   { id: 'x', label: 'x', unit: 'm', topic: '/estimate', text: (store) => fixed(store.pose?.x_m, 3) },
   { id: 'y', label: 'y', unit: 'm', topic: '/estimate', text: (store) => fixed(store.pose?.y_m, 3) },
   { id: 'yaw', label: 'yaw', unit: '°', topic: '/estimate', text: (store) => degrees(store.pose?.yaw_rad, 1) },
-  // Nose-up reads as a climb.
+  // Sign inverted, so that nose-up is positive.
   {
     id: 'climb',
     label: 'pitch, nose up',
@@ -47,7 +47,7 @@ const kFigures: Figure[] = [
     label: 'data age',
     unit: 'ms',
     topic: '/estimate',
-    // Small clock errors can give a fresh sample a negative age.
+    // ageMs() limits it to 0 or more: clock errors can make the age of a fresh sample negative.
     text: (store) => fixed(ageMs(store), (ageMs(store) ?? 0) < 100 ? 1 : 0),
   },
   { id: 'battery', label: 'battery', unit: 'V', topic: '/state', text: (store) => fixed(store.get('/state')?.battery_v, 2) },

@@ -1,4 +1,4 @@
-// The Parameters tab: search, the list, and saving into the configuration file after its difference was shown.
+// The Parameters tab: search, the list, and saving to the configuration file after showing the difference.
 import { ParameterEdits, type Difference, type SaveAnswer, type Value } from '../state/parameters.ts';
 import type { Store } from '../state/store.ts';
 import { h, setText } from './dom.ts';
@@ -62,7 +62,7 @@ export class ParameterPanel {
     this.save.disabled = this.restore.disabled = !this.mayCommand || this.busy;
   }
 
-  /** Where the file differs from what is in force. */
+  /** Finds the differences between the file and the values in force. */
   private async compare(): Promise<void> {
     try {
       const answer = (await this.call('parameters_save', { check: true, ...this.edits.inForce(this.all) })) as SaveAnswer;
@@ -74,7 +74,7 @@ export class ParameterPanel {
     }
   }
 
-  /** Shows what would change, and asks. */
+  /** Shows the changes and asks for confirmation. */
   private async ask(service: 'parameters_save' | 'parameters_restore', values: Record<string, Value>): Promise<void> {
     const answer = await this.request(service, { ...values, check: true });
     if (answer === undefined) return;

@@ -1,5 +1,5 @@
-// Parameters by the tables of the file, each with meaning, unit, limits and default. Live ones change at once; others that
-// may be saved are kept until Save, and are in force from the next start.
+// Parameters by the tables of the file, each with meaning, unit, limits and default. Live ones change at once; edits of
+// others that may be saved are kept until Save and take effect at the next start.
 import type { Parameter } from '../state/messages.ts';
 import { grouped, limits, matches, type ParameterEdits, read, shown, type Value } from '../state/parameters.ts';
 import type { Store } from '../state/store.ts';
@@ -25,7 +25,7 @@ export class ParameterTable {
     });
   }
 
-  /** Shows anew what edits and file are, too. */
+  /** Redraws everything, including edits and the file's values. */
   refresh(): void {
     this.shown = -1;
   }

@@ -1,4 +1,4 @@
-// Drawing of a pose on the map: press where the robot is, drag towards where it points.
+// Drawing of a pose on the map: press where the robot is, drag in the direction in which it points.
 import type { Point2 } from '../scene/geometry.ts';
 import { h, setAttribute } from './dom.ts';
 
@@ -21,7 +21,7 @@ export class PlaceDrawing {
     private readonly world: (at: Point2) => Point2 | undefined,
     /** The robot's yaw, for a press without a drag. */
     private readonly yaw_rad: () => number,
-    /** Called at the end, without a pose if there is no map any more. */
+    /** Called at the end, without a pose if the map is no longer shown. */
     private readonly done: (pose: DrawnPose | undefined) => void,
   ) {
     const image = document.createElementNS('http://www.w3.org/2000/svg', 'svg');

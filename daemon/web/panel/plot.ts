@@ -12,7 +12,7 @@ export interface Curve {
   colour: Colour;
   dash?: number[];
   width?: number;
-  /** Not in the head line at all, or there without a figure. */
+  /** `quiet`: not in the head line at all; `nameOnly`: there without a figure. */
   quiet?: boolean;
   nameOnly?: boolean;
 }
@@ -24,7 +24,7 @@ export interface PlotOptions {
   decimals: number;
   soft: [number, number];
   curves: Curve[];
-  /** Times under the axis. */
+  /** With times below the axis. */
   times?: boolean;
 }
 
@@ -93,7 +93,7 @@ export class Plot {
   }
 
   private uplotOptions(): uPlot.Options {
-    // Asked for with every drawing, as the theme may change.
+    // Colours as functions, called at every drawing, because the theme may change.
     const grid = { stroke: () => colour('axis-grid'), width: 1 };
     const times = this.options.times === true;
     return {

@@ -7,7 +7,7 @@ const kPlan = { colour: 'path' as const, dash: [5, 4], width: 1.2 };
 
 export class Plots {
   readonly element = h('div', { class: 'plots' });
-  /** How much of the past is shown. */
+  /** Length of the shown time window. */
   window_s = 60;
   private readonly plots: Plot[];
   private readonly truth: Plot;

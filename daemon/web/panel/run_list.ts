@@ -1,4 +1,4 @@
-// The runs that the daemon has recorded: named, reported, compared, replayed, deleted.
+// The daemon's recorded runs: to name, report, compare, replay and delete.
 import { bytes } from '../state/format.ts';
 import { titleOf, type RunCall, type RunEntry, type RunFile, type RunsList } from '../state/runs.ts';
 import { h, setClass, setText } from './dom.ts';
@@ -17,7 +17,7 @@ export class RunList {
   private readonly table: HTMLElement;
   private readonly room = h('span', { class: 'runs-room' });
   private readonly compareButton = h('button', { type: 'button', class: 'control', id: 'compare' }, 'Compare');
-  /** What another page has made. */
+  /** What the daemon is making for another page. */
   private readonly busy = h('span', { class: 'runs-room' });
   private readonly said = h('p', { class: 'runs-said', role: 'status' });
   private readonly rows = new Map<string, { text: string; element: HTMLTableRowElement }>();
@@ -29,7 +29,7 @@ export class RunList {
   private mayCommand = false;
   private replayed = '';
   private editing: string | undefined;
-  /** What is being made, since when. */
+  /** What is being made for this page, and since when. */
   private making: { what: string; since_ms: number } | undefined;
 
   constructor(
@@ -114,7 +114,7 @@ export class RunList {
     for (const run of [...this.rows.keys()]) if (!known.has(run)) this.rows.delete(run);
     for (const run of [...this.chosen]) if (!known.has(run)) this.chosen.delete(run);
     const elements = runs.map((run) => this.row(run));
-    // A row that stays keeps the focus and what is open in it.
+    // Unchanged rows stay in the page, so that they keep the focus and their open parts.
     const same = elements.length === this.body.children.length;
     if (!same || elements.some((each, i) => this.body.children[i] !== each)) {
       if (same) elements.forEach((each, i) => { if (this.body.children[i] !== each) this.body.children[i]?.replaceWith(each); });
@@ -193,7 +193,7 @@ export class RunList {
     }
   }
 
-  /** Has a page made, and opens it in a tab of its own; a browser that does not permit that shows the link. */
+  /** Lets the daemon make a page and opens it in a new tab; if the browser does not permit that, shows a link. */
   private async make(what: string, call: RunCall): Promise<void> {
     this.making = { what, since_ms: this.now() };
     this.say('');
@@ -222,7 +222,7 @@ export class RunList {
   }
 }
 
-/** 12 runs, 340 MB of at most 1000 MB; 20 GB free. */
+/** For example "12 runs, 340 MB of at most 1000 MB; 20 GB free". */
 function roomText({ runs, bytes: used, quota_bytes, free_bytes }: RunsList): string {
   const count = runs.length === 1 ? '1 run' : `${runs.length} runs`;
   const most = quota_bytes > 0 ? ` of at most ${bytes(quota_bytes)}` : '';

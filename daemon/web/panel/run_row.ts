@@ -1,4 +1,4 @@
-// One run of the list: what it is, and what can be done with it.
+// One run of the list, with its actions.
 import { bytes } from '../state/format.ts';
 import { reportOf, titleOf, type RunEntry, type RunFile, type RunNote } from '../state/runs.ts';
 import { confirmed, h } from './dom.ts';
@@ -46,7 +46,7 @@ function about(run: RunEntry): HTMLElement[] {
   return all;
 }
 
-/** A button that commands the daemon: off without the right to; `fixed`: always off. */
+/** A button that commands the daemon; disabled if this page may not command, or always if `fixed`. */
 function deed(text: string, label: string, fixed: boolean, act: () => void): HTMLButtonElement {
   const button = h('button', { type: 'button', class: 'link run-deed', 'aria-label': label }, text);
   button.dataset.fixed = String(fixed);
@@ -91,7 +91,7 @@ function deeds(run: RunEntry, actions: RunActions): HTMLElement[] {
   return [...all, remove];
 }
 
-/** Every file, to download, and all in one. */
+/** Links to download every file, and all in one archive. */
 function files(run: RunEntry): HTMLElement[] {
   const links = run.files
     .filter(({ kind }) => kind !== 'note')
@@ -102,7 +102,7 @@ function files(run: RunEntry): HTMLElement[] {
   return [h('details', { class: 'run-more' }, h('summary', {}, count === 1 ? '1 file' : `${count} files`), ...links)];
 }
 
-/** The form in the place of a row. */
+/** The form that replaces a row. */
 export function noteForm(run: RunEntry, save: (note: RunNote) => void, cancel: () => void): HTMLTableRowElement {
   const name = h('input', { type: 'text', name: 'run-name', maxlength: '80', value: run.name });
   const tags = h('input', { type: 'text', name: 'run-tags', maxlength: '200', value: run.tags, placeholder: 'words' });

@@ -1,10 +1,10 @@
-// What the view of the course shows, as text for screen readers: read out when the state changes, and kept up to date
-// quietly.
+// The content of the view as text for screen readers: read out when the state changes, otherwise kept up to date
+// silently.
 import { fixed } from '../state/format.ts';
 import type { Store } from '../state/store.ts';
 import { h, setText } from './dom.ts';
 
-/** What makes a new text due at once: the state, not the figures. */
+/** A change of this key makes a new text due at once: the state, not the figures. */
 export function sceneKey(store: Store): string {
   const state = store.get('/state');
   const faults = state?.faults.map(({ name }) => name) ?? [];
@@ -37,7 +37,7 @@ export function sceneText(store: Store, replayed: boolean): string {
   return parts.join(' ');
 }
 
-/** Figures change all the time; nobody wants to listen to all of them. */
+/** Period of the figures' updates: they change all the time and are not read out. */
 const kPeriod_ms = 10_000;
 
 export class SceneWords {

@@ -1,4 +1,4 @@
-// A diagram of signals that have one unit. A part of the time is chosen by dragging.
+// A diagram of signals with the same unit. Dragging selects a time range.
 import uPlot from 'uplot';
 import { colour, type Colour } from '../scene/palette.ts';
 import { fixed } from '../state/format.ts';
@@ -41,7 +41,7 @@ export class SignalChart {
     this.plot = new uPlot(this.options(), [[], ...names.map(() => [])], this.canvas);
   }
 
-  /** `now_s`: where the robot or the recording is. */
+  /** `now_s`: current time of the robot or position in the recording. */
   show(signals: Signals, range: TimeRange, now_s: number): void {
     this.range = range;
     this.now_s = now_s;
@@ -83,7 +83,7 @@ export class SignalChart {
     this.names.forEach((_, i) => {
       const column = this.plot.data[i + 1] ?? [];
       let index = at ?? column.length - 1;
-      // Other signals have values at other times.
+      // Signals have values at different times: take the last one before.
       while (index > 0 && (column[index] === undefined || column[index] === null)) index--;
       const value = column[index] ?? NaN;
       const element = this.values[i];

@@ -11,10 +11,10 @@ const kMaxFields = 8;
 const kListed = 80;
 const kShortest_s = 1;
 const kWindow_s = 60;
-/** Of a recording everything is kept that the recording has. */
+/** Rows kept per signal of a recording: enough for all that it has. */
 const kRows = 20_000;
 
-/** The messages of a topic before this page was opened, as the daemon has them. */
+/** The daemon's messages of a topic from before this page was opened. */
 export type Past = (topic: string) => Promise<readonly unknown[]>;
 
 export class SignalPanel {
@@ -48,7 +48,7 @@ export class SignalPanel {
     longer.addEventListener('click', () => { this.scale(2); });
     this.pauseButton.addEventListener('click', () => {
       const { from_s, to_s } = this.range;
-      // What comes from now on is not shown.
+      // Later data is not shown.
       const end_s = this.now_s > from_s ? Math.min(to_s, this.now_s) : to_s;
       this.fixed = this.fixed === undefined ? { from_s, to_s: end_s } : undefined;
       this.draw();
@@ -56,7 +56,7 @@ export class SignalPanel {
     table.addEventListener('click', () => { this.saveTable(); });
     image.addEventListener('click', () => { this.saveImage(); });
     for (const name of remembered()) this.choose(name);
-    // On a phone the diagrams need the room.
+    // On a phone the diagrams need the space.
     if (this.live.names.length > 0 && innerWidth < 700) this.chooser.removeAttribute('open');
   }
 
@@ -65,12 +65,12 @@ export class SignalPanel {
     this.live.receive(topic, message);
   }
 
-  /** Whether a channel must be received for what is chosen. */
+  /** Whether a chosen signal needs this channel. */
   needs(topic: string): boolean {
     return this.live.names.some((name) => topicOf(name) === topic);
   }
 
-  /** Shows a recording, or with undefined the robot again. */
+  /** Shows a recording; undefined: the robot again. */
   look(frames: readonly Frame[] | undefined): void {
     const names = this.live.names;
     this.signals = this.live;
@@ -98,7 +98,7 @@ export class SignalPanel {
     if (this.fixed !== undefined) return this.fixed;
     const to_s = Number.isFinite(this.now_s) ? this.now_s : 0;
     const firsts = this.signals.names.map((name) => this.signals.of(name)?.first_s ?? NaN).filter(Number.isFinite);
-    // What began less than a window ago begins at the left edge.
+    // If all signals began less than a window ago, the window begins with the first.
     const from_s = Math.max(to_s - this.window_s, Math.min(to_s, ...firsts));
     return { from_s, to_s: Math.max(to_s, from_s + this.window_s) };
   }
@@ -135,7 +135,7 @@ export class SignalPanel {
     this.rebuild();
   }
 
-  /** The diagrams of what is chosen: one for each unit. */
+  /** Builds the diagrams of the chosen signals: one for each unit. */
   private rebuild(): void {
     const byUnit = new Map<string, string[]>();
     for (const name of this.live.names) {

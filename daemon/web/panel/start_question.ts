@@ -1,4 +1,4 @@
-// A start after a run that ended before the end of its course: does the robot stand at the course's start again, or does
+// The question before a start after a run that ended early: does the robot stand at the course's start again, or shall
 // it go on from where it is estimated to be? Nothing moves before one of them is chosen.
 import { degrees, fixed } from '../state/format.ts';
 import type { State } from '../state/messages.ts';
@@ -47,7 +47,7 @@ export class StartQuestion {
     this.element.hidden = true;
   }
 
-  /** Closes by itself when the question is no longer one. */
+  /** Closes by itself when the question no longer applies. */
   show(state: State | undefined, mayStart: boolean): void {
     if (!this.open) return;
     const at = state?.go_on_from;

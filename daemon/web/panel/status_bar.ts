@@ -4,7 +4,7 @@ import type { Store } from '../state/store.ts';
 import { h, setAttribute, setText } from './dom.ts';
 import { asksForMotion } from '../state/messages.ts';
 
-/** Of a chip. */
+/** State of a chip's lamp. */
 type Lamp = 'good' | 'done' | 'wait' | 'warn' | 'bad' | 'none';
 
 class Chip {

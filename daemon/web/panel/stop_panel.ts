@@ -9,7 +9,7 @@ export class StopPanel {
   readonly element: HTMLButtonElement;
   private readonly line = h('span', { class: 'stop-line' });
 
-  /** `keys`: those that do the same, or none. */
+  /** `keys`: names of the keys that do the same; empty: none. */
   constructor(pressed: () => void, private readonly keys = 'space or esc', text = 'STOP') {
     this.element = h('button', { class: 'stop', type: 'button', 'data-state': 'ready' });
     const word = h('span', { class: 'stop-word' }, icon('stop'), text);
@@ -17,8 +17,8 @@ export class StopPanel {
     this.line.setAttribute('role', 'status');
     this.line.setAttribute('aria-live', 'assertive');
     if (keys !== '') this.element.setAttribute('aria-keyshortcuts', 'Space Escape');
-    // On press, not on release. The click that follows is the same press; one without a pointer
-    // comes from the enter key or from assistive technology.
+    // Acts on press, not on release. The click that follows belongs to the same press; a click
+    // without a pointer comes from the enter key or from assistive technology.
     let pointer_ms = -Infinity;
     this.element.addEventListener('pointerdown', (event) => {
       pointer_ms = event.timeStamp;

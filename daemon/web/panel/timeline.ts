@@ -6,17 +6,17 @@ import { h, setClass, setText } from './dom.ts';
 
 /** The default of control.pivot_rate_radps. */
 const kPivot_radps = 0.6;
-/** Before that, the robot's pace says little. */
+/** Before this time, the robot's pace is not used. */
 const kPace_s = 3;
 
-/** From `progress_m` to the end, as the course is meant to be driven. */
+/** Time from `progress_m` to the end at the course's nominal speed. */
 export function nominal_s(course: Course, progress_m: number): number {
   const turns = (course.segments ?? []).filter(({ kind, from_m }) => kind === 'pivot' && from_m > progress_m);
   const turned_rad = turns.reduce((sum, { angle_rad }) => sum + Math.abs(angle_rad), 0);
   return Math.max(course.length_m - progress_m, 0) / course.speed_mps + turned_rad / kPivot_radps;
 }
 
-/** Nominal, corrected by how long the distance so far has taken; undefined: no run, or it pauses. */
+/** Nominal time left, scaled by the pace so far; undefined without a run or while it pauses. */
 export function timeLeft_s(state: State | undefined, course: Course | undefined): number | undefined {
   if (state?.run !== 'running' || course === undefined || !(course.length_m > 0) || !(course.speed_mps > 0)) return undefined;
   if ((state.pause_left_s ?? 0) > 0) return undefined;
@@ -88,7 +88,7 @@ export class Timeline {
   }
 }
 
-/** The stretch of the path within half of `length` of a piece's middle; undefined if the path passes it by. */
+/** The part of the path within half of `length` of a piece's middle; undefined if the path does not cross it. */
 export function along(course: Course, place: Place, length: number): [number, number] | undefined {
   const near = course.path.filter((point) => Math.hypot(point.x_m - place.x_m, point.y_m - place.y_m) <= length / 2);
   const first = near[0];

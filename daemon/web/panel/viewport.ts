@@ -1,4 +1,4 @@
-// The view of the course: 3-D where WebGL works, else a map, with its legend and cameras.
+// The view of the course with legend and cameras: 3-D if WebGL works, else a map.
 import { kCameraModes } from '../scene/camera_rig.ts';
 import type { Bounds, Point2 } from '../scene/geometry.ts';
 import { MapView } from '../scene/map_view.ts';
@@ -50,7 +50,7 @@ export class Viewport {
       key.append(button);
     }
     this.element.append(this.stage, key, modes);
-    // A processor that draws in three dimensions has little left for the robot's loop.
+    // Rendering 3-D on the processor would leave little of it for the robot's loop: begin with the map.
     const drawnBy = webglDrawnBy();
     if (drawnBy === 'nothing') this.withoutWebgl();
     const first = drawnBy === 'card' ? 'free' : 'map';
@@ -73,7 +73,7 @@ export class Viewport {
     this.mark();
   }
 
-  /** Draws all of it anew, in the colours of the theme in force. */
+  /** Redraws everything in the colours of the current theme. */
   recolour(): void {
     this.view.dispose();
     this.view = this.make(this.mode);
@@ -85,17 +85,17 @@ export class Viewport {
     this.set(all[(all.indexOf(this.mode) + 1) % all.length] ?? 'map');
   }
 
-  /** World coordinates of a point of the map; undefined while there is none. */
+  /** World coordinates of a point of the map; undefined while no map is shown. */
   world(at: Point2): Point2 | undefined {
     return this.view instanceof MapView ? this.view.world(at) : undefined;
   }
 
-  /** The point of the map of a place of the floor; undefined while there is none. */
+  /** The point of the map at world coordinates; undefined while no map is shown. */
   pixel(at: Point2): Point2 | undefined {
     return this.view instanceof MapView ? this.view.point(at) : undefined;
   }
 
-  /** Shows a draft in that frame instead of the course in force; without one the course again. */
+  /** Shows a draft in that frame instead of the course in force; undefined: the course again. */
   draft(course: Course | undefined, frame: Bounds | undefined): void {
     this.drafted = course !== undefined;
     this.frame = frame;
@@ -121,7 +121,7 @@ export class Viewport {
     this.view.draw(store, dt_s);
   }
 
-  /** Another source: clears the drawing of the old one. */
+  /** Call when the data source changes: clears the drawing of the old one. */
   reset(): void {
     this.courseShown = -1;
     this.view.reset();

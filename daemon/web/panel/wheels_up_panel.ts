@@ -1,4 +1,4 @@
-// The check of the tracks, in the Doctor tab: asks whether they are free, shows each step, asks what was seen.
+// The check of the tracks in the Doctor tab: asks whether they are off the ground, shows each step, asks what was seen.
 import { kWatch_ms, WheelsUp, type WheelsUpProgress, type WheelsUpQuestion } from '../state/wheels_up.ts';
 import { verdict } from '../state/doctor.ts';
 import { h, setAttribute, setClass, setText } from './dom.ts';
@@ -31,7 +31,7 @@ export class WheelsUpPanel {
       this.list,
     );
     this.start.addEventListener('click', () => {
-      // Each check is confirmed anew.
+      // Each check needs a new confirmation.
       this.free.checked = false;
       this.list.replaceChildren();
       this.say('\u2026');
@@ -44,7 +44,7 @@ export class WheelsUpPanel {
     return this.check.on;
   }
 
-  /** `why`: no check may begin now; empty: one may. */
+  /** `why`: reason why no check may begin now; empty: one may. */
   show(why: string): void {
     this.free.disabled = why !== '' || this.check.on;
     this.start.disabled = this.free.disabled || !this.free.checked;

@@ -1,5 +1,5 @@
-// Reads an MCAP file as it arrives (https://mcap.dev/spec): chunks plain or zstd, one after the
-// other, no index needed, so that a recording without an end can be read too.
+// Reads an MCAP file as it arrives (https://mcap.dev/spec): sequentially, chunks plain or zstd,
+// without the index, so that truncated recordings can be read too.
 import { decompress } from 'fzstd';
 
 export interface McapMessage {
@@ -11,7 +11,7 @@ export interface McapMessage {
 const kMagic = [0x89, 0x4d, 0x43, 0x41, 0x50, 0x30, 0x0d, 0x0a];
 const kOp = { header: 1, footer: 2, schema: 3, channel: 4, message: 5, chunk: 6, dataEnd: 0x0f };
 const kRecordHead = 9;
-/** Far longer than any record of ours; a longer one is corrupted. */
+/** Far longer than any record that the daemon writes; a longer one is corrupted. */
 const kLongest = 64 * 1024 * 1024;
 
 export class McapScanner {
@@ -20,7 +20,7 @@ export class McapScanner {
   private end = 0;
   private begun = false;
   private readonly topics = new Map<number, string>();
-  /** True once the part with messages is over. */
+  /** True once the part with messages has ended. */
   ended = false;
 
   /** `wanted` decides by topic and time before anything is copied. */
@@ -29,7 +29,7 @@ export class McapScanner {
     private readonly wanted: (topic: string, time_s: number) => boolean = () => true,
   ) {}
 
-  /** The next bytes of the file. Throws if it is none, or corrupted. */
+  /** Takes the next bytes of the file. Throws if it is not an MCAP file, or corrupted. */
   push(bytes: Uint8Array): void {
     if (this.ended) return;
     this.append(bytes);

@@ -3,7 +3,7 @@ import type { Channels, Topic } from '../state/messages.ts';
 import type { Store } from '../state/store.ts';
 import type { Frame } from './recording.ts';
 
-/** The year 2001: virtual time begins at zero. */
+/** The year 2001. Virtual time begins at zero, so that earlier times are not Unix times. */
 const kPlausible_unix_s = 1e9;
 
 export class Player {
@@ -30,12 +30,12 @@ export class Player {
     return this.end_s - this.begin_s;
   }
 
-  /** Since the beginning. */
+  /** Time since the beginning of the run. */
   get position_s(): number {
     return this.at_s - this.begin_s;
   }
 
-  /** The Unix time of t_s = 0; undefined: the recording's time is virtual. */
+  /** Unix time of t_s = 0; undefined if the recording's time is virtual. */
   get began_unix_s(): number | undefined {
     const first = this.frames.find((frame) => frame.topic === '/estimate');
     const began_s = (first?.time_s ?? 0) - ((first?.message as { t_s?: number } | undefined)?.t_s ?? 0);
@@ -54,7 +54,7 @@ export class Player {
     }
   }
 
-  /** From the beginning: `position_s` of the run. */
+  /** Shows the moment `position_s` after the beginning of the run. */
   show(position_s: number): void {
     this.seek(this.begin_s + position_s);
   }

@@ -14,7 +14,7 @@ const kKept: Partial<Record<Topic, [capacity: number, interval_s: number]>> = {
   '/event': [2_000, 0],
   '/link': [2_000, 0.19],
   '/loop': [2_000, 0.49],
-  // Up to 80 kB each, usually 20.
+  // Up to 80 kB each, usually 20 kB.
   '/camera/image': [800, 0],
 };
 
@@ -45,12 +45,12 @@ export class Recording {
     );
   }
 
-  /** The next bytes of the file. Throws if they are no recording. */
+  /** Takes the next bytes of the file. Throws if it is not a recording. */
   push(bytes: Uint8Array): void {
     this.scanner.push(bytes);
   }
 
-  /** Everything so far, in order. */
+  /** All frames so far, in order of time. */
   frames(): Frame[] {
     const frames: Frame[] = [];
     for (const [topic, kept] of this.topics) {

@@ -1,4 +1,4 @@
-// One robot of the list: the connection to its daemon, what that sent last, and its STOP.
+// One robot of the list: the connection to its daemon, the daemon's last messages, and STOP.
 import { Client } from '../foxglove/client.ts';
 import { kSubprotocols } from '../foxglove/codec.ts';
 import type { Socket } from '../foxglove/connection.ts';
@@ -6,12 +6,12 @@ import { StopSender } from '../foxglove/stop_sender.ts';
 import type { Link, State } from '../state/messages.ts';
 import { kStale_ms } from '../state/store.ts';
 
-/** Of GET /api/robots. */
+/** An entry of GET /api/robots. */
 export interface Listed {
   url: string;
-  /** The daemon's sessionId; not known of robots that the configuration names. */
+  /** The daemon's sessionId; not known for robots that the configuration names. */
   session?: string;
-  /** It serves this page. */
+  /** True: this daemon serves this page. */
   own?: boolean;
 }
 
@@ -23,14 +23,14 @@ export type Contact =
   /** Another daemon answers at the address. */
   | 'other';
 
-/** A browser tries longer; a page that has just been opened says after this time that there is no answer. */
+/** After this time without an answer the page reports that there is none, although the browser still tries. */
 const kPatience_ms = 2000;
 
 export class Robot {
   readonly stop: StopSender;
   state: State | undefined;
   link: Link | undefined;
-  /** What people call it; empty until its daemon answered. */
+  /** Its name as displayed; empty until its daemon has answered. */
   name = '';
   private readonly client: Client;
   private readonly began_ms: number;
@@ -50,7 +50,7 @@ export class Robot {
         if (!this.other) this.name = metadata.name ?? '';
       },
       ready: () => {
-        // Through a tunnel, the same address may lead to another machine.
+        // Another daemon may answer, for instance if a tunnel now leads to another machine.
         this.connected = !this.other;
         if (this.connected) this.stop.ready();
       },

@@ -1,4 +1,4 @@
-// A robot's card: state, figures, faults, the way to its page, and its STOP.
+// A robot's card: state, figures, faults, the link to its page, and its STOP.
 import { h, setAttribute, setText } from '../panel/dom.ts';
 import { kRunLamps } from '../panel/status_bar.ts';
 import { StopPanel } from '../panel/stop_panel.ts';
@@ -78,7 +78,7 @@ export class RobotCard {
     setText(this.problem, fault === undefined ? (present ? '' : this.robot.link?.note ?? '') : fault.cause + more);
   }
 
-  /** Nothing is shown that may have changed since. */
+  /** Without contact, hides everything that may have changed since. */
   private showSilence(ended: boolean): void {
     const { contact, listed } = this.robot;
     setAttribute(this.element, 'data-lamp', contact === 'connecting' ? 'wait' : 'bad');

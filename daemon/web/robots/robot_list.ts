@@ -1,10 +1,10 @@
-// Which robots the page shows: those listed, and for a while those that were.
+// The robots that the page shows: those listed, and for a while those that are no longer listed.
 import type { Contact, Listed } from './robot.ts';
 
 /** A daemon that ended stays on the page for this long, so that its card does not vanish at once. */
 export const kEnded_ms = 60_000;
 
-/** What the list needs of a robot. */
+/** The part of a robot that the list uses. */
 interface Member {
   readonly listed: Listed;
   readonly contact: Contact;
@@ -18,7 +18,7 @@ export class RobotList<T extends Member> {
 
   constructor(private readonly make: (listed: Listed) => T) {}
 
-  /** True: it is not listed any more and does not answer. */
+  /** True if the robot is no longer listed and does not answer. */
   ended(robot: T): boolean {
     return this.unlisted_ms.has(robot) && robot.contact !== 'answers';
   }

@@ -26,7 +26,7 @@ export class CameraRig {
 
   constructor(
     element: HTMLElement,
-    /** The mouse took over. */
+    /** Called when the user moves the camera with the mouse. */
     private readonly taken: () => void,
   ) {
     this.camera.up.set(0, 0, 1);
@@ -80,7 +80,7 @@ export class CameraRig {
     return moved;
   }
 
-  /** From the south-east, all of the course in view. */
+  /** Viewpoint from the south-east with the whole course in view. */
   private overview(): void {
     const { x, y, reach } = this.middle();
     const distance = reach * 1.02;
@@ -101,7 +101,7 @@ export class CameraRig {
 
   private above(dt_s: number): void {
     const { x, y, height } = this.middle();
-    // Slightly to the south, so that north stays up.
+    // Slightly to the south (-y), so that north (+y) stays up.
     this.wantedEye.set(x, y - 0.002, height);
     this.wantedTarget.set(x, y, 0);
     this.glide(dt_s);

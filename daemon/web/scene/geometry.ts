@@ -1,4 +1,4 @@
-// Shapes as numbers: x forward, y left, z up, metres. Nothing here draws.
+// Geometry of shapes, without drawing: x forward, y left, z up, metres.
 import type { Block, Course, Place, Ramp } from '../state/messages.ts';
 
 export interface Point2 {
@@ -49,7 +49,7 @@ export function stadiumLength(spacing: number, radius: number): number {
   return 2 * spacing + 2 * Math.PI * radius;
 }
 
-/** Place and outward direction on a track, `s` along it from the middle of its lower run, towards the front first. */
+/** Point and outward direction on a track, `s` along it from the middle of its lower run, towards the front first. */
 export function onStadium(spacing: number, radius: number, s: number): Point2 & { outward_rad: number } {
   const length = stadiumLength(spacing, radius);
   const half = Math.PI * radius;
@@ -68,7 +68,7 @@ function around(centre: number, radius: number, angle: number): Point2 & { outwa
   return { x: centre + radius * Math.cos(angle), y: radius + radius * Math.sin(angle), outward_rad: angle };
 }
 
-/** Triangles of a convex x-z outline (counter-clockwise) drawn out along y over +-width/2; normals point outwards. */
+/** Triangles of a convex x-z outline (counter-clockwise) extruded along y over +-width/2; normals point outwards. */
 export function prism(outline: readonly Point2[], width: number): Float32Array {
   const n = outline.length;
   const triangles: number[] = [];
@@ -91,7 +91,7 @@ export function prism(outline: readonly Point2[], width: number): Float32Array {
   return new Float32Array(triangles);
 }
 
-/** A point of the world in a piece's own frame. */
+/** World coordinates in a piece's own frame. */
 export function inside(place: Place, x: number, y: number): Point2 {
   const cos = Math.cos(place.heading_rad);
   const sin = Math.sin(place.heading_rad);
@@ -139,7 +139,7 @@ export function groundHeight(course: Course, x: number, y: number): number {
   return height;
 }
 
-/** The path lying on the ground, x, y, z in turn, at most `spacing` apart. */
+/** The path projected onto the ground: x, y, z of points at most `spacing` apart. */
 export function drape(course: Course, spacing = 0.005): Float32Array {
   const points: number[] = [];
   course.path.forEach((point, i) => {
@@ -180,7 +180,7 @@ export function keepOutOf(course: Course | undefined): Point2[][] {
   return (course?.keep_out ?? []).map(({ corners }) => corners.map(({ x_m, y_m }) => ({ x: x_m, y: y_m })));
 }
 
-/** What a course covers: fence, path and obstacles; an arena of 2 m by 1.2 m without a course. */
+/** Bounds of a course: fence, path and obstacles; 2 m by 1.2 m without a course. */
 export function bounds(course: Course | undefined): Bounds {
   const box: Bounds = { min_x: Infinity, max_x: -Infinity, min_y: Infinity, max_y: -Infinity };
   const cover = (x: number, y: number): void => {
@@ -197,7 +197,7 @@ export function bounds(course: Course | undefined): Bounds {
   return box;
 }
 
-/** Left and right edge of a ribbon of `width` along a strip of points (x, y, z in turn), lying level: two vertices a point. */
+/** Edges of a level ribbon of `width` along points (x, y, z each): two vertices per point, left and right. */
 export function ribbon(points: Float32Array, from: number, to: number, width: number, lift: number, out: Float32Array): void {
   const total = points.length / 3;
   for (let i = from; i < to; i++) {

@@ -1,4 +1,4 @@
-// The course and the robot from above on a plain canvas: needs no WebGL.
+// The course and the robot from above on a 2-D canvas: needs no WebGL.
 import type { Course, FusedPose, Pose, RobotShape } from '../state/messages.ts';
 import { kEstimates, type EstimateName, type Store } from '../state/store.ts';
 import type { CameraMode } from './camera_rig.ts';
@@ -231,7 +231,7 @@ export class MapView implements View {
     context.setLineDash([]);
   }
 
-  /** The line at `x` of a piece's own frame. */
+  /** Draws the line across a piece at `x` in its own frame. */
   private across(context: CanvasRenderingContext2D, at: Parameters<typeof inside>[0], x: number, width: number): void {
     const cos = Math.cos(at.heading_rad);
     const sin = Math.sin(at.heading_rad);

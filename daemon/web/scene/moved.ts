@@ -1,8 +1,8 @@
-// Whether anything that a view shows has moved: messages keep coming while the robot stands still.
+// Detects whether anything in a view has moved, as messages keep coming while the robot stands still.
 import type { Pose } from '../state/messages.ts';
 import { kEstimates, type Store } from '../state/store.ts';
 
-/** Smaller changes than these are not visible, or noise at standstill. */
+/** Changes smaller than these are invisible, or noise at standstill. */
 const kStill_m = 0.0003;
 const kStill_rad = 0.001;
 
@@ -11,7 +11,7 @@ export class Moved {
   private tracks_m: number[] = [];
   private points: number[] = [];
 
-  /** True if `store` differs visibly from the last time that this was true. */
+  /** True if `store` differs visibly from its state when this was last true. */
   check(store: Store): boolean {
     const estimate = store.get('/estimate');
     const poses = kEstimates.map((name) => estimate?.[name] ?? undefined);
@@ -29,7 +29,7 @@ export class Moved {
     return true;
   }
 
-  /** The next check is true. */
+  /** Makes the next check true. */
   reset(): void {
     this.poses = [];
   }

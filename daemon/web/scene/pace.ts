@@ -1,4 +1,4 @@
-// Controls how often and how finely to draw, so that a slow graphics card never delays STOP.
+// Controls frame rate and detail, so that a slow graphics card never delays STOP.
 
 const kSlow_ms = 45;
 const kSlowFrames = 40;
@@ -11,10 +11,10 @@ export class Pace {
   private slow = 0;
   private waiting = false;
 
-  /** 0: everything; 1: no shadows; 2: coarse. Never goes back up: no flicker. */
+  /** 0: full detail; 1: no shadows; 2: coarse. Detail is never restored, which would flicker. */
   level = 0;
 
-  /** To be called on every frame; true if this one may be drawn. */
+  /** Call on every frame; true if this one may be drawn. */
   tick(now_ms: number): boolean {
     if (this.waiting) {
       this.waiting = false;

@@ -1,5 +1,4 @@
-// The colours of the theme in force, for what is drawn by scripts. Their home is page/theme.css; elements have them
-// as custom properties.
+// The colours of the current theme for drawing by scripts. page/theme.css defines them as custom properties.
 export type Colour =
   | 'path' | 'model' | 'odometry' | 'fused' | 'truth' | 'left' | 'right' | 'value' | 'run-2' | 'run-3' | 'run-5'
   | 'text' | 'dim' | 'warn' | 'bad' | 'panel' | 'axis-grid'
@@ -16,7 +15,7 @@ export function colour(name: Colour): string {
   return value;
 }
 
-/** The theme has changed. */
+/** Call when the theme has changed. */
 export function forgetColours(): void {
   read.clear();
 }

@@ -36,7 +36,7 @@ export class Ribbon {
     this.mesh.frustumCulled = false;
   }
 
-  /** True if there was something new. */
+  /** Draws new points of the history; true if there were any. */
   follow(path_history: PathHistory): boolean {
     if (path_history.generation === this.generation && path_history.length === this.shown) return false;
     const from = path_history.generation === this.generation ? Math.max(this.shown - 1, 0) : 0;
@@ -45,7 +45,7 @@ export class Ribbon {
     return true;
   }
 
-  /** All points at once; `dash` > 0 leaves out every other stretch of so many points. */
+  /** Sets all points at once; `dash` > 0 leaves out every other stretch of that many points. */
   set(points: Float32Array, dash = 0): void {
     const count = Math.min(points.length / 3, this.capacity);
     for (let i = 0; i + 1 < this.capacity; i++) {
@@ -57,7 +57,7 @@ export class Ribbon {
     this.show(points.subarray(0, 3 * count), 0);
   }
 
-  /** Another path_history comes next. */
+  /** Call before following another path_history. */
   reset(): void {
     this.generation = -1;
   }

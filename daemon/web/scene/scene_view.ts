@@ -36,7 +36,7 @@ export class SceneView implements View {
   private readonly moved = new Moved();
   private changed = true;
 
-  /** Throws if there is no WebGL. `lost`: the graphics card went away. */
+  /** Throws without WebGL. `taken`: the user moved the camera; `lost`: the WebGL context was lost. */
   constructor(taken: () => void, lost: () => void) {
     this.renderer = new WebGLRenderer({ antialias: true, powerPreference: 'low-power' });
     this.element = this.renderer.domElement;

@@ -1,4 +1,4 @@
-// Bodies made of prisms, with their edges drawn so that they read without texture.
+// Bodies made of prisms, with visible edges so that they are recognised without texture.
 import {
   BufferAttribute,
   BufferGeometry,
@@ -31,7 +31,7 @@ export function solid(outline: readonly Point2[], width: number, colour: string,
   return mesh;
 }
 
-/** A box by its middle and sizes. */
+/** A box, given by its middle and its size. */
 export function box(
   [x, y, z]: readonly [number, number, number],
   [length, width, height]: readonly [number, number, number],

@@ -4,7 +4,7 @@ import type { EstimateName, Store } from '../state/store.ts';
 import type { CameraMode } from './camera_rig.ts';
 
 export interface View {
-  /** Its `data-robot` is the pose at which the robot was last drawn: x, y, z in metres, yaw in radians. */
+  /** Its attribute `data-robot` is the pose at which the robot was last drawn: x, y, z [m], yaw [rad]. */
   readonly element: HTMLElement;
   setCourse(course: Course | undefined): void;
   setCamera(mode: CameraMode): void;

@@ -1,12 +1,12 @@
-// Notifies of faults while the page is hidden: by the browser's notification and by a sound. Both are off until they are
-// chosen, and remembered.
+// Notifies of faults while the page is hidden, by a notification of the browser and by a sound. Both are off until the
+// user switches them on; the choice is remembered.
 import type { Event } from './messages.ts';
 import type { Store } from './store.ts';
 
 const kRemembered = 'tp100.alerts';
-/** What a new connection repeats is older than the daemon's newest message by more. */
+/** Events older than this, relative to the daemon's newest message, are repeats at the start of a connection. */
 const kNew_s = 1;
-/** One fault has several events. */
+/** Least time between two alerts, because one fault causes several events. */
 const kQuiet_ms = 3000;
 
 export interface Outlets {
@@ -45,7 +45,7 @@ export class Alerts {
     this.remember();
   }
 
-  /** A message that the store of the live robot has received. */
+  /** Call for each message that the live robot's store has received. */
   received(topic: string, message: unknown, live: Store): void {
     if (topic === '/event') this.event(message as Event, live.get('/state')?.t_s);
     if (topic !== '/state') return;
@@ -53,7 +53,7 @@ export class Alerts {
     this.wasLow = live.battery.low;
   }
 
-  /** `now_s`: the newest time that the daemon has told; undefined: nothing yet. */
+  /** `now_s`: the daemon's newest time; undefined if none was received yet. */
   private event(event: Event, now_s: number | undefined): void {
     if (event.level !== 'error' || now_s === undefined || event.t_s < now_s - kNew_s) return;
     this.raise(event.text, [event.cause, event.fix].filter((text) => text !== '').join(': '));

@@ -1,10 +1,10 @@
-// Whether the battery comes close to the voltage below which the daemon aborts the run.
+// Warns when the battery comes close to the voltage below which the daemon aborts the run.
 
 const kMargin_v = 0.3;
-/** A motor that starts pulls the voltage down for a moment. */
+/** The voltage must be low for this long, because a starting motor lowers it for a moment. */
 const kLasting_s = 2;
 const kBack_v = 0.1;
-/** No battery is that empty: the board's own supply feeds what is measured. */
+/** Below this, no battery is connected and the board's own supply is measured. */
 const kOff_v = 4;
 
 export class BatteryWatch {

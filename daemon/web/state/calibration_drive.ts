@@ -1,4 +1,4 @@
-// One calibration drive: the course is chosen, the robot is placed at its start, and its run is recorded with the standstill
+// One calibration drive: chooses the course, places the robot at its start, and records the run with the standstill
 // before and after it.
 import { onCourse, type State } from './messages.ts';
 import { noteOf, tagsOf, type Measured } from './identify.ts';
@@ -8,14 +8,14 @@ import type { Call } from './service.ts';
 const kBefore_ms = 2000;
 const kAfter_ms = 1000;
 const kLook_ms = 100;
-/** A robot that was placed has come to rest in less. */
+/** Longest wait until a placed robot is ready to start. */
 const kReady_ms = 10_000;
 const kBegins_ms = 3000;
 
 export interface Reach {
   call: Call;
   state(): State | undefined;
-  /** STOPs so far, of this page as soon as they are pressed. */
+  /** Number of STOPs so far; those of this page count as soon as they are pressed. */
   stops(): number;
   sleep(ms: number): Promise<void>;
   say(text: string): void;
@@ -23,7 +23,7 @@ export interface Reach {
 
 const underWay = (state: State | undefined): boolean => onCourse(state?.run);
 
-/** True: `holds` within the time. */
+/** True if `holds` becomes true within the time. */
 async function soon(reach: Reach, limit_ms: number, holds: (state: State | undefined) => boolean): Promise<boolean> {
   for (let left_ms = limit_ms; left_ms > 0; left_ms -= kLook_ms) {
     if (holds(reach.state())) return true;
@@ -32,12 +32,12 @@ async function soon(reach: Reach, limit_ms: number, holds: (state: State | undef
   return holds(reach.state());
 }
 
-/** Shows the course, on the real floor. */
+/** Chooses the course with the set-up `flat`. */
 export async function prepare(reach: Reach, course: string): Promise<void> {
   await reach.call('choose', { course, setup: 'flat' });
 }
 
-/** Drives the course that is chosen. Returns the recorded run; throws why there is none. */
+/** Drives the chosen course. Returns the recorded run; throws an Error with the reason if there is none. */
 export async function drive(reach: Reach, course: string): Promise<string> {
   const stops = reach.stops();
   await reach.call('place', { at: 'start' });
@@ -48,7 +48,7 @@ export async function drive(reach: Reach, course: string): Promise<string> {
   try {
     reach.say(`${course}: standing still \u2026`);
     await reach.sleep(kBefore_ms);
-    // A start would end the STOP.
+    // A start would clear the STOP.
     if (reach.stops() !== stops) throw new Error('STOP was pressed: nothing was driven');
     await reach.call('start', { from: 'start' });
     reach.say(`${course}: driving \u2026`);

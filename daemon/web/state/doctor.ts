@@ -1,4 +1,4 @@
-// What keeps a robot from driving: the service `doctor`, and its findings.
+// The service `doctor`, which finds what keeps a robot from driving, and its findings.
 
 export type Severity = 'ok' | 'note' | 'warning' | 'error';
 
@@ -19,7 +19,7 @@ export interface DoctorAnswer {
   findings: Finding[];
 }
 
-/** What is examined at a time, in this order. */
+/** The parts, which are examined one by one in this order. */
 export const kParts = [
   { part: 'port', title: 'Port' },
   { part: 'robot', title: 'Robot' },
@@ -28,7 +28,7 @@ export const kParts = [
 
 const counted = (n: number, noun: string): string => `${n} ${noun}${n === 1 ? '' : 's'}`;
 
-/** The outcome in one line, of the robot as a whole or of a part of it. */
+/** The outcome in one line, for all parts or for one of them. */
 export function verdict(findings: readonly Finding[], part = ''): string {
   const number = (severity: Severity): number => findings.filter((each) => each.severity === severity).length;
   const [errors, warnings, notes] = [number('error'), number('warning'), number('note')];

@@ -6,7 +6,7 @@ const kUnknown = '\u2013';
 const isKnown = (value: number | null | undefined): value is number =>
   value !== null && value !== undefined && Number.isFinite(value);
 
-/** `decimals` digits behind the point and a true minus sign; a dash if not known. Never "-0". */
+/** A number with `decimals` digits after the point and a true minus sign; a dash if not known. Never "-0". */
 export function fixed(value: number | null | undefined, decimals: number): string {
   if (!isKnown(value)) return kUnknown;
   const text = Math.abs(value).toFixed(decimals);
@@ -25,7 +25,7 @@ export function percent(ratio: number | null | undefined, decimals: number): str
   return fixed(isKnown(ratio) ? ratio * 100 : null, decimals);
 }
 
-/** 7 µs, 1.2 ms, 3.4 s. */
+/** For example 7 µs, 1.2 ms, 3.4 s. */
 export function duration(value_us: number | null | undefined): string {
   if (!isKnown(value_us)) return kUnknown;
   if (value_us > 0 && value_us < 0.95) return `${value_us.toFixed(1)} µs`;
@@ -35,7 +35,7 @@ export function duration(value_us: number | null | undefined): string {
   return `${(value_us / 1e6).toFixed(1)} s`;
 }
 
-/** 1:02.3, or 1:02:03 beyond an hour. */
+/** For example 1:02.3, or 1:02:03 from an hour on. */
 export function clock(value_s: number | null | undefined): string {
   if (!isKnown(value_s) || value_s < 0) return kUnknown;
   const tenths = Math.floor(value_s * 10 + 1e-6);
@@ -47,7 +47,7 @@ export function clock(value_s: number | null | undefined): string {
   return `${Math.floor(seconds / 60)}:${two(seconds % 60)}.${tenths % 10}`;
 }
 
-/** 14:03:07, of the viewer's own zone. */
+/** For example 14:03:07, in the viewer's time zone. */
 export function wallClock(unix_s: number): string {
   return new Date(1000 * unix_s).toTimeString().slice(0, 8);
 }

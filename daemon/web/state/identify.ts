@@ -1,12 +1,12 @@
-// Identification of a robot from calibration drives: which recorded runs are drives, what was measured of them by hand, and
-// what the service `run_identify` finds.
+// Identification of a robot from calibration drives: the recorded runs that are drives, their measurements by hand, and
+// the results of the service `run_identify`.
 import type { RunEntry } from './runs.ts';
 import type { CourseEntry, SetupList } from './setup.ts';
 
 /** Tag of a run that is a calibration drive. Its name is that of the course, another tag that of the robot. */
 const kTag = 'identify';
 
-/** At the end of a drive: the straight distance from its start, and the angle with whole turns, left positive. */
+/** Measured at the end of a drive: straight distance from its start, and angle including whole turns, left positive. */
 export interface Measured {
   distance_m?: number;
   turned_deg?: number;
@@ -24,7 +24,7 @@ export interface ErrorsOfRun {
   turned_off_rad?: number;
 }
 
-/** Without a camera there are only those of the runs, against what was measured by hand. */
+/** Without a camera there are only the runs' errors against the measurements by hand. */
 export interface Errors {
   rms_m?: number;
   max_m?: number;
@@ -38,7 +38,7 @@ export interface FoundParameter {
   before: number;
   found: boolean;
   value?: number;
-  /** Of the 95 % interval, to either side. */
+  /** Half-width of the 95 % interval. */
   half_interval?: number;
 }
 
@@ -57,13 +57,13 @@ export interface Identified {
   text: string;
 }
 
-/** The courses that calibrate the robot in force, in driving order, and the user's own. */
+/** The courses that calibrate the robot in force, in driving order, then the user's own. */
 export function calibrationCourses(list: SetupList): CourseEntry[] {
   const named = list.calibration.flatMap((name) => list.courses.filter((course) => course.name === name));
   return [...named, ...list.courses.filter((course) => course.identifies === true && course.from !== 'bundled' && !named.includes(course))];
 }
 
-/** What the robot needs around its start: "1.7 m ahead, 0.2 m behind, 0.5 m to each side". */
+/** The space that the robot needs around its start: "1.7 m ahead, 0.2 m behind, 0.5 m to each side". */
 export function space({ fence }: CourseEntry): string {
   if (fence === undefined) return '';
   const m = (value: number): string => `${Math.max(0, value).toFixed(1)} m`;
@@ -96,7 +96,7 @@ export function measuredIn(note: string): Measured {
   return { ...(distance_m === undefined ? {} : { distance_m }), ...(turned_deg === undefined ? {} : { turned_deg }) };
 }
 
-/** The measurements of the runs in this order, as `tp100d identify --measured` reads them; empty: there are none. */
+/** The runs' measurements in this order, in the format of `tp100d identify --measured`; empty if there are none. */
 export function measuredTable(drives: readonly RunEntry[]): string {
   const rows = drives.flatMap(({ note }, i) => {
     const { distance_m, turned_deg } = measuredIn(note);
@@ -105,7 +105,7 @@ export function measuredTable(drives: readonly RunEntry[]): string {
   return rows.length === 0 ? '' : `run,distance_m,turned_deg\n${rows.join('')}`;
 }
 
-/** Digits that an interval leaves meaningful, at most those of the file. */
+/** Number of decimals that are meaningful with this interval, at most those of the file. */
 export function decimals(half_interval: number | undefined): number {
   if (half_interval === undefined || !(half_interval > 0)) return 5;
   return Math.min(5, Math.max(0, 1 - Math.floor(Math.log10(half_interval))));

@@ -1,5 +1,5 @@
-// The daemon's channels as types (daemon/messages/CHANNELS.md). SI units, REP-103 frames. What is not known is
-// left out; recordings of older versions have null there.
+// The daemon's channels as types (daemon/messages/CHANNELS.md). SI units, REP-103 frames. Unknown values are left out;
+// recordings of older versions have null there.
 
 export interface Pose {
   x_m: number;
@@ -77,7 +77,7 @@ export interface Link {
   quality: 'good' | 'poor' | 'lost';
   port: string;
   note?: string;
-  /** Known once a board was heard. */
+  /** Known once a board has sent something. */
   kind?: 'physical' | 'emulated' | 'simulated';
   firmware?: string | null;
   samples_hz: number;
@@ -112,10 +112,10 @@ export interface Loop {
 
 export type Run = 'idle' | 'arming' | 'running' | 'finished' | 'aborted' | 'driving';
 
-/** A course is driven, or about to be. */
+/** A course is being driven, or is about to be. */
 export const onCourse = (run: Run | undefined): boolean => run === 'arming' || run === 'running';
 
-/** Somebody has asked for motion: on a course or by hand. */
+/** Motion was requested: on a course or by hand. */
 export const asksForMotion = (run: Run | undefined): boolean => onCourse(run) || run === 'driving';
 
 export interface Fault {
@@ -149,10 +149,9 @@ export interface State {
   steering: Steering;
   world: string;
   battery_v?: number | null;
-  /** Of the steering estimate; not in recordings of older versions. */
+  /** The steering pose; not in recordings of older versions. */
   pose?: { x_m: number; y_m: number; yaw_rad: number };
-  /** `drive` and what follows of driving: not in recordings of older versions. */
-  /** The run pauses, and ends after this time. */
+  /** While the run pauses: time until it ends. This and fields about driving by hand: not in older recordings. */
   pause_left_s?: number;
   can: { start: boolean; drive?: boolean; pause?: boolean; resume?: boolean; hold: boolean; stop: boolean; record: boolean };
   /** Where the robot is estimated to be, if the last run ended before the end of its course. */
@@ -310,12 +309,12 @@ export interface CompressedImage {
   data: string;
 }
 
-/** What the page knows only as signals. */
+/** Messages that the page uses only as signals. */
 export interface Figures {
   t_s: number;
 }
 
-/** The message type of each of our channels. */
+/** The message type of each channel. */
 export interface Channels {
   '/estimate': Estimate;
   '/slip': Slip;

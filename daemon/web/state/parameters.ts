@@ -1,9 +1,9 @@
-// Parameters as an operator edits them: what a typed text means, what is not saved yet, and what the configuration file has.
+// Editing of parameters: meaning of typed text, edits that are not saved yet, and the configuration file's values.
 import type { Parameter } from './messages.ts';
 
 export type Value = Parameter['value'];
 
-/** `before` and `after` as written in the file. */
+/** A change of the file; `before` and `after` as written in it. */
 export interface Difference {
   name: string;
   before: string;
@@ -18,7 +18,7 @@ export interface SaveAnswer {
   differences: Difference[];
 }
 
-/** As the daemon writes it: ten digits, so that no binary fraction shows. */
+/** A value as the daemon writes it: ten digits, which hide binary rounding. */
 export function plain(value: Value): Value {
   return typeof value === 'number' ? Number(value.toPrecision(10)) : value;
 }
@@ -33,7 +33,7 @@ export function limits(parameter: Parameter): string {
   return `${shown(parameter.min)} to ${shown(parameter.max)}${parameter.unit === '' ? '' : ` ${parameter.unit}`}`;
 }
 
-/** What a typed text means for a parameter, or why it means nothing. */
+/** The value of a typed text, or why it is not valid. */
 export function read(parameter: Parameter, text: string): { value: Value } | { why: string } {
   if (parameter.type === 'text') return { value: text };
   const value = text.trim() === '' ? NaN : Number(text);
@@ -43,7 +43,7 @@ export function read(parameter: Parameter, text: string): { value: Value } | { w
   return inside ? { value } : { why: `allowed is ${limits(parameter)}` };
 }
 
-/** By the table of the file, in its order; `robot` last, as it comes. */
+/** Parameters by table of the file, in its order; `robot` last. */
 export function grouped(parameters: readonly Parameter[]): [table: string, parameters: Parameter[]][] {
   const groups = new Map<string, Parameter[]>();
   for (const parameter of parameters) {
@@ -59,7 +59,7 @@ export function matches(parameter: Parameter, search: string): boolean {
   return search.toLowerCase().split(/\s+/).every((word) => text.includes(word));
 }
 
-/** What was typed for parameters that are in force from the next start only, and the file's values. */
+/** Edits of parameters that take effect only at the next start, and the file's values. */
 export class ParameterEdits {
   private readonly edits = new Map<string, Value>();
   private inFile = new Map<string, string>();
@@ -72,7 +72,7 @@ export class ParameterEdits {
     return [...this.edits.keys()];
   }
 
-  /** The value in force again is no edit, unless the file has another one. */
+  /** Records an edit. The value in force is not an edit, unless the file has another one. */
   set(parameter: Parameter, value: Value): void {
     const back = plain(value) === plain(parameter.value) && !this.inFile.has(parameter.name);
     if (back) this.edits.delete(parameter.name);
@@ -83,22 +83,22 @@ export class ParameterEdits {
     this.edits.delete(name);
   }
 
-  /** The file's value as written there, where it is not the one in force. */
+  /** The file's value as written there, if it is not the one in force. */
   file(name: string): string | undefined {
     return this.inFile.get(name);
   }
 
-  /** Every parameter that may be saved, with the value in force: against it the daemon compares the file. */
+  /** Every parameter that may be saved, with the value in force; the daemon compares the file with it. */
   inForce(parameters: readonly Parameter[]): Record<string, Value> {
     const all: Record<string, Value> = {};
     for (const parameter of parameters) {
-      // A course or a robot that was given as a file has no name to save.
+      // Without texts: a course or a robot that was given as a file has no name to save.
       if (parameter.may_save === true && parameter.type !== 'text') all[parameter.name] = plain(parameter.value);
     }
     return all;
   }
 
-  /** What Save saves: what was typed, and the live parameters, whose values are in force already. */
+  /** What Save writes: the edits, and the live parameters, whose values are in force already. */
   wanted(parameters: readonly Parameter[]): Record<string, Value> {
     const all: Record<string, Value> = {};
     for (const parameter of parameters) {

@@ -1,6 +1,6 @@
-// The path of a pose: points a fixed distance apart, bounded by dropping every second one.
+// The path of a pose: points at a fixed spacing, bounded by dropping every second one when there are too many.
 
-// Coordinates are stored in single precision.
+// Slightly less than 1, because coordinates are stored in single precision.
 const kTolerance = 0.999;
 
 export class PathHistory {
@@ -21,7 +21,7 @@ export class PathHistory {
     return this.count;
   }
 
-  /** Grows with every change other than an appended point. */
+  /** Increases with every change other than an appended point. */
   get generation(): number {
     return this.changes;
   }

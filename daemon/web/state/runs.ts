@@ -1,4 +1,4 @@
-// The recorded runs: GET /api/runs, and what a viewer asks of the daemon about them.
+// The recorded runs: GET /api/runs, and a viewer's requests about them.
 
 export interface RunFile {
   name: string;
@@ -9,7 +9,7 @@ export interface RunFile {
 
 export interface RunEntry {
   run: string;
-  /** What a person says of it; may be empty. */
+  /** Given by a person; may be empty, like note and tags. */
   name: string;
   note: string;
   tags: string;
@@ -23,13 +23,13 @@ export interface RunEntry {
 }
 
 export interface RunsList {
-  /** Empty: nothing is recorded. */
+  /** Empty: recording is off. */
   directory: string;
   bytes: number;
   free_bytes: number;
-  /** 0: none. */
+  /** 0: no quota. */
   quota_bytes: number;
-  /** The run that is reported or compared now; empty: none. */
+  /** The run for which a report or comparison is being made; empty: none. */
   making: string;
   runs: RunEntry[];
 }

@@ -1,4 +1,4 @@
-// The range of a plot's axis, which changes in steps to stay calm.
+// The range of a plot's axis, which changes only in steps.
 
 /** The smallest of 1, 2, 2.5, 5 times a power of ten that is not below `value`. */
 export function niceStep(value: number): number {

@@ -48,7 +48,7 @@ export class Series {
     this.filled = Math.min(this.filled + 1, this.capacity);
   }
 
-  /** Rows from before what is there; later ones are left out. */
+  /** Prepends earlier rows; those not before the present ones are left out. */
   before(rows: Iterable<readonly number[]>): void {
     const kept = this.since(-Infinity).map((column) => column.slice());
     const count = this.filled;

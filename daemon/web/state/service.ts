@@ -1,4 +1,4 @@
-// What the page asks the daemon for: services, and what a topic said before the page was opened.
+// Requests to the daemon: services, and the messages of a topic from before the page was opened.
 
 /** Rejects with an Error if the daemon refuses or the connection is lost. */
 export type Call = (service: string, request: unknown) => Promise<unknown>;
@@ -12,7 +12,7 @@ const asked = new Map<string, Promise<readonly unknown[]>>();
 export function past(topic: string): Promise<readonly unknown[]> {
   const known = asked.get(topic) ?? fetch(`/api/history${topic}`).then((answer) => (answer.ok ? (answer.json() as Promise<unknown[]>) : []));
   asked.set(topic, known);
-  // Later it is the present that was missed.
+  // Cached only for requests at the same time: a later one also needs what came in between.
   setTimeout(() => asked.delete(topic), 1000);
   return known;
 }

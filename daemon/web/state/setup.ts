@@ -48,7 +48,7 @@ export interface SetupList {
   robots: RobotEntry[];
 }
 
-/** What a viewer asks of the daemon about them. */
+/** A viewer's requests about them. */
 export type SetupCall =
   | { name: 'choose'; request: { course?: string; robot?: string; setup?: string } }
   | { name: 'place'; request: { at: 'start' } | { x_m: number; y_m: number; yaw_rad: number } }
@@ -56,12 +56,12 @@ export type SetupCall =
   | { name: 'file_delete'; request: { kind: FileKind; name: string } }
   | { name: 'file_check'; request: { kind: FileKind; name: string; text: string } };
 
-/** What is wrong with the text of a course file: nothing, if `error` is empty. */
+/** The result of checking the text of a course file: valid if `error` is empty. */
 export interface CourseCheck {
   error: string;
   line?: number;
   column?: number;
-  /** Does not fit the robot or the set-up in force. */
+  /** Why it does not fit the robot or the set-up in force; empty: it fits. */
   why_not: string;
   length_m?: number;
   duration_s?: number;
@@ -69,16 +69,16 @@ export interface CourseCheck {
 
 export type FileKind = 'course' | 'robot';
 
-/** One message to the daemon takes 64 KiB with everything around the text. */
+/** Limit of a text: one message to the daemon may have 64 KiB including everything around it. */
 export const kMaxText = 60_000;
 
-/** Which kind of file this is, by the tables that only one of them has. */
+/** The kind of a file, by the tables that only one of the kinds has. */
 export function kindOf(text: string): FileKind {
   const robot = /^\s*\[(model|shape|drive|emulated)\b/m.test(text);
   return robot && !/^\s*\[\[segment\]\]/m.test(text) ? 'robot' : 'course';
 }
 
-/** A name that the daemon takes, made from a file's. */
+/** A name that the daemon accepts, made from that of a file. */
 export function nameOf(file: string): string {
   return file
     .replace(/\.toml$/i, '')
@@ -87,7 +87,7 @@ export function nameOf(file: string): string {
     .slice(0, 64);
 }
 
-/** 4.06 m, 42 s, 1 ramp, 1 block, 2 disturbances. */
+/** For example "4.06 m, 42 s, 1 ramp, 1 block, 2 disturbances". */
 export function facts(course: CourseEntry): string {
   const many = (count: number | undefined, one: string): string[] =>
     count === undefined || count === 0 ? [] : [`${count} ${one}${count === 1 ? '' : 's'}`];

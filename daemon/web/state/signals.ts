@@ -1,13 +1,13 @@
-// Any numeric field of any channel over time, by its name: "/estimate.model.x_m".
+// Numeric fields of channels over time, by name: "/estimate.model.x_m".
 import { Series } from './series.ts';
 
-/** Channels of figures; each has a history at the daemon. */
+/** Channels with numeric fields; the daemon keeps a history of each. */
 export const kSignalTopics = ['/estimate', '/sample', '/command', '/slip', '/link', '/loop', '/state'] as const;
 export type SignalTopic = (typeof kSignalTopics)[number];
 
 export const kSignalHistory_s = 300;
 const kInterval_s = 0.0399; // 25 rows a second
-/** Longer lists are no vectors. */
+/** Longer lists are not vectors and are left out. */
 const kLongestList = 4;
 const kDeepest = 4;
 
@@ -19,7 +19,7 @@ export function topicOf(signal: string): string {
   return signal.slice(0, Math.max(signal.indexOf('.'), 0));
 }
 
-/** The names of a message's numeric fields; true and false count as 1 and 0. Not its time. */
+/** The names of a message's numeric fields except its time; true and false count as 1 and 0. */
 export function fieldsOf(topic: string, message: unknown): string[] {
   const names: string[] = [];
   const visit = (name: string, value: unknown, depth: number): void => {
@@ -32,7 +32,7 @@ export function fieldsOf(topic: string, message: unknown): string[] {
   return names;
 }
 
-/** NaN where the message does not have it. */
+/** The signal's value in a message; NaN if the message does not have it. */
 export function valueOf(signal: string, message: unknown): number {
   let value: unknown = message;
   for (const key of signal.split('.').slice(1)) {
@@ -47,10 +47,10 @@ function timeOf(message: unknown): number {
   return valueOf('.t_s', message);
 }
 
-/** By the end of the name, as everywhere in the daemon; empty: none. */
+/** A signal's unit, by the suffix of its name as everywhere in the daemon; empty: none. */
 export function unitOf(signal: string): string {
   const field = signal.split('.').filter((part) => !/^\d+$/.test(part)).at(-1) ?? '';
-  // The unit may stand with the list: round_trip_us, sample_age_us.p99.
+  // The unit may be in the name of the parent: round_trip_us, sample_age_us.p99.
   const units: [RegExp, string][] = [
     [/_radps$/, 'rad/s'],
     [/_mps2$/, 'm/s²'],
@@ -111,7 +111,7 @@ export class Signals {
     if (!isSignalTopic(topic)) return;
     const t_s = timeOf(message);
     if (!Number.isFinite(t_s)) return;
-    // Fields that come and go are found once a second.
+    // Once a second, look for fields that only some messages have.
     if (!(Math.abs(t_s - (this.seen[topic] ?? -Infinity)) < 1)) {
       this.seen[topic] = t_s;
       for (const name of fieldsOf(topic, message)) this.known.add(name);
@@ -119,13 +119,13 @@ export class Signals {
     for (const [signal, series] of this.series) if (topicOf(signal) === topic) series.push([t_s, valueOf(signal, message)]);
   }
 
-  /** Messages from before what was received of the signal. */
+  /** Adds messages from before the first received one of the signal. */
   before(signal: string, messages: readonly unknown[]): void {
     this.series.get(signal)?.before(messages.map((message) => [timeOf(message), valueOf(signal, message)]));
   }
 }
 
-/** One row for each time, columns as named; empty where a signal has no value then. Times with microseconds. */
+/** One row per time with microseconds, one column per signal; empty where a signal has no value at that time. */
 export function csv(signals: readonly { name: string; times: Float64Array; values: Float64Array }[]): string {
   const rows = new Map<string, string[]>();
   signals.forEach(({ times, values }, column) => {

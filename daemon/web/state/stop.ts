@@ -1,4 +1,4 @@
-// The state of STOP in this page: pure, driven by presses, answers and time.
+// The state of STOP in this page, as a pure function of presses, answers and time.
 import type { StopState } from './messages.ts';
 
 /** After this long without the robot's acknowledgement the page shows a warning. */
@@ -8,7 +8,7 @@ export type StopView =
   | { kind: 'ready' }
   /** pressed here, no answer yet, patience not yet over */
   | { kind: 'pending' }
-  /** `waiting`: it could not even be sent and goes out first when the daemon is back */
+  /** `waiting`: it could not even be sent and will be the first request when the daemon is back */
   | { kind: 'not_acknowledged'; since_ms: number; waiting: boolean }
   /** latched on the robot; `took_ms`: from the daemon's receipt to the robot's acknowledgement */
   | { kind: 'stopped'; took_ms: number | null; by: string };
@@ -64,7 +64,7 @@ export class StopButton {
     this.daemon = state;
     this.lastTook_ms = state.acknowledged_ms ?? this.lastTook_ms;
     if (this.press_?.received !== true) return;
-    // Acknowledged late, or started again, which ends every STOP.
+    // Acknowledged late, or cleared by a new start.
     if (state.status === 'acknowledged' || !state.latched) this.press_ = undefined;
   }
 

@@ -35,7 +35,7 @@ export type Column = keyof typeof kColumns;
 export const kHistory_s = 120;
 const kInterval_s = 0.0199; // 50 rows a second
 export const kEvents = 300;
-/** No pose moves this far between two messages: another run, daemon or place in a recording. */
+/** A pose that moves further between two messages belongs to another run, daemon or part of a recording. */
 const kJump_m = 0.5;
 
 /** Above this age a value is grey. */
@@ -70,7 +70,7 @@ export class Store {
   /** Distance of each track. */
   leftTrack_m = 0;
   rightTrack_m = 0;
-  /** Messages received so far, by topic: a view detects new data by it. */
+  /** Number of messages received so far, by topic, by which views detect new data. */
   readonly received: Record<string, number> = {};
 
   private readonly latest: { [T in Topic]?: Channels[T] } = {};
@@ -92,7 +92,7 @@ export class Store {
     this.received[topic] = (this.received[topic] ?? 0) + 1;
   }
 
-  /** True where what is shown of `topic` is too old to be used. */
+  /** True if the data of `topic` is too old to be used. */
   stale(topic: Topic): boolean {
     const received_ms = this.received_ms[topic];
     if (received_ms === undefined || this.now() - received_ms > kStale_ms[topic]) return true;
@@ -107,7 +107,7 @@ export class Store {
     return estimate?.[estimate.steering];
   }
 
-  /** What the daemon said before this page was opened. */
+  /** Adds the daemon's messages from before this page was opened. */
   before(estimates: readonly Estimate[], slips: readonly Slip[]): void {
     let next = 0;
     this.series.before(
@@ -150,7 +150,7 @@ export class Store {
   }
 
   private event(event: Event): void {
-    // A new connection repeats what was kept.
+    // The daemon repeats the kept events on each connection.
     const known = this.events.some((other) => other.t_s === event.t_s && other.text === event.text);
     if (known) return;
     this.events.push(event);

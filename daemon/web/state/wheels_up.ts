@@ -1,8 +1,8 @@
-// The check of the tracks with the wheels up: begun once it is confirmed that they are free, and watched until it ends.
+// Check of the tracks with the robot jacked up: starts once the user confirms that they are free; watched to its end.
 import type { DoctorAnswer } from './doctor.ts';
 import { reason, type Call } from './service.ts';
 
-/** The daemon stops the tracks when it has heard nothing for 150 ms. */
+/** Period of tick(): the daemon stops the tracks if it receives no call for 150 ms. */
 export const kWatch_ms = 40;
 
 export interface WheelsUpQuestion {
@@ -14,20 +14,20 @@ export interface WheelsUpQuestion {
 export interface WheelsUpProgress {
   step: string;
   question?: WheelsUpQuestion;
-  /** The check has ended. */
+  /** Present once the check has ended. */
   result?: DoctorAnswer;
 }
 
-/** One check at a time. */
+/** Runs one check at a time. */
 export class WheelsUp {
   private token = '';
-  /** Asked for, and not answered yet. */
+  /** True while the request to begin is not answered yet. */
   private beginning = false;
   private answered: { question: number; answer: string } | undefined;
 
   constructor(
     private readonly call: Call,
-    /** Whether somebody sees this page. */
+    /** Whether this page is visible to a person. */
     private readonly seen: () => boolean,
     private readonly now_ms: () => number,
     private readonly progress: (progress: WheelsUpProgress) => void,
@@ -38,7 +38,7 @@ export class WheelsUp {
     return this.beginning || this.token !== '';
   }
 
-  /** Does nothing while a check is on: a second click begins no second one. */
+  /** Begins a check; does nothing while one is running, so that a double click begins only one. */
   async begin(): Promise<void> {
     if (this.on) return;
     this.beginning = true;
@@ -56,7 +56,7 @@ export class WheelsUp {
     this.answered = { question, answer };
   }
 
-  /** Call it every kWatch_ms. A page that nobody sees says nothing. */
+  /** Call every kWatch_ms. Tells the daemon that the check is watched; a hidden page sends nothing: the tracks stop. */
   async tick(): Promise<void> {
     const token = this.token;
     if (token === '' || !this.seen()) return;
