@@ -73,7 +73,10 @@ describe('without a mouse', () => {
     await until(async () => (await run(page)) === 'idle', 'it holds');
     // After a run that ended before the end of its course, a start asks where the robot stands, also by key.
     await page.keyboard.press('r');
-    await page.waitForFunction(() => document.querySelector('#question-text')?.textContent.includes('along the course') === true);
+    // A question that was closed keeps its text: this one is open when it has the focus.
+    await page.waitForFunction(
+      () => document.activeElement?.id === 'start-cancel' && document.querySelector('#question-text')?.textContent.includes('along the course') === true,
+    );
     await page.keyboard.press('Tab');
     expect(await page.evaluate(() => document.activeElement?.id)).toBe('start-placed');
     await page.keyboard.press('Enter');
