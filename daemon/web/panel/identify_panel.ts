@@ -10,8 +10,6 @@ import { reason, type Call } from '../state/service.ts';
 import { asksForMotion } from '../state/messages.ts';
 
 const kRefresh_ms = 5000;
-const kWritten_ms = 10_000;
-const kLook_ms = 100;
 
 export class IdentifyPanel {
   readonly element = h('div', { class: 'identify', tabindex: '0' });
@@ -188,12 +186,7 @@ export class IdentifyPanel {
     });
     this.question.hidden = true;
     if (!answer) return 'Nothing was driven.';
-    const run = await drive(this.reach, course.name);
-    // Its recording is written to the end after the answer that it is ended.
-    for (let left_ms = kWritten_ms; left_ms > 0 && !this.runs.some((each) => each.run === run && !each.active); left_ms -= kLook_ms) {
-      await this.reach.sleep(kLook_ms);
-      await this.load();
-    }
+    await drive(this.reach, course.name);
     const seen = this.store?.get('/estimate')?.fused.camera_age_us;
     return `${course.name} is driven.${typeof seen !== 'number' ? ' No camera sees the robot: measure the drive and write it down below.' : ''}`;
   }

@@ -41,12 +41,17 @@ async function openIdentify(setting: Setting, size?: Size): Promise<Page> {
 
 /** Drives a course until it is completed: a busy machine may stop the robot on its way. */
 async function driveCourse(page: Page, name: string): Promise<void> {
-  const button = `[data-course="${name}"] .identify-drive`;
+  const course = `[data-course="${name}"]`;
   await until(
     async () => {
-      if (((await page.getAttribute(`[data-course="${name}"]`, 'data-driven')) ?? '0') !== '0') return true;
+      // Read at once: the button is enabled again when the list shows the drive, and would be pressed for another one.
+      const { driven, enabled } = await page.locator(course).evaluate((item) => ({
+        driven: item.dataset.driven !== '0',
+        enabled: item.querySelector<HTMLButtonElement>('.identify-drive')?.disabled === false,
+      }));
+      if (driven) return true;
       if (await page.isVisible('#identify-start')) await page.click('#identify-start');
-      else if (await page.isEnabled(button)) await page.click(button);
+      else if (enabled) await page.click(`${course} .identify-drive`);
       return false;
     },
     `${name} is driven`,
