@@ -12,10 +12,14 @@ namespace tp100::live {
 namespace {
 
 // The loop wakes no other thread. This thread looks for the next step a little after it is due, so
-// as not to wake together with the loop; if there is none, it looks again repeatedly.
+// as not to wake together with the loop; if there is none, it looks again repeatedly. A step that
+// comes late does not delay the next one: what is due follows the early ones.
 constexpr HostNs kAfterStepNs = 300 * kNsPerUs;
 constexpr HostNs kAgainNs = kNsPerMs / 2;
 constexpr HostNs kLongestNs = 5 * kNsPerMs;
+// Period and phase of the steps are means over about so many of them.
+constexpr HostNs kMeanOf = 16;
+constexpr HostNs kLongestPeriodNs = 20 * kNsPerMs;
 // Steps that wait while the thread does not run; on a busy machine that can last half a second.
 constexpr std::size_t kWaitingSteps = 256;
 
@@ -83,14 +87,17 @@ HostNs Ros2Node::publish() {
     if (next_) publisher_.take_setup(next_->first, next_->second);
     next_.reset();
   }
-  HostNs period_ns = 0;
   while (const StepRecord* step = steps_.front()) {
     publisher_.take(*step);
     requests_.observe(*step);
-    period_ns = step->now_ns - std::exchange(last_step_ns_, step->now_ns);
+    const HostNs period_ns = step->now_ns - std::exchange(last_step_ns_, step->now_ns);
+    period_ns_ += (std::min(period_ns, kLongestPeriodNs) - period_ns_) / kMeanOf;
+    const HostNs late_ns = step->now_ns - due_ns_;
+    due_ns_ = late_ns > 0 && late_ns < period_ns_ ? due_ns_ + late_ns / kMeanOf : step->now_ns;
+    due_ns_ += period_ns_;
     steps_.release();
   }
-  return std::max(last_step_ns_ + std::min(period_ns, kLongestNs) + kAfterStepNs,
+  return std::max(std::min(due_ns_, last_step_ns_ + kLongestNs) + kAfterStepNs,
                   monotonic_now() + kAgainNs);
 }
 

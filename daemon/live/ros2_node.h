@@ -55,7 +55,10 @@ class Ros2Node : public messages::Sink {
   loop::SlotRing<StepRecord> steps_;
   std::mutex mutex_;  // guards next_
   std::optional<std::pair<messages::RunContext, HostNs>> next_;
-  HostNs last_step_ns_ = 0;  // the node's thread only
+  // The node's thread only:
+  HostNs last_step_ns_ = 0;
+  HostNs period_ns_ = 0;
+  HostNs due_ns_ = 0;  // the next step
   std::atomic<bool> stop_{false};
   std::thread thread_;  // declared last: it uses the others
 };
