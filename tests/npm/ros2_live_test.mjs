@@ -12,7 +12,7 @@ import { readMcap } from './mcap_file.mjs';
 import { load } from './packages.mjs';
 import { decode, nanoseconds } from './ros2.mjs';
 import { Driver } from './ros2_driver.mjs';
-import { Peer, ddsType, discovery, latched, ordinary, percentile, program, start, topics, withRobot, withSecondHost } from './ros2_network.mjs';
+import { Peer, ddsType, discovery, latched, ordinary, percentile, program, ros2On, start, topics, withRobot, withSecondHost } from './ros2_network.mjs';
 
 const { parse } = load('@foxglove/rosmsg');
 const { MessageReader } = load('@foxglove/rosmsg2-serialization');
@@ -36,7 +36,7 @@ test('another implementation receives every message of a run', limits, (t) => wi
   try {
     const course = join(folder, 'short.toml');
     await writeFile(course, shortCourse);
-    const run = await daemon('[ros2]\nenabled = true', ['--course', course, '--record', join(folder, 'runs')]);
+    const run = await daemon(ros2On, ['--course', course, '--record', join(folder, 'runs')]);
     await run.exit;
     await listener.end();
     const { reader, topics: bag } = await bagOf(folder);
@@ -291,5 +291,23 @@ test('another host sees what is published on its network, and nothing of this ma
       stamps.forEach((stamp, i) => assert.ok(i === 0 || stamp > stamps[i - 1]));
     } finally {
       await Promise.all([there.end(), here.end()]);
+    }
+  })));
+
+test('interface = "" leaves Cyclone DDS to CYCLONEDDS_URI: peers that it lists are found without multicast', limits, () =>
+  withSecondHost((under) => withRobot(async ({ folder, daemon }) => {
+    const file = join(folder, 'cyclone.xml');
+    await writeFile(file, '<CycloneDDS><Domain id="any">'
+      + '<General><Interfaces><NetworkInterface name="eth0"/></Interfaces><AllowMulticast>false</AllowMulticast></General>'
+      + '<Discovery><ParticipantIndex>auto</ParticipantIndex><Peers><Peer address="10.0.0.2"/></Peers></Discovery>'
+      + '</Domain></CycloneDDS>');
+    const there = new Peer(42, ['rt/odom=nav_msgs::msg::dds_::Odometry_=RV'], under);
+    try {
+      await daemon('[ros2]\nenabled = true\ninterface = ""', ['--stay', '--wait'], ordinary, { CYCLONEDDS_URI: `file://${file}` });
+      await there.until(() => there.messages('/odom').length > 100);
+      // The port of domain 42 for discovery by multicast.
+      assert.deepEqual(closedPorts(under, [17900]), [17900]);
+    } finally {
+      await there.end();
     }
   })));

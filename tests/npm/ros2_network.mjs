@@ -11,6 +11,9 @@ import { encode } from './ros2.mjs';
 
 export const program = (name) => join(process.env.TP100_BIN, name);
 
+/** Configuration that switches ROS 2 on; TP100_ROS2: another line of that section. */
+export const ros2On = ['[ros2]', 'enabled = true', process.env.TP100_ROS2 ?? ''].join('\n');
+
 /** Like spawn; the program is killed when this one ends. */
 export const start = (command, options, settings) => spawn('setpriv', ['--pdeathsig', 'KILL', command, ...options], settings);
 
@@ -110,12 +113,12 @@ export async function withRobot(work, more = []) {
     await once(robot.stdout, 'data');
     await work({
       folder,
-      /** A daemon with these lines of configuration; `said(pattern)` waits for a line of its log. */
-      async daemon(ros2, options, loop = ordinary) {
+      /** A daemon with these lines of configuration and variables; `said(pattern)` waits for a line of its log. */
+      async daemon(ros2, options, loop = ordinary, variables = {}) {
         const file = join(folder, `${running.length}.toml`);
         await writeFile(file, `[loop]\n${loop}\n${ros2}\n`);
         const child = start(program('tp100d'), ['run', '--config', file, '--port', port, '--listen', 'off', ...options],
-          { stdio: ['ignore', 'ignore', 'pipe'], env });
+          { stdio: ['ignore', 'ignore', 'pipe'], env: { ...env, ...variables } });
         running.push(child);
         const lines = [], waiting = new Set();
         createInterface({ input: child.stderr }).on('line', (line) => {
