@@ -116,8 +116,8 @@ def ros2(build):
     with tempfile.TemporaryDirectory() as folder:
         for program, where in (("tp100d", EMULATED), ("tp100-sim", build + "/bin/"), ("ros2_peer", build + "/bin/")):
             os.symlink(where + program, f"{folder}/{program}")
-        output = run(ROOT + "/tests/ros2/in_network", "node", "--test-name-pattern=another implementation receives every",
-                     ROOT + "/tests/npm/ros2_live_test.mjs",
+        output = run(ROOT + "/tests/ros2/in_network", "node",
+                     "--test-name-pattern=another implementation receives every", ROOT + "/tests/npm/ros2_live_test.mjs",
                      env=dict(os.environ, TP100_BIN=folder, TP100_NPM=build + "/npm",
                               TP100_ROS2='interface = ""', CYCLONEDDS_URI=WITHOUT_MULTICAST))
     print(output)

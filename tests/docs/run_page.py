@@ -18,15 +18,16 @@ import shlex
 import subprocess
 import sys
 import tempfile
+import textwrap
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-BLOCK = re.compile(r"^```(\w+)(?: (\S+))?\n(.*?)^```$", re.M | re.S)
+BLOCK = re.compile(r"^( *)```(\w+)(?: (\S+))?\n(.*?)^\1```$", re.M | re.S)
 
 
 def blocks(path):
     """Language, word and text of each block of a page."""
     with open(path, encoding="utf-8") as file:
-        return BLOCK.findall(file.read())
+        return [(language, word, textwrap.dedent(body)) for _, language, word, body in BLOCK.findall(file.read())]
 
 
 # Forwards the output of a block and types the input that it requests.

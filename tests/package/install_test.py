@@ -3,11 +3,15 @@ import os
 import re
 import shutil
 import subprocess
+import sys
 
-from host import check, packages, run, skip
+from host import ROOT, check, packages, run, skip
 from machine import Machine
 
 HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.append(os.path.join(os.path.dirname(HERE), "docs"))
+from run_page import blocks, script_of  # noqa: E402
+
 CONFIG = "/etc/tp100/tp100.toml"
 # A short course.
 COURSE = ('description = "short"\nspeed_mps = 0.1\n[[segment]]\ntype = "line"\nlength_m = 0.2\n'
@@ -47,12 +51,20 @@ def drive_as_user(machine):
     print(output)
 
 
+def drive_bare_board(machine):
+    """Runs the block of FIRST_DRIVE.md for who has no board, with Enter where it is requested."""
+    [block] = [body for _, _, body in blocks(ROOT + "/firmware/FIRST_DRIVE.md") if "tp100_fake.hex --port mega" in body]
+    machine.write("/srv/bare.sh", script_of([("sh", "start", block)]) + "\nkill %1\n")
+    output = machine.shell("cd \"$(mktemp -d)\"; XDG_STATE_HOME=. bash /srv/bare.sh 2>&1")
+    print(output)
+    check("simulated inside the board" in output and "1-curve: completed" in output, f"the bare board: {output}")
+
+
 def ros2_drop_in():
     """The lines of the drop-in that ROS2.md gives for a service, as printf takes them."""
-    with open(os.path.join(HERE, "..", "..", "daemon", "ros2", "ROS2.md"), encoding="utf-8") as file:
-        block = re.search(r"\*\*As a service\*\*.*?```ini\n\s*\[Service\]\n(.*?)\n\s*```", file.read(), re.S)
-    check(block is not None, "ROS2.md gives the service's drop-in")
-    return "\\n".join(line.strip() for line in block[1].splitlines())
+    [lines] = [body for language, _, body in blocks(ROOT + "/daemon/ros2/ROS2.md") if language == "ini"]
+    check(lines.startswith("[Service]\n"), f"not a drop-in for a service: {lines}")
+    return "\\n".join(lines.splitlines()[1:])
 
 
 def serve(machine):
@@ -119,6 +131,7 @@ def install(build):
         # The message names file and line of a rule with a syntax error.
         machine.shell("! udevadm test /sys/class/mem/null 2>&1 | grep tp100.rules:")
         drive_as_user(machine)
+        drive_bare_board(machine)
         untried = serve(machine)
         with open(verdict_file(build), "w", encoding="utf-8") as file:
             file.write(untried)
