@@ -11,6 +11,9 @@ namespace {
 
 // The robot turns a little before the first edge shows it.
 constexpr double kBeforeEdgeS = 0.15;
+// On soft ground the yaw oscillates about a turn two or three times a second, and the track speeds
+// pass through nearly all turn ratios: a wheelbase belongs to the mean of them.
+constexpr double kTurnShapeLagS = 0.18;
 
 }  // namespace
 
@@ -57,7 +60,7 @@ DriveMotion::DriveMotion(const RecordedDrive& drive, double counts_per_metre) {
 
 std::vector<Pose> DriveMotion::poses(const model::ModelForm& form,
                                      const model::TrackParameters& parameters) const {
-  model::DeadReckoning reckoning(form, parameters);
+  model::DeadReckoning reckoning(form, parameters, {}, kTurnShapeLagS);
   std::vector<Pose> poses = {reckoning.pose()};
   poses.reserve(times_s_.size());
   for (std::size_t i = 0; i < intervals_.size(); ++i) {

@@ -21,14 +21,14 @@ TrackParameters without_slip(double gauge_m) {
 TrackParameters as_printed(double /*gauge_m*/) { return {}; }
 
 DeadReckoning::DeadReckoning(const ModelForm& form, const TrackParameters& parameters,
-                             const Pose& start)
+                             const Pose& start, double turn_lag_s)
     : parameters_([&] {
         TrackParameters own = parameters;
         if (form.one_slip) own.slip_right = own.slip_left;
         return own;
       }()),
       yaw_from_gyro_(form.yaw_from_gyro),
-      tracks_(parameters_, Mode::kExtended),
+      tracks_(parameters_, Mode::kExtended, turn_lag_s),
       pose_(start) {
   tracks_.reset(start);
 }

@@ -101,7 +101,9 @@ static_assert(std::max(kEqsPrinted, kEqsFitted) < kBaselines.size());
 /// Pose by encoders, and by the gyro if the form takes it, on flat ground. No allocation.
 class DeadReckoning {
  public:
-  DeadReckoning(const ModelForm& form, const TrackParameters& parameters, const Pose& start = {});
+  /// `turn_lag_s`: lag of TurnShapeFilter.
+  DeadReckoning(const ModelForm& form, const TrackParameters& parameters, const Pose& start = {},
+                double turn_lag_s = kTurnLagS);
 
   /// Tracks at constant speeds for `dt_s`; `gyro_radps` in nominal scale, its bias removed.
   void advance(double left_mps, double right_mps, double gyro_radps, double dt_s);

@@ -14,7 +14,6 @@ namespace {
 constexpr double kWideTurn = 0.45, kTightTurn = 0.65;
 // The same where wheelbase and turning centre begin to drift, half-way, and where the drift ends.
 constexpr double kWideArc = 0.35, kTightArc = 0.6, kSpin = 1.1;
-constexpr double kLagS = 0.1;
 
 double between(double value, double low, double high) {
   return std::clamp((value - low) / (high - low), 0.0, 1.0);
@@ -50,7 +49,7 @@ TurnShape turn_shape(double left_mps, double right_mps) {
 }
 
 TurnShape TurnShapeFilter::update(double left_mps, double right_mps, double dt_s) {
-  const double share = started_ ? 1.0 - std::exp(-dt_s / kLagS) : 1.0;
+  const double share = started_ ? 1.0 - std::exp(-dt_s / lag_s_) : 1.0;
   started_ = true;
   left_mps_ += (left_mps - left_mps_) * share;
   right_mps_ += (right_mps - right_mps_) * share;

@@ -86,15 +86,21 @@ struct TurnShape {
 /// Shape for tracks whose ground sides move at these speeds (slip removed). Pure.
 TurnShape turn_shape(double left_mps, double right_mps);
 
-/// The same from encoders that give a few edges per interval: speeds are low-pass filtered with a
-/// lag of 0.1 s. No allocation; safe in the real-time thread.
+/// Lag of the filter below, enough for encoders that give a few edges per interval. [s]
+inline constexpr double kTurnLagS = 0.1;
+
+/// The same from track speeds that are low-pass filtered. No allocation; safe in the real-time
+/// thread.
 class TurnShapeFilter {
  public:
+  explicit TurnShapeFilter(double lag_s = kTurnLagS) : lag_s_(lag_s) {}
+
   /// One interval; returns the shape at its end.
   TurnShape update(double left_mps, double right_mps, double dt_s);
   void restart() { started_ = false; }
 
  private:
+  double lag_s_;
   double left_mps_ = 0.0, right_mps_ = 0.0;
   bool started_ = false;
 };
@@ -142,7 +148,8 @@ void advance(Pose& pose, const Twist& twist, double dt_s, const Incline& incline
 /// Pose by encoders alone. No allocation; safe in the real-time thread.
 class TrackModel {
  public:
-  TrackModel(const TrackParameters& parameters, Mode mode) : parameters_(parameters), mode_(mode) {}
+  TrackModel(const TrackParameters& parameters, Mode mode, double turn_lag_s = kTurnLagS)
+      : parameters_(parameters), mode_(mode), turn_shape_filter_(turn_lag_s) {}
 
   /// Continues from `pose`.
   void reset(const Pose& pose) {
@@ -162,7 +169,7 @@ class TrackModel {
   Pose pose_{};
   Twist twist_{};
   Slip slip_{};
-  TurnShapeFilter turn_shape_filter_{};
+  TurnShapeFilter turn_shape_filter_;
 };
 
 }  // namespace tp100::model

@@ -12,6 +12,7 @@
 
 #include "core/arithmetic.h"
 #include "core/error.h"
+#include "identify/drive_motion.h"
 #include "identify/identify_report.h"
 
 namespace tp100::identify {
@@ -185,6 +186,27 @@ TEST(Identify, FalseDetectionsAndLateStampsDoNotBendIt) {
   expect_all_found(found, truth);
   EXPECT_NEAR(found.extended.camera_late_s, truth.late_s, 0.003);
   for (const RunFit& run : found.extended.runs) EXPECT_GT(run.rejected, 10u) << run.name;
+}
+
+// As on soft ground: the track speeds of a wide turn oscillate into the range of tight turns.
+TEST(Identify, AnOscillatingYawDoesNotCountAsATightTurn) {
+  constexpr double kStepS = 0.01, kSwingHz = 2.2, kSwingMps = 0.05, kCountsPerMetre = 20000.0;
+  RecordedDrive swinging;
+  double left_m = 0.0, right_m = 0.0;
+  for (int i = 0; i < 1000; ++i) {
+    swinging.samples.push_back({i * kStepS, std::lround(left_m * kCountsPerMetre),
+                                std::lround(right_m * kCountsPerMetre), 0.0});
+    const double swing_mps = kSwingMps * std::sin(2.0 * kPi * kSwingHz * i * kStepS);
+    left_m += (0.088 - swing_mps / 2.0) * kStepS;
+    right_m += (0.122 + swing_mps / 2.0) * kStepS;
+  }
+  TrackParameters tracks = model::ModelForm{}.only({});
+  tracks.wheelbase_m = 0.16;
+  tracks.wheelbase_tight_m = tracks.wheelbase_spin_m = 0.24;
+  const Pose end =
+      DriveMotion(swinging, kCountsPerMetre).poses(model::kExtendedForm, tracks).back();
+  const double turned_rad = 0.034 * 999 * kStepS / tracks.wheelbase_m;
+  EXPECT_NEAR(end.yaw_rad, turned_rad, 0.05 * turned_rad);
 }
 
 TEST(Identify, ALargerRobotConvergesFromTheSameStart) {
