@@ -17,7 +17,7 @@ namespace {
 using enum FaultKind;
 using enum FaultWord;
 
-constexpr std::array kTexts = std::to_array<FaultText>({
+constexpr std::array kInjectableFaults = std::to_array<InjectableFault>({
     {kFlip, "flip", "bytes", "share of the bytes", 0.001, 0, 1, kDirection, false,
      "one bit of a byte is turned over"},
     {kDrop, "drop", "bytes", "share of the bytes", 0.001, 0, 1, kDirection, false,
@@ -119,11 +119,11 @@ std::string_view cut(std::string_view& rest, char mark) {
   return head;
 }
 
-const FaultText& kind_named(std::string_view name, std::string_view whole) {
+const InjectableFault& kind_named(std::string_view name, std::string_view whole) {
   std::vector<std::string_view> names;
-  for (const FaultText& text : fault_texts()) {
-    if (text.name == name) return text;
-    names.push_back(text.name);
+  for (const InjectableFault& row : injectable_faults()) {
+    if (row.name == name) return row;
+    names.push_back(row.name);
   }
   refuse(whole, "no such fault" + text::suggestion(name, names));
 }
@@ -142,14 +142,14 @@ bool take_word(std::string_view word, FaultWord kind, PlannedFault& fault) {
   return false;
 }
 
-void take_number(std::string_view word, const FaultText& text, std::string_view whole,
+void take_number(std::string_view word, const InjectableFault& row, std::string_view whole,
                  PlannedFault& fault) {
-  const std::optional<double> number = text.number.empty() ? std::nullopt : number_of(word);
+  const std::optional<double> number = row.number.empty() ? std::nullopt : number_of(word);
   if (!number)
     refuse(whole, "'" + text::one_line(std::string(word)) + "' says nothing about " +
-                      std::string(text.name));
-  if (*number < text.least || *number > text.most)
-    refuse(whole, std::string(text.number) + " is out of range");
+                      std::string(row.name));
+  if (*number < row.least || *number > row.most)
+    refuse(whole, std::string(row.number) + " is out of range");
   fault.number = *number;
 }
 
@@ -162,27 +162,27 @@ HostNs time_of(std::string_view text, std::string_view whole) {
 
 }  // namespace
 
-std::span<const FaultText> fault_texts() { return kTexts; }
+std::span<const InjectableFault> injectable_faults() { return kInjectableFaults; }
 
-const FaultText& text_of(FaultKind kind) {
-  return *std::find_if(kTexts.begin(), kTexts.end(),
-                       [&](const FaultText& text) { return text.kind == kind; });
+const InjectableFault& describe(FaultKind kind) {
+  return *std::find_if(kInjectableFaults.begin(), kInjectableFaults.end(),
+                       [&](const InjectableFault& row) { return row.kind == kind; });
 }
 
 PlannedFault parse_fault(std::string_view whole) {
   std::string_view when = whole;
   std::string_view what = cut(when, '@');
   const bool timed = what.size() < whole.size();
-  const FaultText& text = kind_named(cut(what, ':'), whole);
-  PlannedFault fault{.kind = text.kind, .number = text.standard};
+  const InjectableFault& row = kind_named(cut(what, ':'), whole);
+  PlannedFault fault{.kind = row.kind, .number = row.standard};
   while (!what.empty()) {
     const std::string_view word = cut(what, ':');
-    if (!take_word(word, text.word, fault)) take_number(word, text, whole, fault);
+    if (!take_word(word, row.word, fault)) take_number(word, row, whole, fault);
   }
   if (!timed) return fault;
   const bool ends = when.find('+') != std::string_view::npos;
   fault.begin_ns = time_of(cut(when, '+'), whole);
-  if (ends && text.at_once) refuse(whole, "happens once and does not last");
+  if (ends && row.at_once) refuse(whole, "happens once and does not last");
   if (ends) fault.end_ns = fault.begin_ns + time_of(when, whole);
   return fault;
 }

@@ -68,8 +68,8 @@ enum class FaultWord : std::uint8_t {
   kSide,       ///< left, right; without: both
 };
 
-/// One row of the list.
-struct FaultText {
+/// A kind of fault that the emulator can inject.
+struct InjectableFault {
   FaultKind kind;
   std::string_view name;
   std::string_view group;
@@ -81,8 +81,8 @@ struct FaultText {
 };
 
 /// All faults, group by group.
-std::span<const FaultText> fault_texts();
-const FaultText& text_of(FaultKind kind);
+std::span<const InjectableFault> injectable_faults();
+const InjectableFault& describe(FaultKind kind);
 
 /// One fault as given on the command line.
 struct PlannedFault {

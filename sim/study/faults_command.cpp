@@ -25,23 +25,23 @@ std::string_view words(FaultWord word) {
   return "";
 }
 
-void print_json(const FaultText& text) {
-  nlohmann::ordered_json json{{"name", text.name}, {"group", text.group}, {"what", text.what}};
-  if (!text.number.empty())
+void print_json(const InjectableFault& row) {
+  nlohmann::ordered_json json{{"name", row.name}, {"group", row.group}, {"what", row.what}};
+  if (!row.number.empty())
     json["number"] = {
-        {"unit", text.number}, {"default", text.standard}, {"min", text.least}, {"max", text.most}};
-  json["word"] = words(text.word);
-  json["lasts"] = !text.at_once;
+        {"unit", row.number}, {"default", row.standard}, {"min", row.least}, {"max", row.most}};
+  json["word"] = words(row.word);
+  json["lasts"] = !row.at_once;
   std::printf("%s\n", json.dump().c_str());
 }
 
-void print_row(const FaultText& text) {
-  std::string usage(text.name);
-  if (!text.number.empty()) usage += tp100::text::format(":%g", text.standard);
-  if (text.word != FaultWord::kNone) usage += "[:" + std::string(words(text.word)) + "]";
-  std::printf("  %-36s %s%s%.*s%s\n", usage.c_str(), std::string(text.what).c_str(),
-              text.number.empty() ? "" : " [", static_cast<int>(text.number.size()),
-              text.number.data(), text.number.empty() ? "" : "]");
+void print_row(const InjectableFault& row) {
+  std::string usage(row.name);
+  if (!row.number.empty()) usage += text::format(":%g", row.standard);
+  if (row.word != FaultWord::kNone) usage += "[:" + std::string(words(row.word)) + "]";
+  std::printf("  %-36s %s%s%.*s%s\n", usage.c_str(), std::string(row.what).c_str(),
+              row.number.empty() ? "" : " [", static_cast<int>(row.number.size()),
+              row.number.data(), row.number.empty() ? "" : "]");
 }
 
 int drive_all(BoardKind board) {
@@ -90,18 +90,18 @@ int run_faults(const FaultsCommand& command) {
   if (command.drive) return drive_all(board);
   if (command.encoders) return sweep_encoders(command, board);
   if (command.json) {
-    for (const FaultText& text : fault_texts()) print_json(text);
+    for (const InjectableFault& row : injectable_faults()) print_json(row);
     return 0;
   }
   std::printf(
       "--fault NAME[:NUMBER][:WORD][@T[+D]], from T s after the port was opened (0) for D s "
       "(for ever)\n");
   std::string_view group;
-  for (const FaultText& text : fault_texts()) {
-    if (text.group != group)
-      std::printf("\n%.*s\n", static_cast<int>(text.group.size()), text.group.data());
-    group = text.group;
-    print_row(text);
+  for (const InjectableFault& row : injectable_faults()) {
+    if (row.group != group)
+      std::printf("\n%.*s\n", static_cast<int>(row.group.size()), row.group.data());
+    group = row.group;
+    print_row(row);
   }
   return 0;
 }

@@ -23,15 +23,15 @@ std::string refusal(const std::string& text) {
 
 TEST(PlannedFault, EveryOneOfTheListIsReadByItsName) {
   std::set<std::string_view> names;
-  for (const FaultText& text : fault_texts()) {
-    EXPECT_TRUE(names.insert(text.name).second) << text.name;
-    const PlannedFault fault = parse_fault(text.name);
-    EXPECT_EQ(fault.kind, text.kind);
-    EXPECT_EQ(&text_of(text.kind), &text);
-    EXPECT_EQ(fault.number, text.standard);
+  for (const InjectableFault& row : injectable_faults()) {
+    EXPECT_TRUE(names.insert(row.name).second) << row.name;
+    const PlannedFault fault = parse_fault(row.name);
+    EXPECT_EQ(fault.kind, row.kind);
+    EXPECT_EQ(&describe(row.kind), &row);
+    EXPECT_EQ(fault.number, row.standard);
     EXPECT_TRUE(fault.active(0));
-    EXPECT_LE(text.least, text.standard);
-    EXPECT_GE(text.most, text.standard);
+    EXPECT_LE(row.least, row.standard);
+    EXPECT_GE(row.most, row.standard);
   }
 }
 

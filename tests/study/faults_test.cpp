@@ -217,8 +217,9 @@ TEST(EncoderFaultsWithoutTheHost, StopTheRobotInATurn) {
 TEST(FaultList, HasATrialForEveryKind) {
   std::set<std::string_view> tried;
   for (const FaultTrial& trial : fault_trials())
-    tried.insert(text_of(parse_fault(trial.fault).kind).name);
-  for (const FaultText& text : fault_texts()) EXPECT_TRUE(tried.contains(text.name)) << text.name;
+    tried.insert(describe(parse_fault(trial.fault).kind).name);
+  for (const InjectableFault& row : injectable_faults())
+    EXPECT_TRUE(tried.contains(row.name)) << row.name;
 }
 
 // Without this test, a trial could pass although its fault has no effect.
