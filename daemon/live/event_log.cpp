@@ -84,9 +84,9 @@ void EventLog::event(const LiveEvent& event, const std::vector<messages::Event>&
   if (const SessionReport* report = std::get_if<SessionReport>(&event)) {
     // A silent port is logged once.
     const bool silent = link::as<link::Silence>(report->event) != nullptr;
-    const bool told = std::exchange(silence_reported_, silent);
+    const bool reported = std::exchange(silence_reported_, silent);
     tick(report->event.at_ns);
-    if ((silent && told) || !allow()) return;
+    if ((silent && reported) || !allow()) return;
   }
   write(described);
 }

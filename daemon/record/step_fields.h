@@ -65,9 +65,9 @@ void visit_fields(Visitor& v, T& seen) {
 }
 
 template <class Visitor, MaybeConst<WorldSample> T>
-void visit_fields(Visitor& v, T& said) {
+void visit_fields(Visitor& v, T& sample) {
   auto& [session, answered, stop, has_ground, height, roll, pitch, slip_offset, step_height,
-         blocked, has_pose, pose] = said;
+         blocked, has_pose, pose] = sample;
   v("session", session);
   v("answered_ns", answered);
   v("stop", stop);

@@ -40,7 +40,7 @@ std::string WheelsUpCheck::begin(const server::Driver& viewer, HostNs now, std::
   wheel_.clear();
   token = wheel_.take(viewer, now).value_or("");
   input_ns_ = now;
-  said_ = "the check takes over the port";
+  step_ = "the check takes over the port";
   question_.reset();
   result_.clear();
   lost_ = false;
@@ -65,7 +65,7 @@ std::string WheelsUpCheck::watch(const server::WheelsUpWatch& watch, HostNs now,
     question_.reset();
   }
   text::JsonWriter writer(json);
-  writer.begin_object().field("step", said_);
+  writer.begin_object().field("step", step_);
   if (question_) {
     writer.key("question").begin_object();
     writer.field("number", question_number_).field("text", question_->text);
@@ -96,7 +96,7 @@ std::string WheelsUpCheck::take_end() {
 
 void WheelsUpCheck::say(const std::string& line) {
   const std::lock_guard lock(mutex_);
-  said_ = line;
+  step_ = line;
 }
 
 void WheelsUpCheck::ask(const doctor::Question& question) {
@@ -141,7 +141,7 @@ void WheelsUpCheck::run(const course::Robot& robot) {
   handover_.end();
   const std::lock_guard lock(mutex_);
   end_ = lost_ ? "its viewer is gone" : end_of(findings);
-  said_ = "the check has ended, and the daemon has its port again";
+  step_ = "the check has ended, and the daemon has its port again";
   question_.reset();
   result_ = doctor::json(findings, port);
   on_ = false;

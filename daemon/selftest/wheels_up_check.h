@@ -67,7 +67,7 @@ class WheelsUpCheck : public doctor::Operator {
   std::mutex mutex_;  // guards what follows; held for moments only
   course::Robot robot_;
   server::Wheel wheel_;
-  std::string said_;
+  std::string step_;
   std::optional<doctor::Question> question_{};
   unsigned question_number_ = 0;
   std::optional<std::string> answer_{};

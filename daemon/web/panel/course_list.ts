@@ -28,7 +28,7 @@ export class CourseList {
   private readonly drawNew = h('button', { type: 'button', class: 'control', id: 'draw-new' }, 'Draw a course');
   private readonly file = h('input', { type: 'file', accept: '.toml', 'aria-label': 'Course or robot file', hidden: '' });
   private readonly why = h('p', { class: 'courses-why', role: 'status' });
-  private readonly said = h('p', { class: 'courses-said', role: 'alert' });
+  private readonly message = h('p', { class: 'courses-message', role: 'alert' });
   private readonly replace = h('button', { type: 'button', class: 'control', id: 'upload-replace', hidden: '' }, 'Replace it');
   private readonly cards = h('ol', { class: 'cards' });
   private list: SetupList | undefined;
@@ -58,7 +58,7 @@ export class CourseList {
         this.file,
       ),
       this.why,
-      h('div', { class: 'courses-answer' }, this.said, this.replace),
+      h('div', { class: 'courses-answer' }, this.message, this.replace),
       this.cards,
       h('p', { class: 'courses-floor' }, kFloor),
     );
@@ -230,7 +230,7 @@ export class CourseList {
   private say(text: string): void {
     this.replaced = undefined;
     this.replace.hidden = true;
-    setText(this.said, text);
+    setText(this.message, text);
   }
 
   private dropFiles(): void {

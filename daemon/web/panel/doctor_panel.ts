@@ -11,7 +11,7 @@ import { asksForMotion } from '../state/messages.ts';
 export class DoctorPanel {
   readonly element = h('div', { class: 'doctor', tabindex: '0' });
   private readonly button = h('button', { type: 'button', class: 'control', id: 'doctor-examine' }, 'Examine');
-  private readonly said = h('p', { class: 'doctor-said', role: 'status' }, 'Finds what keeps the robot from driving. Nothing moves.');
+  private readonly message = h('p', { class: 'doctor-message', role: 'status' }, 'Finds what keeps the robot from driving. Nothing moves.');
   private readonly progress = h('progress', { max: String(kParts.length), value: '0', 'aria-label': 'Examined', hidden: '' });
   private readonly list = h('div', { class: 'doctor-list' });
   private readonly wheelsUp: WheelsUpPanel;
@@ -19,7 +19,7 @@ export class DoctorPanel {
 
   constructor(private readonly call: Call) {
     this.wheelsUp = new WheelsUpPanel(call);
-    this.element.append(h('div', { class: 'doctor-bar' }, this.button, this.progress, this.said), this.list, this.wheelsUp.element);
+    this.element.append(h('div', { class: 'doctor-bar' }, this.button, this.progress, this.message), this.list, this.wheelsUp.element);
     this.button.addEventListener('click', () => {
       void this.examine();
     });
@@ -58,7 +58,7 @@ export class DoctorPanel {
   }
 
   private say(text: string, bad = false): void {
-    setText(this.said, text);
-    setClass(this.said, 'bad', bad);
+    setText(this.message, text);
+    setClass(this.message, 'bad', bad);
   }
 }

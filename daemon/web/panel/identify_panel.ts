@@ -14,7 +14,7 @@ const kRefresh_ms = 5000;
 export class IdentifyPanel {
   readonly element = h('div', { class: 'identify', tabindex: '0' });
   private readonly evaluate = h('button', { type: 'button', class: 'control', id: 'identify-evaluate' }, 'Evaluate');
-  private readonly said = h('p', { class: 'identify-said', role: 'status' }, 'Drive the courses on a flat floor, evaluate the drives, and save the robot file that comes of them.');
+  private readonly message = h('p', { class: 'identify-message', role: 'status' }, 'Drive the courses on a flat floor, evaluate the drives, and save the robot file that comes of them.');
   private readonly why = h('p', { class: 'identify-why', role: 'status' });
   private readonly question = h('section', { class: 'identify-question', role: 'dialog', 'aria-label': 'Before the drive', hidden: '' });
   private readonly list = h('ol', { class: 'identify-courses' });
@@ -45,7 +45,7 @@ export class IdentifyPanel {
       say: (text) => { this.say(text); },
     };
     this.found = new FoundRobot(call, (text, bad) => { this.say(text, bad); });
-    this.element.append(h('div', { class: 'identify-bar' }, this.evaluate, this.said), this.why, this.question, this.found.element, this.list);
+    this.element.append(h('div', { class: 'identify-bar' }, this.evaluate, this.message), this.why, this.question, this.found.element, this.list);
     this.evaluate.addEventListener('click', () => {
       void this.act('Evaluating the drives \u2026', () => this.identify());
     });
@@ -217,7 +217,7 @@ export class IdentifyPanel {
   }
 
   private say(text: string, bad = false): void {
-    setText(this.said, text);
-    setClass(this.said, 'bad', bad);
+    setText(this.message, text);
+    setClass(this.message, 'bad', bad);
   }
 }

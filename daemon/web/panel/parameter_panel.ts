@@ -12,7 +12,7 @@ export class ParameterPanel {
   readonly element = h('div', { class: 'parameters', tabindex: '0' });
   private readonly save = h('button', { type: 'button', class: 'control', id: 'parameters-save' }, 'Save \u2026');
   private readonly restore = h('button', { type: 'button', class: 'control', id: 'parameters-restore', hidden: '' }, 'Undo the last save \u2026');
-  private readonly said = h('p', { class: 'parameters-said', role: 'status' });
+  private readonly message = h('p', { class: 'parameters-message', role: 'status' });
   private readonly question = h('section', { class: 'parameters-question', id: 'parameters-question', 'aria-label': 'Difference', hidden: '' });
   private readonly edits = new ParameterEdits();
   private readonly table: ParameterTable;
@@ -29,7 +29,7 @@ export class ParameterPanel {
       this.count();
     });
     this.element.append(
-      h('div', { class: 'parameters-bar' }, h('div', { class: 'parameters-tools' }, this.table.filter, this.save, this.restore), this.said, this.question),
+      h('div', { class: 'parameters-bar' }, h('div', { class: 'parameters-tools' }, this.table.filter, this.save, this.restore), this.message, this.question),
       this.table.element,
     );
     this.save.addEventListener('click', () => {
@@ -145,6 +145,6 @@ export class ParameterPanel {
   }
 
   private say(what: unknown): void {
-    setText(this.said, reason(what));
+    setText(this.message, reason(what));
   }
 }

@@ -19,7 +19,7 @@ export class RunList {
   private readonly compareButton = h('button', { type: 'button', class: 'control', id: 'compare' }, 'Compare');
   /** What the daemon is making for another page. */
   private readonly busy = h('span', { class: 'runs-room' });
-  private readonly said = h('p', { class: 'runs-said', role: 'status' });
+  private readonly message = h('p', { class: 'runs-message', role: 'status' });
   private readonly rows = new Map<string, { text: string; element: HTMLTableRowElement }>();
   private readonly chosen = new Set<string>();
   private readonly actions: RunActions;
@@ -39,7 +39,7 @@ export class RunList {
   ) {
     const head = ['', 'run', 'recorded', 'size', ''].map((title) => h('th', { scope: 'col' }, title));
     this.table = h('table', {}, h('thead', {}, h('tr', {}, ...head)), this.body);
-    this.element.append(h('div', { class: 'runs-bar' }, this.room, this.compareButton, this.busy, this.said), this.table, this.empty);
+    this.element.append(h('div', { class: 'runs-bar' }, this.room, this.compareButton, this.busy, this.message), this.table, this.empty);
     this.table.hidden = true;
     this.compareButton.addEventListener('click', () => {
       // In the order of the list: the newest is compared with the one before.
@@ -71,7 +71,7 @@ export class RunList {
     this.mayCommand = mayCommand;
     this.replayed = replayed;
     this.enable();
-    if (this.making !== undefined) setText(this.said, `Making ${this.making.what} \u2026 ${((this.now() - this.making.since_ms) / 1000).toFixed(0)} s`);
+    if (this.making !== undefined) setText(this.message, `Making ${this.making.what} \u2026 ${((this.now() - this.making.since_ms) / 1000).toFixed(0)} s`);
     if (this.now() < this.next_ms) return;
     this.next_ms = this.now() + kRefresh_ms;
     void this.load();
@@ -202,7 +202,7 @@ export class RunList {
       const { url } = (await this.ask(call)) as { url: string };
       const link = h('a', { href: url, target: '_blank', rel: 'noopener', id: 'made' }, `Open ${what}`);
       this.making = undefined;
-      this.said.replaceChildren(link);
+      this.message.replaceChildren(link);
       window.open(url, '_blank', 'noopener');
     } catch (error: unknown) {
       this.making = undefined;
@@ -217,8 +217,8 @@ export class RunList {
   }
 
   private say(text: string, bad = false): void {
-    setText(this.said, text);
-    setClass(this.said, 'bad', bad);
+    setText(this.message, text);
+    setClass(this.message, 'bad', bad);
   }
 }
 

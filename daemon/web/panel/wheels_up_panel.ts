@@ -9,7 +9,7 @@ export class WheelsUpPanel {
   readonly element = h('section', { class: 'wheels-up', 'aria-label': 'Wheels up' });
   private readonly free = h('input', { type: 'checkbox', id: 'wheels-up-free' });
   private readonly start = h('button', { type: 'button', class: 'control', id: 'wheels-up-start' }, 'Run the tracks');
-  private readonly said = h('p', { class: 'doctor-said wheels-up-said', role: 'status' }, 'Each track runs forward and back for a second, as long as this page is in sight. STOP ends it.');
+  private readonly message = h('p', { class: 'doctor-message wheels-up-message', role: 'status' }, 'Each track runs forward and back for a second, as long as this page is in sight. STOP ends it.');
   private readonly question = h('div', { class: 'wheels-up-question', role: 'group', 'aria-label': 'Question', hidden: '' });
   private readonly list = h('ul', {});
   private readonly check: WheelsUp;
@@ -26,7 +26,7 @@ export class WheelsUpPanel {
     this.element.append(
       h('h3', {}, 'Wheels up'),
       h('div', { class: 'wheels-up-bar' }, h('label', {}, this.free, ' The robot stands on a block, and both tracks turn freely'), this.start),
-      this.said,
+      this.message,
       this.question,
       this.list,
     );
@@ -76,7 +76,7 @@ export class WheelsUpPanel {
   }
 
   private say(text: string, bad = false): void {
-    setText(this.said, text);
-    setClass(this.said, 'bad', bad);
+    setText(this.message, text);
+    setClass(this.message, 'bad', bad);
   }
 }

@@ -38,7 +38,7 @@ const kScreens: Size[] = [
   { width: 390, height: 844 },
 ];
 
-const said = (page: Page): Promise<string> => page.textContent('.courses-said').then((text) => text ?? '');
+const message = (page: Page): Promise<string> => page.textContent('.courses-message').then((text) => text ?? '');
 
 /** The colour of the robot's body on the map. */
 const kBody = '201,209,218';
@@ -108,16 +108,16 @@ describe('the courses', () => {
       expect(setting.pair.daemon.lines.filter((line) => line.includes('closed -> listening'))).toHaveLength(1);
 
       await upload(page, 'my bend.toml', kCourse.replace('radius_m', 'radius'));
-      await until(async () => (await said(page)).includes('my-bend.toml:'), 'an error with its place');
-      expect(await said(page)).toMatch(/^my-bend\.toml:\d+:\d+: .*radius/);
-      const visible = await page.$eval('.courses-said', (each) => {
+      await until(async () => (await message(page)).includes('my-bend.toml:'), 'an error with its place');
+      expect(await message(page)).toMatch(/^my-bend\.toml:\d+:\d+: .*radius/);
+      const visible = await page.$eval('.courses-message', (each) => {
         const { left, top } = each.getBoundingClientRect();
         return document.elementFromPoint(left + 4, top + 10) === each;
       });
       expect(visible, 'however far the list is scrolled').toBe(true);
       await picture(page, 'courses-error');
       await upload(page, 'my bend.toml', kCourse);
-      await until(async () => (await said(page)) === 'my-bend is saved.', 'it is saved');
+      await until(async () => (await message(page)) === 'my-bend is saved.', 'it is saved');
       await page.waitForSelector('#course-my-bend');
       expect(await readFile(join(setting.pair.folder, 'library', 'courses', 'my-bend.toml'), 'utf8')).toBe(kCourse);
 
@@ -125,7 +125,7 @@ describe('the courses', () => {
       await page.click('#upload-replace');
       await until(async () => (await page.textContent('#course-my-bend .card-about')) === 'another bend', 'it is replaced');
       await upload(page, '3.toml', kCourse);
-      await until(async () => (await said(page)).includes('not one of your own files'), 'no other file is replaced');
+      await until(async () => (await message(page)).includes('not one of your own files'), 'no other file is replaced');
 
       await page.click('#course-my-bend .card-choose');
       await until(() => bus.last('/state')?.course === 'my-bend', 'my course is in force');

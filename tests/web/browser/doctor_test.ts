@@ -18,17 +18,17 @@ async function openDoctor(setting: Setting, size?: Size): Promise<Page> {
 async function examine(page: Page): Promise<string> {
   await until(() => page.isEnabled('#doctor-examine'), 'it may be examined');
   await page.click('#doctor-examine');
-  return said(page, /ready to drive|not examined/i);
+  return message(page, /ready to drive|not examined/i);
 }
 
-const said = (page: Page, pattern: RegExp): Promise<string> =>
+const message = (page: Page, pattern: RegExp): Promise<string> =>
   until(
     async () => {
-      const text = (await page.textContent('.doctor-said')) ?? '';
+      const text = (await page.textContent('.doctor-message')) ?? '';
       return pattern.test(text) && text;
     },
     String(pattern),
-    () => page.textContent('.doctor-said'),
+    () => page.textContent('.doctor-message'),
   );
 
 const severity = (page: Page, name: string): Promise<string | null> => page.getAttribute(`.finding[data-name="${name}"]`, 'data-severity');
@@ -88,7 +88,7 @@ describe('the doctor', () => {
           return false;
         },
         'the tracks are judged',
-        () => page.textContent('.wheels-up-said'),
+        () => page.textContent('.wheels-up-message'),
       );
       for (const name of wheels) expect(await page.getAttribute(`.wheels-up .finding[data-name="${name}"]`, 'data-severity'), name).toBe('ok');
       expect(await page.isChecked('#wheels-up-free')).toBe(false);

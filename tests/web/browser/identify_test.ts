@@ -18,14 +18,14 @@ const kScreens: Size[] = [
 const course = (segment: string): string =>
   `speed_mps = 0.15\nidentifies = true\n[[segment]]\n${segment}\n[fence]\nmin_x_m = -0.5\nmax_x_m = 0.6\nmin_y_m = -0.5\nmax_y_m = 0.5\n`;
 
-const said = (page: Page, pattern: RegExp): Promise<string> =>
+const message = (page: Page, pattern: RegExp): Promise<string> =>
   until(
     async () => {
-      const text = (await page.textContent('.identify-said')) ?? '';
+      const text = (await page.textContent('.identify-message')) ?? '';
       return pattern.test(text) && text;
     },
     String(pattern),
-    () => page.textContent('.identify-said'),
+    () => page.textContent('.identify-message'),
   );
 
 async function openIdentify(setting: Setting, size?: Size): Promise<Page> {
@@ -55,7 +55,7 @@ async function driveCourse(page: Page, name: string): Promise<void> {
       return false;
     },
     `${name} is driven`,
-    () => page.textContent('.identify-said'),
+    () => page.textContent('.identify-message'),
   );
 }
 
@@ -94,7 +94,7 @@ describe.each(kScreens)('the identification at $width x $height', (size) => {
     expect(await page.textContent('.identify-question')).toContain('0.6 m ahead');
     expect(await run(page)).not.toBe('running');
     await page.click('#identify-cancel');
-    await said(page, /Nothing was driven/);
+    await message(page, /Nothing was driven/);
 
     await driveCourse(page, 'ahead');
     await driveCourse(page, 'left');
@@ -108,7 +108,7 @@ describe.each(kScreens)('the identification at $width x $height', (size) => {
     // Pressed at once, it evaluates what has just been typed.
     await write(page, 'left', 'turned_deg', '90');
     await page.click('#identify-evaluate');
-    await said(page, /2 drives are evaluated/);
+    await message(page, /2 drives are evaluated/);
     const kept = page.locator('[data-course="left"] input[name="turned_deg"], [data-course="ahead"] input[name="distance_m"]');
     await until(async () => (await kept.evaluateAll((all) => all.map((each) => (each as HTMLInputElement).value))).join() === '0.28,90', 'the measurements');
     expect(await page.getAttribute('.identify-found [data-name="slip_left"]', 'data-found')).toBe('true');
@@ -127,18 +127,18 @@ describe.each(kScreens)('the identification at $width x $height', (size) => {
     await page.fill('#identify-name', 'mine');
     await until(() => page.isEnabled('#identify-save'), 'it may be saved');
     await page.click('#identify-save');
-    await said(page, /mine.toml is saved/);
+    await message(page, /mine.toml is saved/);
     const saved = join(setting.pair.folder, 'library', 'robots', 'mine.toml');
     expect(await readFile(saved, 'utf8')).toContain('From identify on');
     expect(existsSync(`${saved}.bak`)).toBe(false);
     await page.click('#identify-use');
-    await said(page, /mine is in use until tp100d ends/);
+    await message(page, /mine is in use until tp100d ends/);
     await until(() => bus.last('/state')?.robot === 'mine', 'the daemon uses it');
 
     const configuration = join(setting.pair.folder, 'tp100.toml');
     expect(await readFile(configuration, 'utf8')).not.toContain('robot = "mine"');
     await page.click('#identify-always');
-    await said(page, /mine is in use, and from tp100.toml at every start/);
+    await message(page, /mine is in use, and from tp100.toml at every start/);
     expect(await readFile(configuration, 'utf8')).toContain('robot = "mine"');
     bus.close();
   });

@@ -32,8 +32,8 @@ async function type(page: Page, name: string, text: string): Promise<void> {
 
 const file = (): Promise<string> => readFile(join(setting.pair.folder, 'tp100.toml'), 'utf8');
 const about = (page: Page, name: string): Promise<string> => page.textContent(`[data-name="${name}"]`).then((text) => text ?? '');
-const said = (page: Page, part: string): Promise<unknown> =>
-  until(async () => ((await page.textContent('.parameters-said')) ?? '').includes(part), part, () => page.textContent('.parameters-said'));
+const message = (page: Page, part: string): Promise<unknown> =>
+  until(async () => ((await page.textContent('.parameters-message')) ?? '').includes(part), part, () => page.textContent('.parameters-message'));
 
 describe('parameters', () => {
   for (const size of kScreens) {
@@ -56,7 +56,7 @@ describe('parameters', () => {
       await page.locator('#parameters-write').scrollIntoViewIfNeeded();
       await picture(page, `parameters-${size.width}`);
       await page.click('#parameters-write');
-      await said(page, 'tp100.toml is saved');
+      await message(page, 'tp100.toml is saved');
       expect(await file()).toBe(original.replace('preview_s = 0.05', 'preview_s = 0.08').replace('hold_cpu_latency = false\n', 'hold_cpu_latency = false\nrate_hz = 100.0\n'));
       await until(async () => (await about(page, 'loop.rate_hz')).includes('in the file: 100.0'), 'the next start has it');
 
@@ -81,7 +81,7 @@ describe('parameters', () => {
     await page.fill('input[aria-label="Search parameters"]', '');
     await writeFile(join(setting.pair.folder, 'tp100.toml'), '[control]\npreview = 1\n');
     await page.click('#parameters-save');
-    await said(page, "unknown key 'control.preview'");
+    await message(page, "unknown key 'control.preview'");
     expect(await file()).toBe('[control]\npreview = 1\n');
   });
 
@@ -96,11 +96,11 @@ describe('parameters', () => {
     await until(
       async () => {
         if ((await run(page)) !== 'running') return 'the run has ended by itself';
-        return ((await page.textContent('.parameters-said')) ?? '').includes('not saved during a run');
+        return ((await page.textContent('.parameters-message')) ?? '').includes('not saved during a run');
       },
       'it is refused',
     );
-    if ((await page.textContent('.parameters-said'))?.includes('not saved during a run') === true) expect(await file()).toBe(original);
+    if ((await page.textContent('.parameters-message'))?.includes('not saved during a run') === true) expect(await file()).toBe(original);
   });
 });
 

@@ -32,7 +32,7 @@ afterAll(() => {
 
 const row = (page: Page, name: string): Locator => page.locator(`.runs tr[data-run="${name}"]`);
 const titled = (page: Page, title: string): Locator => page.locator('.runs tr', { hasText: title });
-const said = (page: Page): Promise<string> => page.textContent('.runs-said').then((text) => text ?? '');
+const message = (page: Page): Promise<string> => page.textContent('.runs-message').then((text) => text ?? '');
 
 async function openRuns(size?: Size): Promise<Page> {
   const page = await setting.open(size);
@@ -62,7 +62,7 @@ describe('a recorded run', () => {
     await until(() => report.isVisible('h1'), 'the report');
     await report.close();
     await until(async () => (await last.locator('.run-report').count()) === 1, 'the report stays beside it');
-    await until(async () => (await said(page)).startsWith('Open the report of'), 'a link for who closed it', () => said(page));
+    await until(async () => (await message(page)).startsWith('Open the report of'), 'a link for who closed it', () => message(page));
   });
 
   it('is compared with another one', async () => {
@@ -80,9 +80,9 @@ describe('a recorded run', () => {
   it('says why a report is not made', async () => {
     const page = await openRuns();
     await row(page, 'corrupted').locator('.run-make').click();
-    await until(async () => (await said(page)).includes('is not made'), 'the reason', () => said(page));
-    expect(await said(page)).toMatch(/report of corrupted is not made: corrupted\/run\.mcap: .*not a recording/);
-    expect(await said(page)).not.toContain(folder);
+    await until(async () => (await message(page)).includes('is not made'), 'the reason', () => message(page));
+    expect(await message(page)).toMatch(/report of corrupted is not made: corrupted\/run\.mcap: .*not a recording/);
+    expect(await message(page)).not.toContain(folder);
     await until(() => row(page, recorded('1-sharp')).locator('.run-make').isEnabled(), 'another one may be made');
   });
 
@@ -94,7 +94,7 @@ describe('a recorded run', () => {
     await page.fill('[name=run-tags]', 'wet  lab');
     await page.fill('.run-form textarea', 'first line\nsecond line');
     await page.click('.run-save');
-    await until(async () => (await titled(page, 'Wet floor <b>\u2713').count()) === 1, 'its name', () => said(page));
+    await until(async () => (await titled(page, 'Wet floor <b>\u2713').count()) === 1, 'its name', () => message(page));
     const shown = await row(page, name).locator('.run-what').innerText();
     for (const text of ['wet', 'lab', 'first line', 'second line']) expect(shown).toContain(text);
     expect(readFileSync(join(folder, name, 'run.toml'), 'utf8')).toContain('tags = "wet lab"');
@@ -115,7 +115,7 @@ describe('a recorded run', () => {
     await until(async () => (await remove.textContent()) === 'really delete', 'the question');
     expect(existsSync(join(folder, name))).toBe(true);
     await remove.click();
-    await until(async () => (await row(page, name).count()) === 0, 'it is gone', () => said(page));
+    await until(async () => (await row(page, name).count()) === 0, 'it is gone', () => message(page));
     expect(existsSync(join(folder, name))).toBe(false);
   });
 
