@@ -48,7 +48,7 @@ export class AlertChoice {
     });
     const notify = box('alert-notify', 'notify', this.alerts.notifies && 'Notification' in window);
     notify.input.disabled = !('Notification' in window);
-    if (notify.input.disabled) notify.element.title = 'This browser has no notifications for a page that is not encrypted';
+    if (notify.input.disabled) notify.element.title = 'This browser permits notifications only on encrypted pages';
     notify.input.addEventListener('change', () => {
       this.alerts.notifies = notify.input.checked;
       if (!notify.input.checked) return;

@@ -9,7 +9,7 @@ import { h, icon, setAttribute, setClass, setText } from './dom.ts';
 export type Command = 'hold' | 'pause' | 'resume' | 'record_start' | 'record_stop';
 
 const kConfirm_ms = 3000;
-const kNoRights = 'This daemon takes no commands from here but STOP (server.commands)';
+const kNoRights = 'This daemon accepts only STOP from here (server.commands)';
 
 export class Controls {
   readonly element = h('div', { class: 'controls', role: 'group', 'aria-label': 'Run' });

@@ -252,7 +252,7 @@ export class CourseList {
 
 function whyNot(state: State | undefined, fresh: boolean, mayCommand: boolean): string {
   if (!fresh || state === undefined) return 'No connection to tp100d.';
-  if (!mayCommand) return 'This daemon takes no commands from here but STOP (server.commands).';
+  if (!mayCommand) return 'This daemon accepts only STOP from here (server.commands).';
   if (onCourse(state.run)) return 'A run is under way: nothing can be changed.';
   if (state.run === 'driving') return 'The robot is driven by hand: release it first.';
   return '';

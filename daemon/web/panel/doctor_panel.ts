@@ -29,7 +29,7 @@ export class DoctorPanel {
     const run = store.get('/state')?.run;
     const drives = asksForMotion(run);
     this.button.disabled = this.busy || this.wheelsUp.on || !connected || !mayCommand || drives;
-    const why = !mayCommand ? 'This daemon takes no commands from here but STOP (server.commands)' : drives ? 'A run is under way; stop it first' : '';
+    const why = !mayCommand ? 'This daemon accepts only STOP from here (server.commands)' : drives ? 'A run is under way; stop it first' : '';
     setAttribute(this.button, 'title', why);
     this.wheelsUp.show(!connected ? 'No connection to tp100d' : why !== '' ? why : this.busy ? 'Examining' : (store.get('/state')?.why_not_drive ?? ''));
   }

@@ -8,7 +8,7 @@ import type { Store } from '../state/store.ts';
 import { h, icon, setAttribute, setClass, setText } from './dom.ts';
 
 const kConfirm_ms = 3000;
-const kNoRights = 'This daemon takes no commands from here but STOP (server.commands)';
+const kNoRights = 'This daemon accepts only STOP from here (server.commands)';
 const kSources = { none: 'no control held', keys: 'keys', stick: 'stick', gamepad: 'gamepad' };
 
 export class DrivePanel {
@@ -124,7 +124,7 @@ export class DrivePanel {
     const armed = state?.run === 'driving';
     setClass(this.element, 'frozen', this.inputs.frozen);
     const source = this.inputs.frozen
-      ? 'gamepad: its values stand still; move the stick'
+      ? 'gamepad: its values do not change; move the stick'
       : !armed
         ? 'arming\u2026'
         : estimate?.at_fence === true

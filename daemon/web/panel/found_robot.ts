@@ -72,7 +72,7 @@ export class FoundRobot {
       await this.call('file_save', { kind: 'robot', name, text: this.text, replace: this.robot() !== undefined });
       this.saved = name;
       this.use.hidden = this.always.hidden = false;
-      this.say(`${name}.toml is saved. Nothing uses it yet: the robot in force stays, now and when tp100d is started again, until you choose.`);
+      this.say(`${name}.toml is saved, but not in use: tp100d keeps its present robot, also after a restart, until you choose another one.`);
     } catch (error: unknown) {
       this.say(reason(error), true);
     }
@@ -102,7 +102,7 @@ export class FoundRobot {
 function row({ name, before, found, value, half_interval }: FoundParameter): HTMLElement {
   const digits = decimals(half_interval);
   const title = h('th', { scope: 'row' }, name);
-  if (!found || value === undefined) return h('tr', { 'data-name': name, 'data-found': 'false' }, title, h('td', {}, fixed(before, digits)), h('td', { colspan: '2' }, 'not seen in these drives'));
+  if (!found || value === undefined) return h('tr', { 'data-name': name, 'data-found': 'false' }, title, h('td', {}, fixed(before, digits)), h('td', { colspan: '2' }, 'not determined by these drives'));
   const changes = value !== before;
   return h(
     'tr',

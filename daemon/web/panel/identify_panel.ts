@@ -14,7 +14,7 @@ const kRefresh_ms = 5000;
 export class IdentifyPanel {
   readonly element = h('div', { class: 'identify', tabindex: '0' });
   private readonly evaluate = h('button', { type: 'button', class: 'control', id: 'identify-evaluate' }, 'Evaluate');
-  private readonly message = h('p', { class: 'identify-message', role: 'status' }, 'Drive the courses on a flat floor, evaluate the drives, and save the robot file that comes of them.');
+  private readonly message = h('p', { class: 'identify-message', role: 'status' }, 'Drive the courses on a flat floor, evaluate the drives, and save the resulting robot file.');
   private readonly why = h('p', { class: 'identify-why', role: 'status' });
   private readonly question = h('section', { class: 'identify-question', role: 'dialog', 'aria-label': 'Before the drive', hidden: '' });
   private readonly list = h('ol', { class: 'identify-courses' });
@@ -71,7 +71,7 @@ export class IdentifyPanel {
 
   private whyNot(connected: boolean, mayCommand: boolean): string {
     if (!connected) return 'No connection to tp100d.';
-    if (!mayCommand) return 'This daemon takes no commands from here but STOP (server.commands).';
+    if (!mayCommand) return 'This daemon accepts only STOP from here (server.commands).';
     if (this.store?.get('/recording')?.available === false) return 'Drives are recorded: start tp100d with --record DIR and --stay.';
     const run = this.store?.get('/state')?.run;
     return asksForMotion(run) ? 'A run is under way; stop it first.' : '';

@@ -98,7 +98,7 @@ export class ParameterPanel {
       yes.disabled = ![...chosen.values()].includes(true);
     });
     this.question.replaceChildren(
-      h('p', {}, restoring ? `${answer.file} will be as it was before:` : `In ${answer.file} will change:`),
+      h('p', {}, restoring ? `${answer.file} will get its previous values:` : `${answer.file} will change:`),
       h('ul', {}, ...answer.differences.map(row)),
       h('div', { class: 'parameters-tools' }, yes, no),
     );

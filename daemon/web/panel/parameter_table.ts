@@ -89,7 +89,7 @@ export class ParameterTable {
   }
 
   private back(parameter: Parameter): HTMLElement {
-    const button = h('button', { type: 'button', class: 'link', 'aria-label': `Take back ${parameter.name}` }, `back to ${shown(parameter.value)}`);
+    const button = h('button', { type: 'button', class: 'link', 'aria-label': `Discard the change of ${parameter.name}` }, `back to ${shown(parameter.value)}`);
     button.addEventListener('click', () => {
       this.edits.drop(parameter.name);
       this.refresh();

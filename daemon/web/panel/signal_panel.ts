@@ -23,7 +23,7 @@ export class SignalPanel {
   private readonly list = h('ul', { class: 'signal-list' });
   private readonly chosen = h('summary', {});
   private readonly chooser = h('details', { class: 'signal-chooser', open: '' }, this.chosen, this.search, this.list);
-  private readonly pauseButton = button('signals-pause', 'Pause', 'Stop and go on');
+  private readonly pauseButton = button('signals-pause', 'Pause', 'Pause or continue');
   private readonly charts_ = h('div', { class: 'signal-charts' });
   private readonly live = new Signals();
   private signals = this.live;

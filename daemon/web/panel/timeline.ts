@@ -34,7 +34,7 @@ export class Timeline {
   private readonly fill = h('i', { class: 'strip-fill' });
   private readonly marks = h('div', { class: 'strip-marks' });
   private readonly time = h('output', { class: 'timeline-time' });
-  private readonly left = h('output', { class: 'timeline-left', title: 'Time that the run will about still take' });
+  private readonly left = h('output', { class: 'timeline-left', title: 'Estimated time left of the run' });
   private readonly progress = h('output', { class: 'timeline-progress' });
   private courseShown = -1;
 
