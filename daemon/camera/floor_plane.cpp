@@ -67,11 +67,11 @@ FloorFit fit_floor(const Lens& lens, std::span<const FloorPoint> points) {
     // nearby, as there is for one small marker.
     if (!cv::solvePnP(world, rays, cv::Matx33d::eye(), cv::noArray(), turn, plane.shift_, false,
                       cv::SOLVEPNP_ITERATIVE)) {
-      return {{}, "the points on the floor fit no camera"};
+      return {{}, "no camera pose fits the points on the floor"};
     }
     cv::Rodrigues(turn, plane.to_camera_);
   } catch (const cv::Exception&) {
-    return {{}, "the points on the floor fit no camera"};
+    return {{}, "no camera pose fits the points on the floor"};
   }
   const cv::Vec3d lens_m = -(plane.to_camera_.t() * plane.shift_);
   plane.lens_m_ = {lens_m[0], lens_m[1], lens_m[2]};

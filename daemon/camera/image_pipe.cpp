@@ -147,14 +147,14 @@ PipeSource::Header PipeSource::header() {
   header_size_ = 0;
   const std::string magic = word(header);
   if (magic != "P5" && magic != "P6")
-    throw fault("no netpbm image, P5 or P6; ffmpeg makes them with -f image2pipe -c:v pgm");
+    throw fault("not a netpbm image (P5 or P6); ffmpeg makes them with -f image2pipe -c:v pgm");
   header.colour = magic == "P6";
   for (int& number : header.numbers) {
     const std::string digits = word(header);
     const std::optional<int> value = number_of<int>(digits);
     const bool side = &number != &header.numbers.back();  // the largest value is checked below
     if (!value || *value < 1 || (side && *value > kMaxSide))
-      throw fault(text::one_line(digits, 40) + " is no number from 1 to " +
+      throw fault(text::one_line(digits, 40) + " is not a number from 1 to " +
                   std::to_string(kMaxSide));
     number = *value;
   }

@@ -18,7 +18,7 @@ using text::Key;
 std::span<const Key<Lens>> keys() {
   using T = Lens;
   static const std::array<Key<T>, 12> kKeys = {{
-      {"width_px", &T::width_px, {16, 16384}, "Images for which these values hold"},
+      {"width_px", &T::width_px, {16, 16384}, "Size of the images for which these values hold"},
       {"height_px", &T::height_px, {16, 16384}, "Same"},
       {"fx_px", &T::fx_px, {10, 100000}, "Focal length, along the rows"},
       {"fy_px", &T::fy_px, {10, 100000}, "Same, along the columns"},
@@ -29,7 +29,7 @@ std::span<const Key<Lens>> keys() {
       {"p1", &T::p1, {-1, 1}, "Tangential distortion"},
       {"p2", &T::p2, {-1, 1}, "Same"},
       {"k3", &T::k3, {-10, 10}, "Radial distortion"},
-      {"rms_px", &T::rms_px, {0, 100}, "What calibration left over; 0 if unknown"},
+      {"rms_px", &T::rms_px, {0, 100}, "Residual of the calibration; 0 if unknown"},
   }};
   return kKeys;
 }

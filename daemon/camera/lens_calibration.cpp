@@ -194,7 +194,7 @@ LensFit fit_lens(const std::vector<BoardCorners>& views, cv::Size size) {
     fit.lens.rms_px = cv::calibrateCamera(board, pixels, size, matrix, distortion, cv::noArray(),
                                           cv::noArray(), deviations, cv::noArray(), cv::noArray());
   } catch (const cv::Exception&) {
-    throw SetupError("the images of the board fit no lens; take more, from other angles");
+    throw SetupError("no lens fits the images of the board; take more images from other angles");
   }
   fit.lens.width_px = size.width;
   fit.lens.height_px = size.height;

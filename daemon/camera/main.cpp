@@ -62,7 +62,7 @@ void add_options(CLI::App& app, Options& options) {
                  "(squares, square and marker in m)")
       ->type_name("BOARD");
   app.add_option("--print-marker", options.print_marker,
-                 "Write the marker as an SVG of true size (of --view, else of its defaults)")
+                 "Write the marker of --view, or the default one, as an SVG of true size")
       ->type_name("FILE");
   app.add_option("--id", options.marker_id, "Another marker to print, such as one of the floor")
       ->check(CLI::Range(0, 1023))

@@ -129,14 +129,16 @@ View parse_view(const std::string& text, const std::string& file) {
 std::string write_view(const View& view) {
   std::string text = text::toml_comment(
       "What an overhead camera looks at: tp100-camera SOURCE --view THIS FILE. Places are in the "
-      "course's frame: x forward, y to the left, both on the floor. A key's end names its unit.");
+      "course's frame: x forward, y to the left, both on the floor. The end of a key's name gives "
+      "its unit.");
   text += "\n" + text::write_keys(camera_keys(), view);
   text += "\n[marker]\n" + text::write_keys(marker_keys(), view);
   text += "\n[image]\n" + text::write_keys(image_keys(), view.images);
-  text += "\n" + text::toml_comment(
-                     "Four or more markers that lie on the floor, with the place of their middles. "
-                     "Or [[floor_point]] with u_px, v_px (a pixel of the image, 0 is the middle "
-                     "of the first) and x_m, y_m.");
+  text +=
+      "\n" + text::toml_comment(
+                 "Four or more markers that lie on the floor, with the positions of their centres. "
+                 "Or [[floor_point]] with u_px, v_px (a pixel of the image, 0 is the middle "
+                 "of the first) and x_m, y_m.");
   const auto place = [](const cv::Point2d& world_m) {
     return "x_m = " + text::toml_number(world_m.x) + "\ny_m = " + text::toml_number(world_m.y) +
            "\n";

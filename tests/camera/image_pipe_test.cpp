@@ -112,14 +112,14 @@ TEST(ImagePipe, PixelsThatLookLikeAHeaderAreJustPixels) {
 
 TEST(ImagePipe, SaysWhatIsWrongWithWhichImage) {
   EXPECT_EQ(problem(""), "none");
-  EXPECT_THAT(problem("\x89PNG\r\n"), HasSubstr("no netpbm image"));
-  EXPECT_THAT(problem(grey("", 1) + "P4 1 1\n"), HasSubstr("image 2: no netpbm image"));
+  EXPECT_THAT(problem("\x89PNG\r\n"), HasSubstr("not a netpbm image"));
+  EXPECT_THAT(problem(grey("", 1) + "P4 1 1\n"), HasSubstr("image 2: not a netpbm image"));
   EXPECT_THAT(problem(grey("", 1).substr(0, 12)), HasSubstr("ends within its pixels"));
   EXPECT_THAT(problem("P5 3"), HasSubstr("ends within its header"));
-  EXPECT_THAT(problem("P5 0 2 255\n"), HasSubstr("0 is no number"));
-  EXPECT_THAT(problem("P5 -3 2 255\n"), HasSubstr("-3 is no number"));
-  EXPECT_THAT(problem("P5 99999999999 2 255\n"), HasSubstr("is no number"));
-  EXPECT_THAT(problem("P5 3x 2 255\n"), HasSubstr("3x is no number"));
+  EXPECT_THAT(problem("P5 0 2 255\n"), HasSubstr("0 is not a number"));
+  EXPECT_THAT(problem("P5 -3 2 255\n"), HasSubstr("-3 is not a number"));
+  EXPECT_THAT(problem("P5 99999999999 2 255\n"), HasSubstr("is not a number"));
+  EXPECT_THAT(problem("P5 3x 2 255\n"), HasSubstr("3x is not a number"));
   EXPECT_THAT(problem("P5 16384 16384 255\n"), HasSubstr("too large"));
   EXPECT_THAT(problem("P5 3 2 4095\n"), HasSubstr("write 8 bits"));
   EXPECT_THAT(problem("P5 3 2 65535\n"), HasSubstr("write 8 bits"));
