@@ -27,24 +27,26 @@ std::string why_no_seed(const std::string& text) {
 }
 
 void add_seed(CLI::App& app, Options& options) {
-  app.add_option("--seed", options.seed, "Noise of this run, 0 or more")
+  app.add_option("--seed", options.seed, "Seed of this run's noise, 0 or more")
       ->check(why_no_seed)
       ->type_name("NUMBER")
       ->capture_default_str();
 }
 
 void add_body(CLI::App& app, std::string& body) {
-  app.add_option("--body", body,
-                 "Contact of the tracks: ode, rigid bodies, or shear, shear stress that builds up "
-                 "along the track, on level ground (default: the robot file's contact_law)")
+  app.add_option(
+         "--body", body,
+         "Contact of the tracks. ode: rigid bodies; shear: shear stress that builds up along "
+         "the track, on level ground only (default: the robot file's contact_law)")
       ->type_name("BODY");
 }
 
 void add_floor(CLI::App& app, std::string& floor) {
-  app.add_option("--floor", floor,
-                 "even, or uneven: the seed draws friction and slip over the floor, tension of the "
-                 "tracks, payload and battery as the robot file's [emulated.variation] describes "
-                 "(default: the robot file's floor)")
+  app.add_option(
+         "--floor", floor,
+         "even, or uneven: friction and slip over the floor, tension of the tracks, payload and "
+         "battery are sampled from the seed as the robot file's [emulated.variation] "
+         "describes (default: the robot file's floor)")
       ->type_name("FLOOR");
 }
 
@@ -65,7 +67,7 @@ void add_faults(CLI::App& app, std::vector<std::string>& faults) {
   app.add_option(
          "--fault", faults,
          "NAME[:NUMBER][:WORD][@T[+D]]: from T s after the port was opened, for D s; may be "
-         "repeated; the list: tp100-sim faults")
+         "repeated; tp100-sim faults lists them")
       ->type_name("FAULT")
       ->allow_extra_args(false);
 }
@@ -83,11 +85,10 @@ void add_course_command(CLI::App& app, Action& action) {
                    "Configuration of the daemon's part (default: as config/tp100.toml)")
       ->type_name("FILE");
   command
-      ->add_flag(
-          "--camera{overhead}", course.camera,
-          "An overhead camera looks on; =CAMERA: name in config/cameras or file; =FILE.tum: "
-          "what a camera found in images of this very drive (tp100-camera --tum), in seconds "
-          "since its beginning")
+      ->add_flag("--camera{overhead}", course.camera,
+                 "Add an overhead camera; =CAMERA: name in config/cameras or file; =FILE.tum: "
+                 "poses that tp100-camera --tum found in images of the same drive, with times in "
+                 "seconds since its beginning")
       ->type_name("CAMERA");
   command
       ->add_option(
@@ -108,11 +109,11 @@ void add_course_command(CLI::App& app, Action& action) {
       ->type_name("FOLDER");
   command
       ->add_option("--record", course.record,
-                   "Folder for recordings; each run gets a folder of its own in it")
+                   "Folder for recordings; each run gets its own folder in it")
       ->type_name("FOLDER");
   command
       ->add_flag("--ros2{lo}", course.ros2,
-                 "All of ROS 2's topics, /clock and /ground_truth, at most as fast as real time; "
+                 "Publish all ROS 2 topics, /clock and /ground_truth, at most in real time; "
                  "=INTERFACE: network interface")
       ->type_name("INTERFACE");
   command->add_flag("--json", course.json, "One JSON object a line instead of tables");
@@ -132,19 +133,20 @@ void add_robot_command(CLI::App& app, Action& action) {
       ->type_name("COURSE");
   command
       ->add_flag("--camera{overhead}", robot.camera,
-                 "An overhead camera looks on; =CAMERA: name in config/cameras or file")
+                 "Add an overhead camera; =CAMERA: name in config/cameras or file")
       ->type_name("CAMERA");
   command
       ->add_option("--camera-to", robot.camera_to,
                    "Where its detections go, udp:PORT or udp:HOST:PORT (default: udp:47100)")
       ->type_name("ADDRESS");
   command
-      ->add_flag("--ros2{lo}", robot.ros2,
-                 "The true pose on ROS 2's topic /ground_truth; =INTERFACE: network interface")
+      ->add_flag(
+          "--ros2{lo}", robot.ros2,
+          "Publish the true pose on ROS 2's topic /ground_truth; =INTERFACE: network interface")
       ->type_name("INTERFACE");
   command
       ->add_option("--stats", robot.stats,
-                   "Write its figures to FILE in the end: samples, longest pause of this machine")
+                   "Write figures to FILE at the end: samples, longest pause of this machine")
       ->type_name("FILE");
   command->callback([&action] { action = [] { return run_robot(robot); }; });
 }
@@ -162,30 +164,30 @@ void add_slope_command(CLI::App& app, Action& action) {
 void add_reproduce_command(CLI::App& app, Action& action) {
   static ReproduceCommand reproduce;
   CLI::App* command = app.add_subcommand(
-      "reproduce", "Drive the paper's whole experiment; one page and one JSON of figures");
+      "reproduce", "Drive the paper's whole experiment; writes a page and a JSON file of figures");
   command->add_option("--out", reproduce.out, "Folder for page, JSON and trajectories")
       ->type_name("FOLDER")
       ->capture_default_str();
   command
       ->add_option("--part", reproduce.part,
                    "paper (reference robot), state (slopes and steps, camera noise), robots (all "
-                   "others), uneven (floors sampled from the seed), covariance (does it hold the "
-                   "true pose?), sampled (robots of stated ranges), held-out (courses that are not "
+                   "others), uneven (floors sampled from the seed), covariance (does it contain "
+                   "the true pose?), sampled (robots drawn from stated ranges), held-out (courses "
+                   "that are not "
                    "bundled), real (measured data of real robots), "
-                   "avr (course 3 on the image), all, or random (50 courses of the whole format a "
-                   "run)")
+                   "avr (course 3 on the image), all, or random (50 random courses a run)")
       ->type_name("PART")
       ->capture_default_str();
   command
       ->add_option("--body", reproduce.body,
-                   "ode, or shear: every robot identified on the other contact law, then driven on "
-                   "courses that no calibration drives (default: ode)")
+                   "ode, or shear: every robot is identified on the other contact law, then driven "
+                   "on courses that are not used for calibration (default: ode)")
       ->type_name("BODY");
   command->add_option("--seed", reproduce.seed, "First seed")
       ->check(why_no_seed)
       ->type_name("NUMBER")
       ->capture_default_str();
-  command->add_option("--runs", reproduce.runs, "Seeds a course, each driven both ways round")
+  command->add_option("--runs", reproduce.runs, "Seeds per course, each driven in both directions")
       ->check(CLI::Range(1, 10000))
       ->type_name("NUMBER")
       ->capture_default_str();
@@ -224,15 +226,17 @@ void add_calibrate_command(CLI::App& app, Action& action) {
   command->add_option("--out", calibrate.out, "Folder for the recordings (CSV)")
       ->type_name("FOLDER");
   command->add_flag("--auto", calibrate.by_itself,
-                    "The robot chooses its manoeuvres by what narrows the intervals most; "
-                    "prints the seconds of driving that it took");
-  command->add_option("--course", calibrate.area, "With --auto: course whose fence holds them")
+                    "Choose the manoeuvres that narrow the intervals most; prints the seconds of "
+                    "driving that they took");
+  command
+      ->add_option("--course", calibrate.area,
+                   "With --auto: course whose fence the manoeuvres stay within")
       ->type_name("COURSE")
       ->capture_default_str();
   command
       ->add_option("--sampled", calibrate.sampled,
-                   "With --auto: so many robots of the ranges in sim/study/sampled.h, too, and "
-                   "without --robot all bundled ones")
+                   "With --auto: also calibrate this many robots drawn from the ranges in "
+                   "sim/study/sampled.h and, without --robot, all bundled robots")
       ->check(CLI::Range(0, 10000))
       ->type_name("NUMBER")
       ->capture_default_str();
@@ -256,7 +260,7 @@ void add_demo_command(CLI::App& app, Action& action) {
       ->type_name("ROBOT");
   add_seed(*command, demo.options);
   command->add_flag("--headless", demo.headless,
-                    "For machines: no page is opened; ends with the run and the result table");
+                    "Open no page; end after the run and print the result table");
   command->callback([&action] { action = [] { return run_demo(demo); }; });
 }
 
@@ -264,11 +268,13 @@ void add_faults_command(CLI::App& app, Action& action) {
   static FaultsCommand faults;
   CLI::App* command = app.add_subcommand("faults", "List what --fault can do to a robot");
   command->add_flag("--json", faults.json, "One JSON object a line instead of a table");
-  command->add_flag("--drive", faults.drive,
-                    "Drive with each in virtual time: expected beside seen, as a table");
-  command->add_flag("--encoders", faults.encoders,
-                    "Let encoders fail at every speed and place, with three robots: the worst "
-                    "until the motors are off, as a table");
+  command->add_flag(
+      "--drive", faults.drive,
+      "Drive with each fault in virtual time; print expected and seen behaviour as a table");
+  command->add_flag(
+      "--encoders", faults.encoders,
+      "Let encoders fail at every speed and place, with three robots; print the worst "
+      "cases until the motors are off as a table");
   command->add_flag("--firmware-alone", faults.firmware_alone,
                     "With --encoders: without the daemon's own checks");
   command->add_option("--board", faults.board, "native or avr")
@@ -280,8 +286,10 @@ void add_faults_command(CLI::App& app, Action& action) {
 void add_campaign_command(CLI::App& app, Action& action) {
   static CampaignCommand campaign;
   CLI::App* command = app.add_subcommand(
-      "campaign", "Drive many runs that differ as a file defines; runs already done are kept");
-  command->add_option("SPEC", campaign.spec, "The file; config/campaigns/course-3.toml explains it")
+      "campaign", "Drive many runs whose variation a file defines; runs already done are kept");
+  command
+      ->add_option("SPEC", campaign.spec,
+                   "Campaign file; config/campaigns/course-3.toml explains the format")
       ->required();
   command->add_option("--out", campaign.out, "Folder of the campaign")
       ->type_name("FOLDER")
@@ -293,13 +301,14 @@ void add_campaign_command(CLI::App& app, Action& action) {
           "Only these runs, as 3, 3-7 or 3,5-7,12 (default: all)")
       ->type_name("RUNS");
   command
-      ->add_option("--record", campaign.record,
-                   "Folder for recordings; each run gets a folder of its own in it, done or not")
+      ->add_option(
+          "--record", campaign.record,
+          "Folder for recordings; each run gets its own folder in it, even if it was done before")
       ->type_name("FOLDER");
   command
       ->add_option(
           "--todo", campaign.todo,
-          "Drive nothing: print what is not done as --index takes it, at most N runs a line")
+          "Drive nothing; print the missing runs in the form of --index, at most N runs a line")
       ->check(CLI::Range(1, 1000000))
       ->type_name("N");
   command->callback([&action] { action = [] { return run_campaign(campaign); }; });
@@ -308,7 +317,7 @@ void add_campaign_command(CLI::App& app, Action& action) {
 void add_merge_command(CLI::App& app, Action& action) {
   static std::string merge;
   CLI::App* command = app.add_subcommand(
-      "merge", "Take the runs of a campaign together: merged.json, runs.csv and a page");
+      "merge", "Merge the runs of a campaign into merged.json, runs.csv and a page");
   command->add_option("FOLDER", merge, "The --out of the campaign")->required();
   command->callback([&action] { action = [] { return run_merge(merge); }; });
 }

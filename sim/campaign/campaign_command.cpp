@@ -216,7 +216,7 @@ std::string missing_text(const Merged& merged) {
   for (std::size_t i = 0; i < std::min(kNamedMissing, merged.missing.size()); ++i)
     text += (i > 0 ? ", " : "") + std::to_string(merged.missing[i]);
   return text + (merged.missing.size() > kNamedMissing ? ", ..." : "") +
-         "); run the campaign again, what is done is not done again";
+         "); run the campaign again: finished runs are not repeated";
 }
 
 struct Tally {

@@ -237,9 +237,9 @@ CampaignFolder::CampaignFolder(std::string path, std::string spec_text, Origin o
 void CampaignFolder::require(const Origin& origin) const {
   const std::string differs = difference(origin_, origin);
   if (differs.empty()) return;
-  throw SetupError(path_ + ": its runs come from something else (" +
+  throw SetupError(path_ + ": its runs were made with different inputs (" +
                    text::one_line(differs, kMaxDifferenceText) +
-                   "); put that back, or give another --out to drive all runs again");
+                   "); restore that, or give another --out to drive all runs again");
 }
 
 CampaignFolder CampaignFolder::existing(const std::string& path) {

@@ -221,7 +221,9 @@ LiveRun drive(const DemoCommand& command, const fs::path& programs, const std::s
     std::signal(SIGINT, SIG_IGN);
     show(page);
     std::printf(
-        "demo: stays after the run. Drive again: Start on the page, or the word go and Enter here; "
+        "demo: keeps running after the run. To drive again, press Start on the page, or type go "
+        "and "
+        "press Enter here; "
         "Enter alone is STOP; Ctrl-C ends the demo, and removes its recordings\n");
   }
   std::fflush(stdout);

@@ -291,7 +291,8 @@ int run_robot(const RobotCommand& command) {
   const std::vector<PlannedFault> faults = parse_faults(command.faults);
   for (const PlannedFault& fault : faults)
     if (fault.kind == FaultKind::kHostStall)
-      throw SetupError("--fault host-stall: the host is a program of its own here; stop that one");
+      throw SetupError(
+          "--fault host-stall: only for tp100-sim course; here stop the daemon itself");
   course::Course course;
   if (!command.course.empty()) course = load_course(command.course);
   EmulatedRobot robot({.values = loaded.robot.emulated,

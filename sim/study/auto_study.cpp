@@ -145,7 +145,7 @@ int run_auto_calibrate(const CalibrateCommand& command) {
       "driving, median %.1f s, 95 %% of them at most %.1f s; intervals hold the truth in "
       "%.1f %% of %d\n",
       spread(seconds).median, spread(seconds).p95, all.percent(), all.all);
-  if (failed > 0) std::printf("%d did not get to an end\n", failed);
+  if (failed > 0) std::printf("%d did not finish\n", failed);
   return narrow && failed == 0 ? 0 : 1;
 }
 

@@ -80,7 +80,7 @@ std::vector<CalibrationDrive> calibration_drives(const Loaded& loaded, int repea
       // Finished, not completed: an unidentified robot does not end where its course does.
       if (!result.finished)
         throw SetupError(name + ": " + loaded.robot.name + " did not finish it (" + result.cause +
-                         "); there is nothing to learn from");
+                         "); nothing can be identified");
       identify::RecordedDrive drive = sink.drive();
       drive.name = name + "-" + loaded.robot.name + "-" + std::to_string(seed) + "-" +
                    std::to_string(repeat);

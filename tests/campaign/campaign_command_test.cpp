@@ -208,7 +208,7 @@ TEST_F(Campaign, IsTakenUpOnlyWithTheProgramAndTheFilesThatItWasBegunWith) {
     EXPECT_EQ(edited.status, 2);
     EXPECT_EQ(lines(edited.output), 1u) << edited.output;
     EXPECT_THAT(edited.output, HasSubstr("robot " + folder_.file("mine.toml") + " was "));
-    EXPECT_THAT(edited.output, HasSubstr("put that back, or give another --out"));
+    EXPECT_THAT(edited.output, HasSubstr("restore that, or give another --out"));
   }
   EXPECT_EQ(done("a"), 1u);
 
@@ -236,7 +236,7 @@ TEST_F(Campaign, AFileThatIsEditedWhileItRunsEndsIt) {
   while (done("a") < 1) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   write("course.toml", course.str() + "# edited\n");
   EXPECT_EQ(driving.wait(), 2);
-  EXPECT_THAT(driving.output(), HasSubstr("come from something else (course "));
+  EXPECT_THAT(driving.output(), HasSubstr("were made with different inputs (course "));
   EXPECT_LT(done("a"), 1000u);
 }
 

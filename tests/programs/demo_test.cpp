@@ -95,7 +95,8 @@ TEST_F(Demo, WithoutHeadlessItStaysAndSaysHowToGoOn) {
   Process demo({"/usr/bin/env", "-u", "DISPLAY", "-u", "WAYLAND_DISPLAY",
                 TP100_BINARY_DIR "/bin/tp100-sim", "demo", "--course", short_course(folder_)});
   ASSERT_TRUE(demo.wait_for("scored against exact truth")) << demo.output();
-  ASSERT_TRUE(demo.wait_for("demo: stays after the run. Drive again: Start on the page"))
+  ASSERT_TRUE(
+      demo.wait_for("demo: keeps running after the run. To drive again, press Start on the page"))
       << demo.output();
   // On a busy machine the run may end for any reason.
   ASSERT_TRUE(demo.wait_for("running -> ")) << demo.output();
