@@ -75,7 +75,7 @@ constexpr std::string_view to_string(StartRefusal refusal) {
     case StartRefusal::kNoSample:
       return "no fresh sample from the robot; check the cable";
     case StartRefusal::kMotorsOn:
-      return "the robot's motors are on without being asked; press STOP";
+      return "the robot's motors are on without a request; press STOP";
     case StartRefusal::kUnknownFault:
       return "the robot reports an unknown fault; update the daemon";
     case StartRefusal::kTilted:

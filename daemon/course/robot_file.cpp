@@ -97,8 +97,8 @@ std::string section(const char* name, std::span<const text::Key<T>> keys, const 
 }
 
 constexpr const char* kBaselinesNote =
-    "\n# Simpler forms of the model, fitted to the same drives. The daemon never drives by them: "
-    "reports\n# show beside the model how far off each would have been.\n";
+    "\n# Simpler forms of the model, fitted to the same drives. The daemon does not drive with "
+    "them;\n# reports show the error of each beside the error of the model.\n";
 
 std::string baseline_sections(const Robot& robot) {
   std::string text;
@@ -198,8 +198,8 @@ std::string write_robot(const Robot& robot, const std::string& note) {
          "[emulated].\n" +
          section("model", model_keys(), robot.model, robot.origins).substr(1) +
          baseline_sections(robot) +
-         "\n# Values from a ruler and a balance: they determine its attitude on ramps and "
-         "steps.\n" +
+         "\n# Size and centre of mass, as measured: they determine the robot's attitude on ramps "
+         "and steps.\n" +
          section("shape", shape_keys(), robot.shape).substr(1) +
          "\n# Wiring and motor control; sent to the firmware when the daemon connects.\n" +
          section("drive", drive_keys(), robot.drive).substr(1) +

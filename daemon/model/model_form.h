@@ -58,8 +58,8 @@ inline constexpr std::array kBaselines = {
               .meaning = "Differential drive: no slip, the wheelbase is the gauge",
               .fixed = without_slip},
     ModelForm{.key = "differential_fitted",
-              .meaning = "Differential drive, fitted: slip_left for both tracks, which equals "
-                         "another wheel radius, and the wheelbase",
+              .meaning = "Differential drive, fitted: the wheelbase, and slip_left for both "
+                         "tracks, which is equivalent to another wheel radius",
               .fitted = rows_of({&TrackParameters::slip_left, &TrackParameters::wheelbase_m}),
               .one_slip = true},
     ModelForm{.key = "eqs_1_5_printed",
@@ -72,13 +72,13 @@ inline constexpr std::array kBaselines = {
                                  &TrackParameters::slip_angle_turning_rad,
                                  &TrackParameters::wheelbase_m})},
     ModelForm{.key = "icr",
-              .meaning = "One constant turning centre, fitted: slips, wheelbase, distance of the "
-                         "centre ahead",
+              .meaning = "Constant turning centre, fitted: both slips, the wheelbase and the "
+                         "centre's distance ahead",
               .fitted = rows_of({&TrackParameters::slip_left, &TrackParameters::slip_right,
                                  &TrackParameters::wheelbase_m, &TrackParameters::x_icr_m})},
     ModelForm{.key = "gyro",
-              .meaning = "Yaw by the gyro, whose bias is taken at standstill, and slip_left "
-                         "for both tracks, fitted",
+              .meaning = "Yaw from the gyro, whose bias is measured at standstill; fitted: the "
+                         "gyro's scale, and slip_left for both tracks",
               .fitted = rows_of({&TrackParameters::slip_left, &TrackParameters::gyro_scale}),
               .one_slip = true,
               .yaw_from_gyro = true},

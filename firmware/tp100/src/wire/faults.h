@@ -38,41 +38,41 @@
     "swap the motor leads or set drive.invert_right_motor / drive.invert_right_encoder")           \
   X(12, parameters_missing, "the board has no parameters yet", "wait for the handshake to finish")
 
-#define TP100_DAEMON_FAULTS(X)                                                                   \
-  X(16, link_lost, "the link broke, or no sample arrived for 200 ms",                            \
-    "check the cable; the daemon reconnects by itself, then start again")                        \
-  X(17, robot_rebooted, "the board restarted during the run", "check its supply; start again")   \
-  X(18, cross_track, "the robot left the path by more than control.max_cross_track_m",           \
-    "put it back to the start; identify the robot if it happens again")                          \
-  X(19, heading,                                                                                 \
-    "the heading error stayed above control.max_heading_error_deg, or the robot turned "         \
-    "against the command",                                                                       \
-    "check gyro sign and tracks; identify the robot")                                            \
-  X(20, tilt, "roll or pitch exceeds control.max_tilt_deg", "set the robot upright")             \
-  X(21, fence, "the reference point left the fence of the course",                               \
-    "put the robot back to the start")                                                           \
-  X(22, time_limit, "the run took longer than control.time_limit_factor allows",                 \
-    "check for a slipping track and a low battery")                                              \
-  X(23, stalled_track, "a track is at standstill against its commanded speed", "free the track") \
-  X(24, battery_below_minimum, "the battery voltage is below control.min_battery_v",             \
-    "charge the battery")                                                                        \
-  X(25, encoders_against_duty,                                                                   \
-    "a track turns against its duty, or much less than its duty requires",                       \
-    "check motor and encoder wiring, then drive.dead_band and drive.feed_forward")               \
-  X(26, gyro_against_encoders,                                                                   \
-    "gyro and encoders disagree about the turn (lost counts, or a mis-wired yaw loop)",          \
-    "check both encoders, which track is left, and the gyro; identify the robot")                \
-  X(27, not_acknowledged,                                                                        \
-    "the robot refused arm or disarm, did not confirm it in time, or disarmed by itself",        \
-    "remove the cause of a refusal, which the log names; otherwise check the cable")             \
-  X(28, samples_stale, "samples arrive too late to control the robot",                           \
-    "check USB hub and host load")                                                               \
-  X(29, immobilised,                                                                             \
-    "the tracks run but the robot does not move, or does not get over the obstacle",             \
-    "free the robot; clean tracks and floor; they need more traction")                           \
-  X(30, world_lost, "the external world is silent, too slow or was restarted",                   \
-    "check the world's program; start again once the log reports the world as connected")        \
-  X(31, moves_unasked, "the robot is armed or drives its motors without a request",              \
+#define TP100_DAEMON_FAULTS(X)                                                                    \
+  X(16, link_lost, "the link broke, or no sample arrived for 200 ms",                             \
+    "check the cable; the daemon reconnects by itself, then start again")                         \
+  X(17, robot_rebooted, "the board restarted during the run", "check its supply; start again")    \
+  X(18, cross_track, "the robot left the path by more than control.max_cross_track_m",            \
+    "put it back to the start; identify the robot if it happens again")                           \
+  X(19, heading,                                                                                  \
+    "the heading error stayed above control.max_heading_error_deg, or the robot turned "          \
+    "against the command",                                                                        \
+    "check gyro sign and tracks; identify the robot")                                             \
+  X(20, tilt, "roll or pitch exceeds control.max_tilt_deg", "set the robot upright")              \
+  X(21, fence, "the reference point left the fence of the course",                                \
+    "put the robot back to the start")                                                            \
+  X(22, time_limit, "the run took longer than control.time_limit_factor allows",                  \
+    "check for a slipping track and a low battery")                                               \
+  X(23, stalled_track, "a track stands still although it is commanded to move", "free the track") \
+  X(24, battery_below_minimum, "the battery voltage is below control.min_battery_v",              \
+    "charge the battery")                                                                         \
+  X(25, encoders_against_duty,                                                                    \
+    "a track turns against its duty, or much less than its duty requires",                        \
+    "check motor and encoder wiring, then drive.dead_band and drive.feed_forward")                \
+  X(26, gyro_against_encoders,                                                                    \
+    "gyro and encoders disagree about the turn (lost counts, or a mis-wired yaw loop)",           \
+    "check both encoders, which track is left, and the gyro; identify the robot")                 \
+  X(27, not_acknowledged,                                                                         \
+    "the robot refused arm or disarm, did not confirm it in time, or disarmed by itself",         \
+    "remove the cause of a refusal, which the log names; otherwise check the cable")              \
+  X(28, samples_stale, "samples arrive too late to control the robot",                            \
+    "check USB hub and host load")                                                                \
+  X(29, immobilised,                                                                              \
+    "the tracks run but the robot does not move, or does not get over the obstacle",              \
+    "free the robot; clean tracks and floor; they need more traction")                            \
+  X(30, world_lost, "the external world is silent, too slow or was restarted",                    \
+    "check the world's program; start again once the log reports the world as connected")         \
+  X(31, moves_unasked, "the robot is armed or drives its motors without a request",               \
     "switch the motors' supply off; flash the board (scripts/flash, installed: tp100-flash)")
 
 namespace tp100 {
