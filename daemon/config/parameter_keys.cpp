@@ -195,7 +195,7 @@ std::span<const Key<control::Parameters>> control_keys() {
       {"stall_s",
        &T::stall_s,
        {0.1, 30},
-       "Abort after a track has been at standstill against its command for this long"},
+       "Abort after a track has stood still for this long although it is commanded to move"},
       {"disagreement_radps",
        &T::disagreement_radps,
        {0.05, 10},

@@ -40,12 +40,13 @@ std::span<const Key<bridge::WorldParameters>> world_keys() {
                  [](const T& w) { return static_cast<std::size_t>(w.owns_pose); },
                  [](T& w, std::size_t i) { w.owns_pose = i == 1; }},
        {},
-       "Who owns the pose. bridge: the world says height, pitch and roll; world: all of the pose, "
-       "and the controller steers by it"},
+       "Which side determines the pose. bridge: the world answers with height, pitch and roll "
+       "only; "
+       "world: with the whole pose, which the controller then uses"},
       {"timeout_ms",
        &T::timeout_s,
        {50, 2000},
-       "A world that has not answered a pose younger than this ends the run",
+       "The run ends if the world has answered no pose that is younger than this",
        1e-3},
   }};
   return kKeys;
@@ -63,19 +64,20 @@ std::span<const Key<WorldSettings>> world_stream_keys() {
       {"listen",
        &T::listen,
        {},
-       "udp: where its answers come in, udp:PORT or udp:ADDRESS:PORT; empty: any free port, which "
-       "the world sees as sender"},
-      {"encoder_file", &T::encoder_file, {}, "files: is written, replaced as a whole"},
+       "udp: where the world's answers arrive, udp:PORT or udp:ADDRESS:PORT; empty: any free port, "
+       "which the world sees as the sender"},
+      {"encoder_file", &T::encoder_file, {}, "files: the file to write, replaced as a whole"},
       {"encoder_template",
        &T::encoder_template,
        {},
-       "files: its text; {seq}, {t_s}, {left}, {right} (track speeds), {left_count}, "
-       "{right_count}, {x}, {y}, {z}, {roll}, {pitch}, {yaw} (pose), {mode}"},
-      {"orientation_file", &T::orientation_file, {}, "files: is read"},
+       "files: text of encoder_file, with {seq}, {t_s}, {left}, {right} (track speeds), "
+       "{left_count}, {right_count}, {x}, {y}, {z}, {roll}, {pitch}, {yaw} (pose), {mode}"},
+      {"orientation_file", &T::orientation_file, {}, "files: the file to read"},
       {"orientation_template",
        &T::orientation_template,
        {},
-       "files: its text with {x}, {y}, {z}, {roll}, {pitch}, {yaw}, {} for a number to skip; "
+       "files: text of orientation_file, with {x}, {y}, {z}, {roll}, {pitch}, {yaw}, {} for a "
+       "number to skip; "
        "empty: what Unreal prints of a rotator and a vector, or plain numbers"},
       {"live_link",
        &T::live_link,
@@ -85,8 +87,8 @@ std::span<const Key<WorldSettings>> world_stream_keys() {
       {"live_link_dialect",
        text::enum_choice<T, &T::live_link_dialect, worlds::kLiveLinkDialectNames>(),
        {},
-       "Their form. bones: a list with one bone; transform: one object"},
-      {"live_link_subject", &T::live_link_subject, {}, "Their name in Live Link"},
+       "Form of these poses. bones: a list with one bone; transform: one object"},
+      {"live_link_subject", &T::live_link_subject, {}, "Subject of these poses in Live Link"},
   }};
   return kKeys;
 }
