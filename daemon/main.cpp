@@ -27,8 +27,8 @@ void add_run(CLI::App& app, Action& action) {
   command->add_flag("--wait", options.wait,
                     "Wait for port and robot instead of ending with status 2");
   command->add_flag("--go", options.go,
-                    "The first run does not wait for Enter on a physical port either, a service's "
-                    "does; end after every fault. Every later run takes the word go and Enter; "
+                    "Start the first run without Enter on a physical port, too, but not in a "
+                    "service; end after every fault. Every later run takes the word go and Enter; "
                     "Enter alone is STOP");
   command
       ->add_option("--course", options.course,
@@ -62,7 +62,7 @@ void add_run(CLI::App& app, Action& action) {
       ->type_name("SECONDS");
   command
       ->add_option("--record", options.record,
-                   "Folder for recordings; each run gets a folder of its own in it (default: none)")
+                   "Folder for recordings; each run gets its own folder in it (default: none)")
       ->type_name("FOLDER");
   command->add_flag("--verbose", options.verbose,
                     "Write the loop's times to the log once a second");
@@ -91,7 +91,7 @@ void add_ports(CLI::App& app, Action& action) {
 void add_doctor(CLI::App& app, Action& action) {
   static DoctorOptions options;
   CLI::App* command = app.add_subcommand(
-      "doctor", "Find what prevents the robot from driving, with one line to fix each");
+      "doctor", "Find what prevents the robot from driving, with a remedy for each problem");
   command
       ->add_option("--port", options.port,
                    "Serial port, or auto for a Mega by its USB ids (default: auto)")
@@ -162,8 +162,8 @@ void add_identify(CLI::App& app, Action& action) {
       ->type_name("ROBOT");
   command
       ->add_option("--measured", options.measured,
-                   "CSV run[,distance_m][,ahead_m][,left_m][,turned_deg] of what was measured by "
-                   "hand; run counts from 1")
+                   "CSV of hand measurements: run[,distance_m][,ahead_m][,left_m][,turned_deg]; "
+                   "run counts from 1")
       ->type_name("FILE");
   command
       ->add_option("--config", options.config,
@@ -178,11 +178,11 @@ void add_identify(CLI::App& app, Action& action) {
                     "Drive the calibration courses on a port first, instead of RUN; without a "
                     "camera it asks for what was measured");
   command->add_flag("--auto", options.by_itself,
-                    "--drive chooses its manoeuvres by what narrows the intervals most, until all "
-                    "are narrow enough; prints the seconds of driving");
+                    "--drive chooses the manoeuvres that narrow the intervals most, until all are "
+                    "narrow enough; prints the seconds of driving");
   command
       ->add_option("--narrow", options.guided.narrow,
-                   "Goal of --auto: half intervals in parts of an error that is harmless")
+                   "Goal of --auto: half width of each interval, relative to a harmless error")
       ->check(CLI::Range(0.05, 10.0))
       ->type_name("PARTS")
       ->capture_default_str();
@@ -193,14 +193,16 @@ void add_identify(CLI::App& app, Action& action) {
                    "Overhead camera of --drive: udp:PORT or udp:ADDRESS:PORT (default: none)")
       ->type_name("ADDRESS");
   command->add_flag("--go", options.guided.run.go,
-                    "--drive does not wait for Enter, or go and Enter, on a physical port either");
+                    "Start each drive of --drive without confirmation on a physical port, too");
   command
       ->add_option("--course", options.guided.courses,
                    "Courses of --drive: names in config/courses or files (default: those that "
                    "calibrate a robot of this size); with --auto the one whose fence holds the "
                    "manoeuvres (default: 1-straight)")
       ->type_name("COURSE");
-  command->add_option("--repeats", options.guided.repeats, "How often --drive does each drive")
+  command
+      ->add_option("--repeats", options.guided.repeats,
+                   "Number of times that --drive drives each course")
       ->check(CLI::Range(1, 100))
       ->type_name("NUMBER")
       ->capture_default_str();

@@ -204,7 +204,7 @@ void export_images(const Recording& recording, const std::filesystem::path& fold
 void export_run(const std::string& run, const ExportOptions& options) {
   const Recording recording(run);
   if (!recording.whole())
-    std::fprintf(stderr, "tp100d: %s: was cut off; exported up to there\n",
+    std::fprintf(stderr, "tp100d: %s: the recording is cut off; exported everything before that\n",
                  recording.path().c_str());
   if (!has_run(recording))
     std::fprintf(stderr, "tp100d: %s: the run never began; exported the whole recording\n",

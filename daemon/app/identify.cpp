@@ -36,33 +36,33 @@ std::optional<double> ask(const std::string& question) {
     std::string line;
     if (!std::getline(std::cin, line))
       throw SetupError(
-          "identify --drive: no camera saw the drive and there is no input; give --camera, or "
-          "answer on standard input");
+          "identify --drive: no camera recorded the drive, and standard input ended before the "
+          "measured values; give --camera, or enter the values");
     if (line.find_first_not_of(" \t\r") == std::string::npos) return std::nullopt;
     char* end = nullptr;
     const double value = std::strtod(line.c_str(), &end);
     const bool whole = std::string_view(end).find_first_not_of(" \t\r") == std::string_view::npos;
     if (end != line.c_str() && whole && std::isfinite(value)) return value;
-    std::printf("'%s' is no number\n", text::one_line(line, 40).c_str());
+    std::printf("'%s' is not a number\n", text::one_line(line, 40).c_str());
   }
 }
 
 std::optional<double> ask_for_turn() {
-  const auto turned_deg = ask("  turned angle, left positive, whole turns counted [deg]:");
+  const auto turned_deg = ask("  turned angle, left positive, including whole turns [deg]:");
   if (!turned_deg) return std::nullopt;
   return *turned_deg * kRadPerDeg;
 }
 
 void ask_for(identify::HandMeasured& measured) {
-  std::printf("No camera saw this drive. Measure it; an empty line leaves a value out.\n");
+  std::printf("No camera recorded this drive. Measure it; press Enter to skip a value.\n");
   measured.distance_m = ask("  straight-line distance from start to end [m]:");
   measured.turned_rad = ask_for_turn();
 }
 
 void ask_for_end(identify::HandMeasured& measured) {
-  std::printf("Measure where it ended, from its start; an empty line leaves a value out.\n");
-  measured.ahead_m = ask("  ahead, along its direction at the start [m]:");
-  measured.left_m = ask("  to the left of that direction [m]:");
+  std::printf("Measure the end of the drive from its start; press Enter to skip a value.\n");
+  measured.ahead_m = ask("  distance ahead, in the direction at the start [m]:");
+  measured.left_m = ask("  distance to the left of that direction [m]:");
   measured.turned_rad = ask_for_turn();
 }
 
@@ -110,8 +110,8 @@ class Base {
       assumed_ = {files.robot,
                   config::parse_configuration(files.configuration.text, files.configuration.path)};
     } else if (files.robot.text != assumed_.robot.text) {
-      throw SetupError(recording.path() + ": was recorded with another robot file than " + first_ +
-                       "; leave one of them out, or name the robot with --robot");
+      throw SetupError(recording.path() + ": was recorded with a different robot file than " +
+                       first_ + "; leave one of them out, or name the robot with --robot");
     }
   }
   const Assumed& assumed() const { return assumed_; }
@@ -168,7 +168,8 @@ GuidedDrives driven(const IdentifyOptions& options, const course::Robot& robot,
   std::printf("%s in %s\n", text::counted(result.drives.size(), "recording").c_str(),
               guided.folder.c_str());
   if (!result.completed)
-    std::printf("not completed: nothing is identified; what there is can be given as RUN\n");
+    std::printf(
+        "not completed, so nothing was identified; give the recordings made so far as RUN\n");
   return result;
 }
 
@@ -214,8 +215,8 @@ GuidedDrives drive_guided(const GuidedOptions& options, const course::Robot& rob
     const course::TextFile file = course::read_bundled(course::Bundled::kCourses, name);
     const course::Course course = course::parse_course(file.text, file.path);
     for (int repeat = 1; repeat <= options.repeats; ++repeat) {
-      std::printf("drive %zu of %zu: %s; it needs %s of its start\n", result.drives.size() + 1, all,
-                  course.name.c_str(), space_for(course).c_str());
+      std::printf("drive %zu of %zu: %s; free floor needed around the start: %s\n",
+                  result.drives.size() + 1, all, course.name.c_str(), space_for(course).c_str());
       std::fflush(stdout);
       auto drive = drive_once(options.run, name, !result.drives.empty());
       if (!drive) return result;
@@ -234,7 +235,7 @@ GuidedDrives drive_guided(const GuidedOptions& options, const course::Robot& rob
 GuidedDrives drive_by_itself(const GuidedOptions& options, const course::Robot& robot,
                              const config::Configuration& configuration) {
   if (options.courses.size() > 1)
-    throw SetupError("identify --auto: more than one --course; give the one whose fence it is");
+    throw SetupError("identify --auto: more than one --course; give the one whose fence applies");
   text::make_folder(options.folder, "--runs-dir");
   const course::TextFile area = course::read_bundled(
       course::Bundled::kCourses, options.courses.empty() ? kAutoArea : options.courses.front());
@@ -260,7 +261,7 @@ GuidedDrives drive_by_itself(const GuidedOptions& options, const course::Robot& 
     const Pose& start = manoeuvre->start;
     std::printf("%s, from (%.2f, %.2f) m, %.0f deg%s\n", manoeuvre->name.c_str(), start.x_m,
                 start.y_m, start.yaw_rad * kDegPerRad,
-                settings.camera && !result.drives.empty() ? "" : ": put the robot there");
+                settings.camera && !result.drives.empty() ? "" : "; put the robot there");
     std::fflush(stdout);
     auto drive = drive_once(run, path, !result.drives.empty());
     if (!drive) return result;
@@ -268,9 +269,9 @@ GuidedDrives drive_by_itself(const GuidedOptions& options, const course::Robot& 
     if (!settings.camera) {
       ask_for_end(drive->measured);
     } else if (drive->camera.empty()) {
-      throw SetupError("identify --auto: the camera saw nothing of " + manoeuvre->name +
-                       "; start tp100-camera with --to this machine, or give no --camera and "
-                       "measure by hand");
+      throw SetupError("identify --auto: no camera poses arrived during " + manoeuvre->name +
+                       "; start tp100-camera with --to this machine, or leave out --camera "
+                       "and measure by hand");
     }
     next.take(std::move(*drive));
     so_far.model = next.tracks();
@@ -289,7 +290,7 @@ int run_identify(const IdentifyOptions& options) {
   if (!options.drive && options.runs.empty())
     throw SetupError("identify: give recordings (RUN...), or --drive to make them");
   if (options.by_itself && !options.drive)
-    throw SetupError("identify: --auto chooses what to drive; give --drive with it");
+    throw SetupError("identify: --auto works only with --drive; give both");
   Base assumed(options);
   std::vector<identify::RecordedDrive> drives;
   std::optional<identify::AutoProgress> progress;

@@ -34,7 +34,8 @@ std::string ports_text(const std::vector<link::PortInfo>& ports,
     text += "\n";
     for (const link::PassedOver& each : passed_over) {
       if (each.port.path == port.path)
-        text += "    auto passes it over: " + each.why + "; if it is the robot, name it\n";
+        text += "    auto skips it: " + each.why +
+                "; if it is the robot, name it with --port or link.port\n";
     }
   }
   return text;

@@ -79,7 +79,7 @@ Recovered recover(const std::string& in, const std::string& out) {
   const record::McapReader reader(in);
   std::error_code ignored;
   if (fs::equivalent(in, out, ignored))
-    throw SetupError(out + ": is the file to recover; give another --out");
+    throw SetupError(out + ": --out is the file to recover itself; give another path");
   Recovered recovered;
   recovered.path = out;
   record::RecordingFile file(out);
@@ -103,7 +103,7 @@ int run_recover(const RecoverOptions& options) {
   {
     record::McapHandler nobody;
     if (record::McapReader(in).stream(nobody).whole) {
-      std::printf("%s: is whole, nothing to recover\n", in.c_str());
+      std::printf("%s: not damaged, nothing to recover\n", in.c_str());
       return 0;
     }
   }
@@ -111,7 +111,7 @@ int run_recover(const RecoverOptions& options) {
   std::printf("%s: %s; %llu messages saved in %s\n", in.c_str(), recovered.problem.c_str(),
               static_cast<unsigned long long>(recovered.messages), recovered.path.c_str());
   if (recovered.corrupted > 0)
-    std::printf("%llu corrupted parts are left out\n",
+    std::printf("%llu corrupted parts were skipped\n",
                 static_cast<unsigned long long>(recovered.corrupted));
   return 0;
 }

@@ -169,10 +169,11 @@ config::RunFiles recorded_files(const Recording& recording) {
   files.configuration = file(config::kConfigurationFile, config::kConfigurationFile);
   files.robot = file(config::kRobotFile, recording.fact("robot") + ".toml");
   if (files.robot.text.empty())
-    throw SetupError(recording.path() + ": the robot file is not in it; it cannot be replayed");
+    throw SetupError(recording.path() + ": contains no robot file, so it cannot be replayed");
   files.course = file(config::kCourseFile, recording.fact("course") + ".toml");
   const auto setup = bridge::setup_named(recording.fact("setup"));
-  if (!setup) throw SetupError(recording.path() + ": the set-up is not in it");
+  if (!setup)
+    throw SetupError(recording.path() + ": does not name the set-up, so it cannot be replayed");
   files.setup = *setup;
   // Recordings without this fact are from a time with one kind only.
   files.world = bridge::world_kind_named(recording.fact("world")).value_or(files.world);
@@ -260,7 +261,8 @@ int run_replay_recording(const ReplayOptions& options) {
   const bool differs =
       elsewhere ? !result.largest.within(kRounding) : result.differs_at.has_value();
   if (!recording.whole())
-    std::printf("%s: cut off at %s\n", path.c_str(), seconds(result.last_ns - start).c_str());
+    std::printf("%s: the recording is cut off at %s\n", path.c_str(),
+                seconds(result.last_ns - start).c_str());
   if (differs) {
     std::fprintf(stderr, "tp100d: %s: step %llu after %s: %s is %s, recorded %s (version %s)\n",
                  path.c_str(), static_cast<unsigned long long>(*result.differs_at),
@@ -268,7 +270,7 @@ int run_replay_recording(const ReplayOptions& options) {
                  result.difference.computed.c_str(), result.difference.recorded.c_str(),
                  text::one_line(recording.fact("version"), 20).c_str());
     if (elsewhere)
-      std::fprintf(stderr, "tp100d: %s: more than rounding: %s%s; %s\n", path.c_str(),
+      std::fprintf(stderr, "tp100d: %s: differs by more than rounding: %s%s; %s\n", path.c_str(),
                    shown(result.largest).c_str(),
                    result.largest.decided ? ", and a decision or a count differs" : "",
                    processors.c_str());

@@ -36,7 +36,8 @@ report::RecordedRun read(const std::string& path) {
                   .turning_threshold_radps = setup.parameters.model.turning_threshold_radps});
   run.written_unix_s = text::written_unix_s(run.path);
   if (!run.whole)
-    std::fprintf(stderr, "tp100d: %s: was cut off; reported up to there\n", run.path.c_str());
+    std::fprintf(stderr, "tp100d: %s: the recording is cut off; reported everything before that\n",
+                 run.path.c_str());
   return run;
 }
 

@@ -71,8 +71,8 @@ void require_consistent(const Parameters& parameters, const course::Course* cour
   if (parameters.world.owns_pose && parameters.world.kind != WorldKind::kInternal &&
       parameters.setup == Setup::kTerrain) {
     throw SetupError(
-        "world.authority = \"world\": on set-up terrain the robot is where it really is; use flat "
-        "or stand, or authority = \"bridge\"");
+        "world.authority = \"world\": on set-up terrain the real floor determines the pose; use "
+        "flat or stand, or authority = \"bridge\"");
   }
 }
 

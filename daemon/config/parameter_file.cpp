@@ -62,7 +62,7 @@ std::string with_parameters(const course::TextFile& file, const ParameterValues&
   for (std::size_t i = 0; i < got.size(); ++i)
     if (shown(got[i]) != shown(expected[i]))
       throw SetupError(file.path + ": " + got[i].name +
-                       " cannot be changed in its place; change it with a text editor");
+                       " cannot be changed automatically; change it with a text editor");
   return next.text;
 }
 

@@ -31,11 +31,11 @@ void add_stable_name(const System& system, ChosenPort& port, std::size_t candida
   if (stable.empty()) {
     port.findings.push_back(
         {Severity::kNote, "by-id", port.device + ": no name in " + kById + " leads to it",
-         "with several boards, name it in link.port after each plugging in: see tp100d ports"});
+         "with several boards, set link.port again each time it is plugged in (see tp100d ports)"});
   } else if (candidates > 1 && port.path != stable) {
     port.findings.push_back({Severity::kWarning, "by-id",
                              std::to_string(candidates) + " boards may be the robot, " +
-                                 port.device + " is only the likeliest",
+                                 port.device + " is only the most likely one",
                              "set link.port = \"" + stable + "\" in the configuration"});
   } else {
     port.findings.push_back(ok("by-id", stable));
@@ -271,7 +271,7 @@ void add_latency_timer(const System& system, const std::string& tty, Findings& f
   std::from_chars(text->data(), text->data() + text->size(), ms);
   if (ms > 1) {
     findings.push_back({Severity::kWarning, "latency-timer",
-                        "the bridge keeps bytes back for up to " + *text + " ms",
+                        "the bridge delays bytes by up to " + *text + " ms",
                         write_command("1", file)});
   } else {
     findings.push_back(ok("latency-timer", *text + " ms"));

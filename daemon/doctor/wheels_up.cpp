@@ -59,7 +59,7 @@ class WheelsUp {
     if (!session_.turn(kHelloLimitS, ready))
       return wheels_up_broken_off(options_.port + ": no session with the robot",
                                   "run tp100d doctor without --wheels-up first");
-    person_.say("both tracks run against each other, then the other way round");
+    person_.say("both tracks run in opposite directions, then reversed");
     const std::optional<TrackDrive> spin = drive({0.0, 2.0 * track_mps_});
     if (!spin) return stopped();
     const bool look = !doctor::on_floor(spin->turned_rad);
@@ -103,7 +103,7 @@ class WheelsUp {
     if (refused_)
       return wheels_up_broken_off("the robot cannot be armed: " + session_.why(), session_.fix());
     if (session_.session().counters().reboots > 0)
-      return wheels_up_broken_off("the board restarted as a track ran",
+      return wheels_up_broken_off("the board restarted while a track ran",
                                   "charge the battery and check the power wiring");
     if (const auto fault = first_fault(session_.newest().faults))
       return wheels_up_broken_off(
@@ -112,9 +112,9 @@ class WheelsUp {
     if (session_.gone())
       return wheels_up_broken_off(options_.port + ": port is gone",
                                   "check the plug and run it again");
-    if (stop_) return wheels_up_broken_off("stopped before its end", "run it again");
+    if (stop_) return wheels_up_broken_off("stopped before it was complete", "run it again");
     if (alone_)
-      return wheels_up_broken_off("nobody watched as a track ran",
+      return wheels_up_broken_off("nobody watched while a track ran",
                                   "keep the page that started it in sight, and run it again");
     return wheels_up_broken_off(options_.port + ": the robot fell silent",
                                 "check the cable and run it again");

@@ -74,7 +74,7 @@ std::vector<std::string> warnings(const Fit& fit) {
                            kTrackParameters[a].key, kTrackParameters[b].key));
   for (const model::ParameterRow& row : kTrackParameters)
     if (!fit[row.value].found)
-      lines.push_back(format("these runs do not show %s; it stays as it was", row.key));
+      lines.push_back(format("these runs do not determine %s; it keeps its value", row.key));
   return lines;
 }
 
@@ -114,7 +114,7 @@ std::string identify_report(const Identification& found, const course::Robot& ba
   text += table(found.extended, base);
   text += "\n" + run_lines(found.extended) + "\n";
   if (has_images(found.extended)) {
-    text += "best-fit residual against the camera, whose noise is in it:\n";
+    text += "best-fit residual against the camera, including its noise:\n";
     for (std::size_t i = 0; i < model::kBaselines.size(); ++i)
       if (found.baselines[i]) text += residual_row(model::kBaselines[i], *found.baselines[i]);
     text += residual_row(model::kExtendedForm, found.extended);

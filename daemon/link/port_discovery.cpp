@@ -84,7 +84,8 @@ AutoChoice choose_for_auto(const std::vector<PortInfo>& ports, bool attended,
     if (classify(port) == PortKind::kMega) return {};
     if (likely.size() > 1) return "a " + describe(port) + " that is not the only candidate";
     if (holder.others_hidden)
-      return "a " + describe(port) + ", and what others have open cannot be seen from this account";
+      return "a " + describe(port) +
+             ", and this account cannot see whether another program has it open";
     return {};
   };
   AutoChoice choice;
@@ -102,7 +103,7 @@ std::string why_none(const AutoChoice& choice) {
   if (choice.passed_over.empty())
     return "no USB port that may be a TP100; plug the robot in, or name its port with --port (see "
            "`tp100d ports`)";
-  std::string line = "auto passes over ";
+  std::string line = "auto skips ";
   for (const PassedOver& each : choice.passed_over) {
     if (&each != &choice.passed_over.front()) line += "; ";
     line += each.port.path + ": " + each.why;

@@ -111,8 +111,8 @@ link::Port Connector::open_next() {
   const std::size_t all = choice.open.size() + choice.passed_over.size();
   if (all > 1 && !std::exchange(several_reported_, true))
     say_(std::to_string(all) +
-         " ports may be a TP100 (see `tp100d ports`), the likeliest first; name the robot's with "
-         "--port or link.port");
+         " ports may be a TP100 (see `tp100d ports`); the most likely one is tried first; name the "
+         "robot's with --port or link.port");
   std::string refused;
   for (const link::PortInfo& port : choice.open) {
     try {

@@ -155,7 +155,8 @@ std::uint64_t LiveRecording::start_black_box(const std::string& fault, HostNs no
                                              const record::Recorder::Ended& ended) {
   const std::string directory = black_box_directory(settings_);
   if (directory.empty()) {
-    ended({.warning = "no folder for it: set record.black_box_directory, or 0 for black_box_s"});
+    ended(
+        {.warning = "no folder is set: set record.black_box_directory, or record.black_box_s = 0"});
     return 0;
   }
   const std::lock_guard lock(mutex_);

@@ -160,7 +160,7 @@ void Ros2Requests::velocity(const ros2::Received& received, HostNs now) {
     if (token_.empty() || writer_ == 0 || writer_input_ != received.input) return;
     controls_.drive_lost(driver().id, now);
     token_.clear();
-    return reply(now, std::string(kTopic) + " is gone");
+    return reply(now, std::string(kTopic) + " has no publisher any more");
   }
   if (token_.empty())
     return note(kNotTaken, now,
@@ -179,7 +179,7 @@ void Ros2Requests::velocity(const ros2::Received& received, HostNs now) {
                         now);
   if (why.empty() || controls_.driver(now).by == driver().name) return;
   token_.clear();
-  reply(now, std::string(kTopic) + " drives no more");
+  reply(now, std::string(kTopic) + " no longer drives");
 }
 
 void Ros2Requests::place(const Pose& at, HostNs now) {

@@ -187,7 +187,7 @@ std::unique_ptr<SetupRequest> SetupChanger::make(const Asked& asked) {
   const std::shared_ptr<const config::LoadedRun> now = run();
   if (now->setup.parameters.world.kind != bridge::WorldKind::kInternal)
     throw SetupError(
-        "an external world is in use (world.kind), which holds the robot's place: restart tp100d");
+        "an external world is in use (world.kind) and keeps the robot's place: restart tp100d");
   auto request = std::make_unique<SetupRequest>();
   if (asked.places) {
     if (!asked.at && now->setup.course == nullptr)
@@ -303,7 +303,7 @@ course::TextFile SetupChanger::configuration_file() const {
   if (path.empty())
     throw SetupError("tp100d has no configuration file to save into: start it with --config FILE");
   if (!is_file(path))
-    throw SetupError(fs::path(path).filename().string() + ": is no file any more");
+    throw SetupError(fs::path(path).filename().string() + ": the file no longer exists");
   return course::read_text_file(path);
 }
 

@@ -169,8 +169,8 @@ void Supervisor::State::finish_files() {
   if (!answered) lost += ", the last text of world.encoder_file";
   if (!lost.empty()) {
     status = std::max(status, 1);
-    log.warn("a disk has stood still for 5 s, lost: " + lost.substr(2) +
-             "; check the disks, tp100d recover makes recordings whole");
+    log.warn("a disk has not responded for 5 s; lost: " + lost.substr(2) +
+             "; check the disks; tp100d recover repairs recordings");
   }
   print_summary(figures);
   const bool examined = wait([&](auto by) { return settings.controls->examined_by(by); });

@@ -148,7 +148,7 @@ void Terminal::ask() {
   const std::string what = "to start course " + reach_.course;
   reach_.log.info(word ? "ready; type go and press Enter " + what + "; Enter alone is STOP"
                        : "ready; press Enter " + what);
-  if (typed_ahead && word) press_stop("Enter before the question: STOP");
+  if (typed_ahead && word) press_stop("Enter was pressed before the question: STOP");
 }
 
 void Terminal::take(const std::string& line) {
@@ -164,7 +164,7 @@ void Terminal::take(const std::string& line) {
       break;
   }
   if (session_ != SessionState::kReady) {
-    reach_.log.info("no robot yet; nothing is started");
+    reach_.log.info("no robot is connected yet; nothing is started");
   } else if (line == kStartWord) {
     reach_.cycle.request(OperatorRequest::kStart);
   } else {

@@ -98,9 +98,9 @@ void unpack(Span content, Bytes& out) {
   } else if (compression == "zstd") {
     out.resize(static_cast<std::size_t>(size));
     const std::size_t got = ZSTD_decompress(out.data(), out.size(), packed.data(), packed.size());
-    if (ZSTD_isError(got) != 0 || got != size) throw CorruptFile{"a chunk cannot be unpacked"};
+    if (ZSTD_isError(got) != 0 || got != size) throw CorruptFile{"a chunk cannot be decompressed"};
   } else {
-    throw CorruptFile{"a chunk is packed with something else than zstd"};
+    throw CorruptFile{"a chunk is not compressed with zstd"};
   }
   if (crc != 0 && crc != crc32(out)) throw CorruptFile{"the CRC of a chunk is wrong"};
 }
@@ -141,7 +141,7 @@ struct McapReader::State {
                Bytes& unpacked) const;
   [[noreturn]] void fail(std::uint64_t offset, const std::string& what) const {
     throw SetupError(path + ": corrupted at byte " + std::to_string(offset) + " (" + what +
-                     "); tp100d recover saves what is whole");
+                     "); tp100d recover saves the intact part");
   }
 
   std::string path;
@@ -178,8 +178,8 @@ Span McapReader::State::read(std::uint64_t offset, std::uint64_t bytes, Bytes& b
                               static_cast<off_t>(offset + done));
     if (n < 0 && errno == EINTR) continue;
     if (n <= 0)
-      throw SetupError(path + ": cannot be read (" + (n < 0 ? std::strerror(errno) : "it shrinks") +
-                       ")");
+      throw SetupError(path + ": cannot be read (" +
+                       (n < 0 ? std::strerror(errno) : "it became shorter") + ")");
     done += static_cast<std::size_t>(n);
   }
   return buffer;
@@ -261,7 +261,7 @@ bool McapReader::State::hand_on(McapOp op, Span content, Directory& known, McapH
       while (records.next()) {
         if (records.op == McapOp::kChunk || records.op == McapOp::kAttachment ||
             records.op == McapOp::kMetadata)
-          throw CorruptFile{"a chunk holds what does not belong there"};
+          throw CorruptFile{"a chunk contains a record that is not allowed in it"};
         if (!hand_on(records.op, records.content, known, handler, none)) return false;
       }
       return handler.chunk_end();
@@ -287,7 +287,7 @@ bool McapReader::State::hand_on(McapOp op, Span content, Directory& known, McapH
         const std::string key(entries.text());
         map[key] = entries.text();
       }
-      if (!in.ok() || !entries.ok()) throw CorruptFile{"metadata make no sense"};
+      if (!in.ok() || !entries.ok()) throw CorruptFile{"metadata are invalid"};
       return handler.metadata(name, map);
     }
     default:
@@ -321,7 +321,7 @@ McapEnd McapReader::stream(McapHandler& handler) const {
     const auto op = static_cast<McapOp>(in.number<std::uint8_t>());
     const auto length = in.number<std::uint64_t>();
     if (op == McapOp{} || length > size - at - kMcapRecordHead) {
-      problem(op == McapOp{} ? "nonsense" : "the file is cut off");
+      problem(op == McapOp{} ? "a record without a type" : "the file is cut off");
       return end;
     }
     if (op == McapOp::kFooter) {
@@ -352,7 +352,7 @@ const std::string& McapReader::path() const { return state_->path; }
 void McapReader::read(const std::set<std::string>& topics, std::uint64_t from_ns,
                       std::uint64_t to_ns, McapHandler& handler) const {
   if (!state_->has_summary)
-    throw SetupError(path() + ": has no end; tp100d recover makes it whole");
+    throw SetupError(path() + ": its end is missing; tp100d recover repairs it");
   const auto wanted = [&](std::uint16_t id) {
     const McapChannel* channel = state_->directory.find(id);
     return channel != nullptr && (topics.empty() || topics.contains(channel->topic));
@@ -364,7 +364,7 @@ void McapReader::read(const std::set<std::string>& topics, std::uint64_t from_ns
     try {
       RecordList chunk_record(state_->read(chunk.offset, chunk.length, content));
       if (!chunk_record.next() || chunk_record.op != McapOp::kChunk)
-        throw CorruptFile{"no chunk where the index says"};
+        throw CorruptFile{"the index points to something that is not a chunk"};
       unpack(chunk_record.content, unpacked);
       RecordList records(unpacked);
       while (records.next()) {

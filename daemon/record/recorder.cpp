@@ -188,8 +188,9 @@ struct Recorder::State {
     const std::string lost = history
                                  ? history->read(first, ended ? kMaxBeforeLookBack : UINT64_MAX,
                                                  [&](auto block) { writer->before(at_ns, block); })
-                                 : "no history is kept";
-    if (!lost.empty()) late = "it cannot be replayed, the steps before it are lost (" + lost + ")";
+                                 : "no history";
+    if (!lost.empty())
+      late = "it cannot be replayed: the earlier steps were not kept (" + lost + ")";
     for (const Entry& entry : again) write(entry.kind, entry.payload);
   }
   void take(EntryKind kind, std::span<const std::uint8_t> payload) {

@@ -180,7 +180,7 @@ void Recording::visit(const RecordingVisitor& visitor) const {
   const McapEnd end = state_->reader.stream(distributor);
   if (end.corrupted > 0)
     throw SetupError(path() + ": corrupted, " + end.problem +
-                     "; tp100d recover saves what is whole");
+                     "; tp100d recover saves the intact part");
 }
 
 }  // namespace tp100::record

@@ -146,7 +146,7 @@ void RecordingWriter::end_chunk() {
   if (file_.error() != 0) {
     active_ = false;
     warning_ = settings_.path + ": recording stopped (" + std::strerror(file_.error()) +
-               "); the file has no end, tp100d recover makes it whole";
+               "); the end of the file is missing, tp100d recover repairs it";
     return;
   }
   // Assumes that the next chunk is at most twice as large as this one.
@@ -161,7 +161,7 @@ void RecordingWriter::end_early(const std::string& why) {
   writer_.drop_chunk();
   finish();
   if (warning_.empty())
-    warning_ = settings_.path + ": recording stopped, " + why + "; the file is whole";
+    warning_ = settings_.path + ": recording stopped, " + why + "; the file is complete";
 }
 
 void RecordingWriter::finish() {
@@ -170,7 +170,7 @@ void RecordingWriter::finish() {
   writer_.finish();
   if (file_.error() != 0)
     warning_ = settings_.path + ": the end of the recording could not be written (" +
-               std::strerror(file_.error()) + "); tp100d recover makes it whole";
+               std::strerror(file_.error()) + "); tp100d recover repairs the file";
 }
 
 }  // namespace tp100::record

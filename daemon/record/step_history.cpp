@@ -14,7 +14,7 @@ constexpr std::size_t kBlockBytes = std::size_t{64} << 10;
 constexpr HostNs kLongestLookBackNs = 60 * kNsPerS;
 
 std::string more_than(std::uint64_t bytes) {
-  return "they are more than " + std::to_string(bytes / 1'000'000) + " MB";
+  return "more than " + std::to_string(bytes / 1'000'000) + " MB";
 }
 
 /// The first `steps` entries of `block`.
@@ -61,7 +61,7 @@ void StepHistory::close_block() {
     span.open.clear();
     return;
   }
-  if (settings_.folder.empty()) return give_up("they fill the memory, and no folder is set");
+  if (settings_.folder.empty()) return give_up("the memory for them is full, and no folder is set");
   try {
     if (!span.file) {
       std::error_code ignored;
@@ -83,7 +83,7 @@ std::string StepHistory::read(
   const Span& span = first < newest_.first ? before_ : newest_;
   if (!span.problem.empty()) return span.problem;
   if (first < span.first || first > span.first + span.steps)
-    return "step " + std::to_string(first) + " is older than they are";
+    return "step " + std::to_string(first) + " is too old";
   if (span.bytes + span.open.size() > max_bytes) return more_than(max_bytes);
   std::uint64_t steps = first - span.first;
   std::uint64_t from = 0;

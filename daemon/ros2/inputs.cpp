@@ -127,8 +127,8 @@ bool in_time(const Received& received, std::string& why) {
   const std::int64_t age_ns = received.taken_ns - received.written_ns;
   if (age_ns <= kMaxAgeNs && age_ns >= -kMaxAgeNs) return true;
   why = text::format(
-      "sent %.1f s ago by the clock of its sender, and no more than 2 s count; send it again, or "
-      "set both machines' clocks",
+      "sent %.1f s ago by the clock of its sender, but at most 2 s are accepted; send it again, or "
+      "synchronise both machines' clocks",
       to_s(age_ns));
   return false;
 }

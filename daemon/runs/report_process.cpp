@@ -120,7 +120,7 @@ std::string ReportProcess::run(const std::vector<std::string>& arguments,
   pid_ = 0;
   while (::waitpid(pid, &status, 0) < 0 && errno == EINTR) {
   }
-  if (stopped_) return "the daemon ends";
+  if (stopped_) return "the daemon is shutting down";
   if (!in_time)
     return "not done after " + std::to_string(limit.count() / 1000) + " s; run it by hand";
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {};

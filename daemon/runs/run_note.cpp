@@ -14,9 +14,9 @@ std::span<const text::Key<RunNote>> keys() {
   using T = RunNote;
   static const std::array<text::Key<T>, 4> kKeys = {{
       {"name", &T::name, {}, "Name of the run"},
-      {"tags", &T::tags, {}, "Words between spaces, to find it by"},
-      {"note", &T::note, {}, "What there is to say of it"},
-      {"keep", &T::keep, {}, "Keep it, whatever record.quota_mb says"},
+      {"tags", &T::tags, {}, "Tags for searching, separated by spaces"},
+      {"note", &T::note, {}, "Notes about the run"},
+      {"keep", &T::keep, {}, "Never delete the run to stay within record.quota_mb"},
   }};
   return kKeys;
 }
@@ -66,7 +66,7 @@ RunNote parse_run_note(const std::string& text, const std::string& file) {
 }
 
 std::string write_run_note(const RunNote& note) {
-  return text::toml_comment("What people say of this run; the page of tp100d shows and edits it.") +
+  return text::toml_comment("Notes about this run; the page of tp100d shows and edits them.") +
          "\n" + text::write_keys(keys(), note);
 }
 

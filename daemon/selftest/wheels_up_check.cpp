@@ -20,7 +20,7 @@ constexpr auto kHandoverLimit = std::chrono::seconds(2);
 std::string end_of(const doctor::Findings& findings) {
   for (const doctor::Finding& finding : findings)
     if (finding.severity == doctor::Severity::kError) return finding.name + ": " + finding.seen;
-  return "all well";
+  return "no problem found";
 }
 
 }  // namespace
@@ -55,12 +55,12 @@ std::string WheelsUpCheck::watch(const server::WheelsUpWatch& watch, HostNs now,
                                  std::string& json) {
   const std::lock_guard lock(mutex_);
   const auto input = wheel_.drive({.token = watch.token, .input_ms = watch.input_ms}, now);
-  if (!input) return "this token belongs to no check; begin another one";
+  if (!input) return "no check has this token; begin another check";
   input_ns_ = input->at_ns;
   if (watch.answer && question_ && watch.question == question_number_) {
     const bool known = std::ranges::any_of(
         question_->choices, [&](const auto& choice) { return choice.answer == *watch.answer; });
-    if (!known) return "the question takes no such answer";
+    if (!known) return "the question does not offer this answer";
     answer_ = *watch.answer;
     question_.reset();
   }
@@ -116,8 +116,8 @@ bool WheelsUpCheck::watches() const { return monotonic_now() - input_ns_ <= kFre
 doctor::Findings WheelsUpCheck::examine(const course::Robot& robot, std::string& port) {
   const std::optional<std::string> path = handover_.wait(kHandoverLimit);
   if (!path)
-    return doctor::wheels_up_broken_off("the robot is not at rest, or not there",
-                                        "end what it does, and run it again");
+    return doctor::wheels_up_broken_off("the robot is not connected, or not at rest",
+                                        "connect or stop it, then run the check again");
   port = *path;
   doctor::WheelsUpOptions options;
   options.port = port;
@@ -140,7 +140,7 @@ void WheelsUpCheck::run(const course::Robot& robot) {
   const doctor::Findings findings = examine(robot, port);
   handover_.end();
   const std::lock_guard lock(mutex_);
-  end_ = lost_ ? "its viewer is gone" : end_of(findings);
+  end_ = lost_ ? "its viewer has disconnected" : end_of(findings);
   step_ = "the check has ended, and the daemon has its port again";
   question_.reset();
   result_ = doctor::json(findings, port);

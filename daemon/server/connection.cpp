@@ -95,7 +95,7 @@ void Connection::read() {
         if (error != http::error::end_of_stream &&
             error.category() == http::make_error_code(http::error::end_of_stream).category()) {
           self->last_ = true;
-          self->answer(http_text(400, "not a request that this server takes"));
+          self->answer(http_text(400, "not a request that this server accepts"));
         }
       });
 }

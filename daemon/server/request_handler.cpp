@@ -133,7 +133,7 @@ std::string RequestHandler::wheels_up_begin(const Viewer& viewer,
   if (why.empty()) why = controls_.wheels_up_begin(driver, now, token);
   if (!why.empty()) return why;
   publisher_.take(messages::Event{
-      .at_ns = now, .kind = "run", .text = driver.name + " lets the tracks run free"});
+      .at_ns = now, .kind = "run", .text = driver.name + " starts the check of the tracks"});
   return {};
 }
 
@@ -146,7 +146,7 @@ std::string RequestHandler::drive(const std::vector<RequestField>& request, Host
 std::string RequestHandler::drive_release(const std::vector<RequestField>& request, HostNs now) {
   const std::string* token =
       request.empty() ? nullptr : std::get_if<std::string>(&request.front().value);
-  return token == nullptr ? "token is a text" : controls_.drive_release(*token, now);
+  return token == nullptr ? "token must be a string" : controls_.drive_release(*token, now);
 }
 
 std::string RequestHandler::record_start(const std::vector<RequestField>& request,

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kMaxShownArgument = 64;
 constexpr const char* kNameRule =
-    "name takes letters, digits, '-', '_' and '.', at most 64, no '.' first";
+    "name must be 1 to 64 letters, digits, '-', '_' or '.', not starting with '.'";
 constexpr const char* kSaved = R"({"file":"","written":true,"may_restore":true,)"
                                R"("differences":[{"name":"","before":"","after":""}]})";
 constexpr std::size_t kMaxDrives = 100;
@@ -199,7 +199,7 @@ std::string read_start(const Arguments& arguments, bool& here) {
   here = from == "here";
   return here || from == "start"
              ? ""
-             : "from is \"start\", the course's, or \"here\", where the last run ended";
+             : "from must be \"start\" (of the course) or \"here\" (where the last run ended)";
 }
 
 std::string read_record_name(const Arguments& arguments, std::string& name) {
@@ -209,9 +209,9 @@ std::string read_record_name(const Arguments& arguments, std::string& name) {
 }
 
 std::string read_choice(const Arguments& arguments, SetupChoice& choice) {
-  if (!texts_only(arguments)) return "course, robot and setup are names";
+  if (!texts_only(arguments)) return "course, robot and setup must be names";
   choice = {text_of(arguments, "course"), text_of(arguments, "robot"), text_of(arguments, "setup")};
-  return arguments.empty() ? "name a course, robot or setup" : "";
+  return arguments.empty() ? "give a course, robot or setup" : "";
 }
 
 std::string read_place(const Arguments& arguments, std::optional<Pose>& at) {
@@ -232,7 +232,7 @@ std::string read_place(const Arguments& arguments, std::optional<Pose>& at) {
 std::string read_file(const Arguments& arguments, SetupFile& file) {
   const std::string kind = text_of(arguments, "kind").value_or("");
   if (!texts_only(arguments, "replace") || (kind != "course" && kind != "robot"))
-    return "kind is \"course\" or \"robot\", name and text are texts, replace is true or false";
+    return "kind must be \"course\" or \"robot\", name and text strings, replace true or false";
   file.is_robot = kind == "robot";
   file.name = text_of(arguments, "name").value_or("");
   file.text = text_of(arguments, "text").value_or("");
@@ -251,7 +251,7 @@ std::string read_part(const Arguments& arguments, DoctorPart& part) {
   } else if (name == "machine") {
     part = DoctorPart::kMachine;
   } else {
-    return "part is \"port\", \"robot\" or \"machine\"";
+    return "part must be \"port\", \"robot\" or \"machine\"";
   }
   return {};
 }
@@ -259,7 +259,7 @@ std::string read_part(const Arguments& arguments, DoctorPart& part) {
 std::string read_wheels_up(const Arguments& arguments) {
   return text_of(arguments, "tracks") == "free"
              ? ""
-             : "somebody has to confirm that the tracks are free: tracks is \"free\"";
+             : "somebody has to confirm that the tracks turn freely: send tracks = \"free\"";
 }
 
 std::string read_watch(const Arguments& arguments, WheelsUpWatch& watch) {
@@ -276,13 +276,13 @@ std::string read_watch(const Arguments& arguments, WheelsUpWatch& watch) {
   const auto token = text_of(arguments, "token");
   watch.token = token.value_or("");
   watch.answer = text_of(arguments, "answer");
-  return token && timed ? "" : "token is a text, input_ms a number";
+  return token && timed ? "" : "token must be a string, input_ms a number";
 }
 
 std::string read_check(const Arguments& arguments, bool& check) {
   if (arguments.empty()) return {};
   const bool* value = std::get_if<bool>(&arguments.front().value);
-  if (value == nullptr) return "check is true or false";
+  if (value == nullptr) return "check must be true or false";
   check = *value;
   return {};
 }
@@ -302,7 +302,7 @@ std::string read_parameters(const Arguments& arguments,
     if (!found->may_save)
       return field.name + (field.name.starts_with("robot.")
                                ? " is a value of the robot's file; change it there"
-                               : " is not saved for viewers; set it in the file");
+                               : " cannot be saved by viewers; set it in the file");
     messages::ParameterValue value;
     if (const auto* number = std::get_if<double>(&field.value)) value = *number;
     if (const auto* flag = std::get_if<bool>(&field.value)) value = *flag;
@@ -318,7 +318,7 @@ std::string read_parameters(const Arguments& arguments,
     if (!why.empty()) return why;
     asked.values.emplace_back(field.name, std::move(value));
   }
-  return asked.values.empty() ? "name parameters and their values" : "";
+  return asked.values.empty() ? "give parameters and their values" : "";
 }
 
 namespace {
@@ -333,8 +333,8 @@ std::string read_drives(const Arguments& arguments, RunRequest& request) {
   if (texts_only(arguments) && named && !request.drives.empty() &&
       request.drives.size() <= kMaxDrives)
     return {};
-  return "runs are one to " + std::to_string(kMaxDrives) +
-         " names of runs between spaces, as GET /api/runs lists them; measured is a text";
+  return "runs must be one to " + std::to_string(kMaxDrives) +
+         " names of runs, separated by spaces, as GET /api/runs lists them; measured a string";
 }
 
 }  // namespace
@@ -343,7 +343,7 @@ std::string read_run(Service service, const Arguments& arguments, RunRequest& re
   if (service == Service::kRunIdentify) return read_drives(arguments, request);
   using What = RunRequest::What;
   if (!texts_only(arguments, "keep"))
-    return "run, with, name, note and tags are texts, keep is true or false";
+    return "run, with, name, note and tags must be strings, keep true or false";
   request.what = service == Service::kRunNote     ? What::kNote
                  : service == Service::kRunDelete ? What::kDelete
                  : service == Service::kRunReport ? What::kReport
@@ -357,8 +357,8 @@ std::string read_run(Service service, const Arguments& arguments, RunRequest& re
     if (const bool* keep = std::get_if<bool>(&field.value)) request.note.keep = *keep;
   const bool compares = request.what == What::kCompare;
   if (!runs::is_run_name(request.run) || (compares && !runs::is_run_name(request.with)))
-    return compares ? "run and with are names of runs, as GET /api/runs lists them"
-                    : "run is the name of a run, as GET /api/runs lists it";
+    return compares ? "run and with must be names of runs, as GET /api/runs lists them"
+                    : "run must be the name of a run, as GET /api/runs lists it";
   return runs::why_not(runs::changed({}, request.note));
 }
 

@@ -173,7 +173,7 @@ void ViewerSocket::close(Code code, const char* reason) {
                       [self = shared_from_this()](beast::error_code) { self->gone(); });
 }
 
-void ViewerSocket::go_away() { close(Code::going_away, "the daemon ends"); }
+void ViewerSocket::go_away() { close(Code::going_away, "the daemon is shutting down"); }
 
 void ViewerSocket::fail() {
   closing_ = failed_ = true;

@@ -45,7 +45,8 @@ std::optional<DriveRequest> drive_request(const std::vector<RequestField>& field
       return std::nullopt;
     }
     if (good) continue;
-    why = field.name + (field.name == "token" ? " is a text" : " is a number within its range");
+    why = field.name +
+          (field.name == "token" ? " must be a string" : " must be a number within its range");
     return std::nullopt;
   }
   if (has_token && has_speed && has_rate && has_input) return out;

@@ -192,7 +192,7 @@ namespace {
 toml::table parse(const std::string& text, const std::string& file) {
   if (text.size() > kMaxTomlSize)
     throw SetupError(file + ": larger than " + std::to_string(kMaxTomlSize / 1024) +
-                     " kB; this is no file of ours");
+                     " kB, too large for a file of this program");
   refuse_deep_lines(text, file);
   try {
     return toml::parse(text, file);
@@ -216,7 +216,7 @@ toml::table& holder_of(toml::table& root, std::string_view& name, const std::str
     name.remove_prefix(dot + 1);
     const auto [place, made] = table->emplace<toml::table>(part);
     if (!place->second.is_table())
-      throw SetupError(file + ": " + in_quotes(part) + " is no table, so that it has no " +
+      throw SetupError(file + ": " + in_quotes(part) + " is not a table, so it has no " +
                        in_quotes(name));
     table = place->second.as_table();
   }

@@ -84,7 +84,7 @@ class Editor {
     while (!name.empty() && table != nullptr) {
       const std::size_t dot = std::min(name.find('.'), name.size());
       const toml::node* node = table->get(name.substr(0, dot));
-      if (node != nullptr && !node->is_table()) fail(name.substr(0, dot), "is no table");
+      if (node != nullptr && !node->is_table()) fail(name.substr(0, dot), "is not a table");
       table = node == nullptr ? nullptr : node->as_table();
       name.remove_prefix(std::min(dot + 1, name.size()));
     }

@@ -28,8 +28,9 @@ TEST(Ports, FallsBackToThePathAndDoesNotAdviseOtherPorts) {
 TEST(Ports, SaysWhyAutoPassesAPortOverAndWhatToDo) {
   link::PortInfo bridge{"/dev/ttyUSB0", 0x1a86, 0x7523, "", "", ""};
   const std::string text = ports_text({bridge}, {""}, {{bridge, "held open by octoprint (pid 7)"}});
-  EXPECT_THAT(text, HasSubstr("port = \"/dev/ttyUSB0\"\n    auto passes it over: held open by "
-                              "octoprint (pid 7); if it is the robot, name it\n"));
+  EXPECT_THAT(text, HasSubstr("port = \"/dev/ttyUSB0\"\n    auto skips it: held open by "
+                              "octoprint (pid 7); if it is the robot, name it with --port or "
+                              "link.port\n"));
 }
 
 TEST(Ports, SaysSoIfThereAreNone) {

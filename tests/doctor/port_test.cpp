@@ -94,7 +94,7 @@ TEST_F(Port, ThatAutoPassesOverSaysWhy) {
   EXPECT_EQ(port.device, "");
   EXPECT_EQ(find(port.findings, "device").severity, Severity::kError);
   EXPECT_EQ(find(port.findings, "device").seen,
-            "auto passes over /dev/ttyACM0: held open by octoprint (pid 999999999)");
+            "auto skips /dev/ttyACM0: held open by octoprint (pid 999999999)");
   EXPECT_THAT(find(port.findings, "device").fix, HasSubstr("name it with --port"));
 }
 

@@ -98,7 +98,7 @@ TEST_F(Auto, LeavesAloneWhatSomebodyHasOpen) {
 TEST_F(Auto, LeavesABridgeAloneIfItsHoldersCannotBeSeen) {
   hidden_ = true;
   EXPECT_TRUE(opened({bridge_}).empty());
-  EXPECT_THAT(why_none(choose({bridge_})), HasSubstr("cannot be seen from this account"));
+  EXPECT_THAT(why_none(choose({bridge_})), HasSubstr("this account cannot see whether"));
 }
 
 TEST_F(Auto, OfAServiceTakesNoneOfSeveral) {

@@ -96,7 +96,7 @@ TEST_F(SetupFilesTest, BundledFilesAreNeitherReplacedNorDeleted) {
 
 TEST_F(SetupFilesTest, NamesStayInTheFolder) {
   for (const char* name : {"", ".", "..", "../a", "a/b", "/tmp/a", ".hidden", "a b", "a\nb"}) {
-    EXPECT_THAT(save(name, kLine), HasSubstr("name takes")) << name;
+    EXPECT_THAT(save(name, kLine), HasSubstr("name must be")) << name;
     EXPECT_NE(why_not([&] { files_.read(Bundled::kCourses, name); }), "") << name;
   }
   EXPECT_NE(save(std::string(65, 'a'), kLine), "");

@@ -50,7 +50,7 @@ class WheelsUp : public Doctor {
   std::string verdict_of(const std::string& key) {
     start_robot({});
     const auto doctor = start(miswired(key));
-    EXPECT_TRUE(doctor->wait_for("Enter starts")) << doctor->output();
+    EXPECT_TRUE(doctor->wait_for("Press Enter to start")) << doctor->output();
     answer("");
     EXPECT_EQ(doctor->wait(), 1);
     return doctor->output();
@@ -59,7 +59,7 @@ class WheelsUp : public Doctor {
   /// Output of the doctor for a robot that fails before the end of the test.
   std::string broken_off() {
     const auto doctor = start();
-    EXPECT_TRUE(doctor->wait_for("Enter starts")) << doctor->output();
+    EXPECT_TRUE(doctor->wait_for("Press Enter to start")) << doctor->output();
     answer("");
     EXPECT_EQ(doctor->wait(), 1);
     EXPECT_THAT(doctor->output(), HasSubstr("error    wheels-up"));
@@ -72,7 +72,7 @@ class WheelsUp : public Doctor {
 TEST_F(WheelsUp, MovesNothingBeforeEnterAndFindsAGoodRobotWell) {
   start_robot({});
   const auto doctor = start();
-  ASSERT_TRUE(doctor->wait_for("Enter starts")) << doctor->output();
+  ASSERT_TRUE(doctor->wait_for("Press Enter to start")) << doctor->output();
   expect_motors_never_on();
   answer("");
   EXPECT_EQ(doctor->wait(), 0) << doctor->output();
@@ -91,7 +91,7 @@ TEST_F(WheelsUp, NamesTheKeyOfAnEncoderThatCountsBackwards) {
 TEST_F(WheelsUp, NamesTheKeyOfAMotorThatRunsBackwards) {
   start_robot({});
   const auto doctor = start(miswired("invert_right_motor"));
-  ASSERT_TRUE(doctor->wait_for("Enter starts")) << doctor->output();
+  ASSERT_TRUE(doctor->wait_for("Press Enter to start")) << doctor->output();
   answer("");
   // When both tracks run forward, the robot does not turn: the operator has to say which track ran.
   ASSERT_TRUE(doctor->wait_for("What ran?")) << doctor->output();
@@ -112,7 +112,7 @@ TEST_F(WheelsUp, NamesTheKeyOfTracksThatAreSwapped) {
 TEST_F(WheelsUp, OnAStandAsksWhatRanAndForATurnByHand) {
   start_robot({"--setup", "stand"});
   const auto doctor = start();
-  ASSERT_TRUE(doctor->wait_for("Enter starts")) << doctor->output();
+  ASSERT_TRUE(doctor->wait_for("Press Enter to start")) << doctor->output();
   answer("");
   ASSERT_TRUE(doctor->wait_for("What ran?")) << doctor->output();
   answer("perhaps");
@@ -148,7 +148,7 @@ TEST_F(WheelsUp, IsNotTriedOnARobotWithErrors) {
 TEST_F(WheelsUp, DisarmsFirstWhenItIsStopped) {
   start_robot({});
   const auto doctor = start();
-  ASSERT_TRUE(doctor->wait_for("Enter starts")) << doctor->output();
+  ASSERT_TRUE(doctor->wait_for("Press Enter to start")) << doctor->output();
   answer("");
   ASSERT_TRUE(robot_->wait_for("motors on")) << robot_->output();
   doctor->signal(SIGTERM);
@@ -161,7 +161,7 @@ TEST_F(WheelsUp, DisarmsFirstWhenItIsStopped) {
 TEST_F(WheelsUp, IsBrokenOffIfTheRobotIsUnpluggedBeforeEnter) {
   start_robot({});
   const auto doctor = start();
-  ASSERT_TRUE(doctor->wait_for("Enter starts")) << doctor->output();
+  ASSERT_TRUE(doctor->wait_for("Press Enter to start")) << doctor->output();
   robot_->signal(SIGTERM);
   robot_->wait();
   answer("");
@@ -172,7 +172,7 @@ TEST_F(WheelsUp, IsBrokenOffIfTheRobotIsUnpluggedBeforeEnter) {
 TEST_F(WheelsUp, IsBrokenOffIfTheRobotFellSilentBeforeEnter) {
   start_robot({});
   const auto doctor = start();
-  ASSERT_TRUE(doctor->wait_for("Enter starts")) << doctor->output();
+  ASSERT_TRUE(doctor->wait_for("Press Enter to start")) << doctor->output();
   robot_->signal(SIGTERM);
   robot_->wait();
   start_robot({"--fault", "cut:to-host"});
@@ -192,7 +192,7 @@ TEST_F(WheelsUp, IsBrokenOffByAFaultThatForbidsArming) {
   // when the port is opened.
   start_robot({"--setup", "stand", "--fault", "battery:5.5@8.5"});
   const auto doctor = start();
-  ASSERT_TRUE(doctor->wait_for("Enter starts")) << doctor->output();
+  ASSERT_TRUE(doctor->wait_for("Press Enter to start")) << doctor->output();
   ASSERT_TRUE(robot_->wait_for("port closed")) << robot_->output();
   answer("");
   ASSERT_TRUE(robot_->wait_for("port opened, board resets")) << robot_->output();
@@ -212,7 +212,7 @@ TEST_F(WheelsUp, IsBrokenOffIfTheRobotFallsSilent) {
 
 TEST_F(WheelsUp, IsBrokenOffByARestartOfTheBoard) {
   start_robot({"--fault", "reboot@2"});
-  EXPECT_THAT(broken_off(), HasSubstr("the board restarted as a track ran"));
+  EXPECT_THAT(broken_off(), HasSubstr("the board restarted while a track ran"));
 }
 
 TEST_F(WheelsUp, IsBrokenOffIfThePortGoes) {

@@ -95,7 +95,7 @@ TEST_F(Programs, IdentifyDrivesAsksForWhatNoCameraSawAndWritesARobot) {
     ASSERT_TRUE(identify.wait_for("straight-line distance from start to end [m]:"))
         << identify.output();
     answers << (*turned == '0' ? "0.2" : "") << std::endl;
-    ASSERT_TRUE(identify.wait_for("counted [deg]:")) << identify.output();
+    ASSERT_TRUE(identify.wait_for("whole turns [deg]:")) << identify.output();
     answers << turned << std::endl;
   }
   EXPECT_EQ(identify.wait(), 0) << identify.output();

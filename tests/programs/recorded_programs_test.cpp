@@ -82,7 +82,8 @@ TEST_F(RecordedPrograms, RecordedDrivesAreIdentifiedAgainstTheirOwnRobot) {
   EXPECT_LE(json["errors_after"]["rms_rad"], json["errors_before"]["rms_rad"]);
   EXPECT_EQ(test::run({"tp100d", "check", folder_.file("new.toml")}).status, 0);
   const std::string other = drive("uniform");
-  EXPECT_THAT(identify({worn, other}).output, HasSubstr("was recorded with another robot file"));
+  EXPECT_THAT(identify({worn, other}).output,
+              HasSubstr("was recorded with a different robot file"));
   EXPECT_EQ(identify({worn, other, "--robot", "end-loaded"}).status, 0);
 }
 
@@ -201,7 +202,7 @@ TEST_F(RecordedPrograms, AKilledRunIsReadableAndRecoverMakesItWhole) {
   const test::Finished exported =
       test::run({"tp100d", "export", file(), "--out", folder_.file("out")});
   EXPECT_EQ(exported.status, 0) << exported.output;
-  EXPECT_THAT(exported.output, HasSubstr("was cut off; exported up to there"));
+  EXPECT_THAT(exported.output, HasSubstr("is cut off; exported everything before that"));
 
   const test::Finished recover = test::run({"tp100d", "recover", file()});
   EXPECT_EQ(recover.status, 0) << recover.output;
@@ -224,7 +225,8 @@ TEST_F(RecordedPrograms, ARunGoesOnWhenTheDiskIsFull) {
   arguments.insert(arguments.end(), run.begin() + 1, run.end());
   test::Process bridge(arguments);
   EXPECT_EQ(bridge.wait(), 1) << bridge.output();
-  EXPECT_THAT(bridge.output(), HasSubstr("recording stopped, the disk is full; the file is whole"));
+  EXPECT_THAT(bridge.output(),
+              HasSubstr("recording stopped, the disk is full; the file is complete"));
   EXPECT_THAT(bridge.output(), HasSubstr("no course: duration after 10."));
   EXPECT_TRUE(Recording(file()).whole());
 }

@@ -160,8 +160,8 @@ class WheelsUpFromThePage : public testing::Test {
 TEST_F(WheelsUpFromThePage, MovesNothingBeforeItIsConfirmedAndFindsAGoodRobotWell) {
   start();
   EXPECT_THAT(caller_->call(Service::kWheelsUpBegin, json::object()).get<std::string>(),
-              HasSubstr("tracks is \"free\""));
-  EXPECT_THAT(watch().get<std::string>(), HasSubstr("belongs to no check"));
+              HasSubstr("tracks = \"free\""));
+  EXPECT_THAT(watch().get<std::string>(), HasSubstr("no check has this token"));
   EXPECT_THAT(robot_->output(), Not(HasSubstr("motors on")));
   const json result = checked([&] { return watched(); });
   EXPECT_EQ(result["errors"], 0) << result;
@@ -209,7 +209,7 @@ TEST_F(WheelsUpFromThePage, StopOfAnyViewerStopsTheTracksAndIsAcknowledged) {
       return watched();
     });
   }
-  EXPECT_THAT(line(result, "wheels-up"), HasSubstr("error: stopped before its end"));
+  EXPECT_THAT(line(result, "wheels-up"), HasSubstr("error: stopped before it was complete"));
   EXPECT_THAT(robot_output(), HasSubstr("motors off: disarm"));
   EXPECT_TRUE(stop["acknowledged"]) << stop << "; the robot has stopped, whoever has its port";
 }
@@ -227,7 +227,7 @@ TEST_F(WheelsUpFromThePage, TracksStandStillWhenNobodyWatches) {
 
 TEST_F(WheelsUpFromThePage, TheLossOfItsViewerStopsTheTracks) {
   start();
-  const std::string lost = "the check of the tracks has ended: its viewer is gone";
+  const std::string lost = "the check of the tracks has ended: its viewer has disconnected";
   // On a busy machine the check may end for another reason before.
   for (int tries = 0; tries < 5 && daemon_->output().find(lost) == std::string::npos; ++tries) {
     const std::size_t before = daemon_->output().size();

@@ -246,7 +246,7 @@ TEST(McapReader, AChunkThatUnpacksToAttachmentsIsLeftOut) {
   out.bytes(inside);
   test::write_bytes(path, std::string(bytes.begin(), bytes.end()));
   Listener received;
-  EXPECT_THAT(McapReader(path).stream(received).problem, HasSubstr("does not belong there"));
+  EXPECT_THAT(McapReader(path).stream(received).problem, HasSubstr("is not allowed in it"));
   EXPECT_THAT(received.attachments, IsEmpty());
 }
 

@@ -97,7 +97,7 @@ TEST_F(RecorderTest, AtItsSizeLimitItEndsWholeAndSaysSo) {
   recorder.end();
   const RecordingStatus status = recorder.status();
   EXPECT_FALSE(status.active);
-  EXPECT_THAT(status.warning, HasSubstr("record.max_mb, 1 MB, is reached; the file is whole"));
+  EXPECT_THAT(status.warning, HasSubstr("record.max_mb, 1 MB, is reached; the file is complete"));
   EXPECT_LE(status.bytes, 1'000'000u);
   EXPECT_GT(status.bytes, 500'000u);
   const Recording recording(folder_.file("run.mcap"));
@@ -117,7 +117,7 @@ TEST_F(RecorderTest, WhereTheFileMayNotGrowAnyMoreItEndsWholeAndSaysSo) {
     recorder.end();
     const RecordingStatus status = recorder.status();
     const bool warned =
-        status.warning.find("the disk is full; the file is whole") != std::string::npos;
+        status.warning.find("the disk is full; the file is complete") != std::string::npos;
     std::_Exit(warned && !status.active && Recording(settings().path).whole() ? 0 : 1);
   };
   EXPECT_EXIT(record_beyond_a_limit(), testing::ExitedWithCode(0), "");

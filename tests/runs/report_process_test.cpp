@@ -74,7 +74,7 @@ TEST(ReportProcess, KillsWhatRunsAtItsEndAndRunsNothingAfterwards) {
   while (!std::filesystem::exists(begun)) std::this_thread::sleep_for(1ms);
   process.stop();
   thread.join();
-  EXPECT_EQ(why, "the daemon ends");
+  EXPECT_EQ(why, "the daemon is shutting down");
   EXPECT_NE(run(process, "true"), "");
 }
 

@@ -187,7 +187,7 @@ TEST_F(RunArchiveTest, AReportEndsWithTheDaemon) {
                    [first](const std::string& why, const std::string&) { first->set_value(why); });
   while (!fs::exists(begun)) std::this_thread::sleep_for(1ms);
   archive_.reset();
-  EXPECT_EQ(first->get_future().get(), "the daemon ends");
+  EXPECT_EQ(first->get_future().get(), "the daemon is shutting down");
 }
 
 TEST_F(RunArchiveTest, ARobotIsIdentifiedFromRunsAndNothingStaysInTheirFolder) {

@@ -73,7 +73,7 @@ TEST_F(WheelsUpCheckTest, EndsWithoutTheRobotIfThePortIsNotLent) {
   std::string other;
   EXPECT_THAT(check_.begin({.id = "viewer 4", .name = ""}, monotonic_now(), other),
               HasSubstr("under way"));
-  EXPECT_THAT(watch("guessed", json), HasSubstr("belongs to no check"));
+  EXPECT_THAT(watch("guessed", json), HasSubstr("no check has this token"));
   const Json found = result(token);
   EXPECT_EQ(found["errors"], 1);
   EXPECT_THAT(std::string(found["findings"][0]["seen"]), HasSubstr("not at rest"));
@@ -97,7 +97,7 @@ TEST_F(WheelsUpCheckTest, NobodyWatchesOnceItsViewerIsGone) {
   check_.lose("viewer 4");
   EXPECT_EQ(watch(token, json), "");
   check_.lose(viewer_.id);
-  EXPECT_THAT(watch(token, json), HasSubstr("belongs to no check"));
+  EXPECT_THAT(watch(token, json), HasSubstr("no check has this token"));
 }
 
 TEST_F(WheelsUpCheckTest, AFrozenClockOfThePageIsNoSignOfLife) {

@@ -21,7 +21,7 @@ TEST_F(RequestHandlerTest, TracksRunOnlyWhenTheyAreFreeAndNothingElseIsUnderWay)
   EXPECT_EQ(refused(R"({"tracks":"free"})"), to_string(StartRefusal::kNoSession));
   step(ready());
   for (const char* bad : {"{}", R"({"tracks":"perhaps"})", R"({"tracks":true})"})
-    EXPECT_THAT(refused(bad), HasSubstr("tracks is \"free\""));
+    EXPECT_THAT(refused(bad), HasSubstr("tracks = \"free\""));
   StepRecord running = ready();
   running.snapshot.run_state = RunState::kRunning;
   step(running);
@@ -42,7 +42,7 @@ TEST_F(RequestHandlerTest, TracksRunOnlyWhenTheyAreFreeAndNothingElseIsUnderWay)
   EXPECT_EQ(controls_.watched[0].answer, "b");
   for (const char* bad : {"{}", R"({"token":"t"})", R"({"token":1,"input_ms":5})"})
     EXPECT_THAT(std::string(call(Service::kWheelsUpWatch, bad).texts.at(0)["message"]),
-                HasSubstr("token is a text"));
+                HasSubstr("token must be a string"));
 }
 
 TEST_F(RequestHandlerTest, TheDoctorExaminesOnePartAtATimeAndNothingDuringARun) {
@@ -55,7 +55,7 @@ TEST_F(RequestHandlerTest, TheDoctorExaminesOnePartAtATimeAndNothingDuringARun) 
               ::testing::ElementsAre(DoctorPart::kPort, DoctorPart::kRobot, DoctorPart::kMachine));
   for (const char* bad : {"{}", R"({"part":"wheels"})", R"({"part":1})"})
     EXPECT_THAT(std::string(call(Service::kDoctor, bad).texts.at(0)["message"]),
-                HasSubstr("part is \"port\""));
+                HasSubstr("part must be \"port\""));
   StepRecord running = ready();
   running.snapshot.run_state = RunState::kRunning;
   step(running);

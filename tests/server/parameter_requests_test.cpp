@@ -134,9 +134,9 @@ TEST_F(RequestHandlerTest, HostileParametersToSaveAreRefusedByName) {
     return received.texts.empty() ? std::string()
                                   : received.texts[0].value("message", std::string());
   };
-  EXPECT_EQ(refused("{}"), "name parameters and their values");
-  EXPECT_EQ(refused(R"({"check":true})"), "name parameters and their values");
-  EXPECT_EQ(refused(R"({"check":1,"control.gain":1})"), "check is true or false");
+  EXPECT_EQ(refused("{}"), "give parameters and their values");
+  EXPECT_EQ(refused(R"({"check":true})"), "give parameters and their values");
+  EXPECT_EQ(refused(R"({"check":1,"control.gain":1})"), "check must be true or false");
   EXPECT_EQ(refused(R"({"control.gian":1})"), "there is no parameter 'control.gian'");
   EXPECT_EQ(refused(R"({"a\nb":1})"), "there is no parameter 'a?b'");
   EXPECT_THAT(refused(R"({"server.listen":"0.0.0.0:80"})"),
@@ -151,7 +151,7 @@ TEST_F(RequestHandlerTest, HostileParametersToSaveAreRefusedByName) {
   EXPECT_NE(refused(R"({"control.gain":1e999})"), "");
   for (const char* name : {R"(a\nb)", "../x", "/etc/passwd", R"(a\u0000)"})
     EXPECT_THAT(refused((R"({"course":")" + std::string(name) + "\"}").c_str()),
-                HasSubstr("course: name takes letters"));
+                HasSubstr("course: name must be 1 to 64 letters"));
   EXPECT_NE(call(Service::kParametersRestore, R"({"check":null})").texts.size(), 0U);
   EXPECT_NE(call(Service::kParametersRestore, R"({"file":"x"})").texts.size(), 0U);
   EXPECT_TRUE(controls_.parameters_saved.empty());

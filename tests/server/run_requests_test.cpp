@@ -46,7 +46,7 @@ TEST_F(RequestHandlerTest, ARobotIsIdentifiedFromRunsThatAreNamed) {
         std::string(R"({"runs":1})"), std::string(R"({"runs":"a","measured":1})"),
         R"({"runs":")" + many + R"("})"})
     EXPECT_THAT(std::string(call(Service::kRunIdentify, bad.c_str()).texts.at(0)["message"]),
-                HasSubstr("runs are one to 100 names"))
+                HasSubstr("runs must be one to 100 names"))
         << bad;
   EXPECT_EQ(controls_.managed.size(), 2U);
 }
@@ -58,7 +58,7 @@ TEST_F(RequestHandlerTest, ArgumentsOfTheServicesOfRunsAreChecked) {
         std::string("a\\u0000b"), std::string("gr\xC3\xBCn"), long_name}) {
     for (const Service service : {Service::kRunNote, Service::kRunDelete, Service::kRunReport})
       EXPECT_THAT(std::string(call(service, R"({"run":")" + name + R"("})").texts.at(0)["message"]),
-                  HasSubstr("run is the name of a run"));
+                  HasSubstr("run must be the name of a run"));
     EXPECT_THAT(std::string(call(Service::kRunCompare, R"({"run":"a","with":")" + name + R"("})")
                                 .texts.at(0)["message"]),
                 HasSubstr("names of runs"));
@@ -68,8 +68,8 @@ TEST_F(RequestHandlerTest, ArgumentsOfTheServicesOfRunsAreChecked) {
     const char* request;
     const char* why;
   };
-  for (const Bad& bad : {Bad{Service::kRunNote, R"({"run":"a","name":1})", "are texts"},
-                         {Service::kRunNote, R"({"run":"a","keep":"yes"})", "are texts"},
+  for (const Bad& bad : {Bad{Service::kRunNote, R"({"run":"a","name":1})", "must be strings"},
+                         {Service::kRunNote, R"({"run":"a","keep":"yes"})", "must be strings"},
                          {Service::kRunNote, R"({"run":"a","name":"a\u0000b"})", "name takes"},
                          {Service::kRunNote, R"({"run":"a","tags":"a\nb"})", "tags takes"},
                          {Service::kRunDelete, R"({"run":"a","with":"b"})", "no argument 'with'"},

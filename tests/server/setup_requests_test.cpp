@@ -39,7 +39,7 @@ TEST_F(RequestHandlerTest, AStartSaysWhereTheRobotStands) {
   record.snapshot.progress_m = 0.1;
   step(record);
   for (const char* bad : {R"({"from":"there"})", R"({"from":1})"})
-    EXPECT_THAT(message(bad), HasSubstr("from is \"start\"")) << bad;
+    EXPECT_THAT(message(bad), HasSubstr("from must be \"start\"")) << bad;
   EXPECT_THAT(message(R"({"x":1})"), HasSubstr("no argument 'x'"));
   EXPECT_EQ(controls_.starts + controls_.go_ons, 0);
   EXPECT_EQ(message(R"({"from":"here"})"), "");
@@ -101,7 +101,7 @@ TEST_F(RequestHandlerTest, ADraftIsCheckedAlsoDuringARun) {
   EXPECT_TRUE(controls_.saved.empty());
   EXPECT_THAT(
       std::string(call(Service::kFileCheck, R"({"kind":"map","name":"mine"})").texts[0]["message"]),
-      HasSubstr("kind is"));
+      HasSubstr("kind must be"));
 }
 
 TEST_F(RequestHandlerTest, ARobotIsPlacedAtTheStartOrAtAPose) {
@@ -124,8 +124,8 @@ TEST_F(RequestHandlerTest, ArgumentsOfTheSetupServicesAreChecked) {
     const char* why;
   };
   for (const Bad& bad :
-       {Bad{Service::kChoose, "{}", "name a course"},
-        {Service::kChoose, R"({"course":3})", "are names"},
+       {Bad{Service::kChoose, "{}", "give a course"},
+        {Service::kChoose, R"({"course":3})", "must be names"},
         {Service::kChoose, R"({"curse":"3"})", "no argument 'curse'"},
         {Service::kPlace, "{}", "give x_m"},
         {Service::kPlace, R"({"at":"end"})", "give x_m"},
@@ -134,10 +134,10 @@ TEST_F(RequestHandlerTest, ArgumentsOfTheSetupServicesAreChecked) {
         {Service::kPlace, R"({"x_m":101,"y_m":1,"yaw_rad":1})", "from -100 to 100"},
         {Service::kPlace, R"({"x_m":1e999,"y_m":1,"yaw_rad":1})", "JSON"},
         {Service::kPlace, R"({"at":"start","x_m":1,"y_m":1})", "give x_m"},
-        {Service::kFileSave, R"({"kind":"word","name":"a","text":""})", "kind is"},
-        {Service::kFileSave, R"({"kind":"course","name":"../a","text":""})", "name takes"},
-        {Service::kFileSave, R"({"kind":"course","name":".a","text":""})", "name takes"},
-        {Service::kFileSave, R"({"kind":"course","text":""})", "name takes"},
+        {Service::kFileSave, R"({"kind":"word","name":"a","text":""})", "kind must be"},
+        {Service::kFileSave, R"({"kind":"course","name":"../a","text":""})", "name must be"},
+        {Service::kFileSave, R"({"kind":"course","name":".a","text":""})", "name must be"},
+        {Service::kFileSave, R"({"kind":"course","text":""})", "name must be"},
         {Service::kFileSave, R"({"kind":"course","name":"a","text":"","replace":1})", "replace"},
         {Service::kFileDelete, R"({"kind":"course","name":"a","text":""})", "no argument 'text'"}})
     EXPECT_THAT(std::string(call(bad.service, bad.request).texts.at(0)["message"]),

@@ -214,7 +214,7 @@ TEST(WithValues, APathThroughAValueIsRefused) {
     with_values("drive = 1", "f.toml", {{"drive.kp", 2.0}});
     FAIL();
   } catch (const SetupError& error) {
-    EXPECT_STREQ(error.what(), "f.toml: 'drive' is no table, so that it has no 'kp'");
+    EXPECT_STREQ(error.what(), "f.toml: 'drive' is not a table, so it has no 'kp'");
   }
 }
 

@@ -61,7 +61,7 @@ TEST(TomlEdit, KeepsCarriageReturnsAndTheByteOrderMark) {
 }
 
 TEST(TomlEdit, RefusesWhatItCannotChangeInPlace) {
-  EXPECT_THAT(edited("t = 1\n", {{"t.a", 2LL}}), HasSubstr("f.toml: 't' is no table"));
+  EXPECT_THAT(edited("t = 1\n", {{"t.a", 2LL}}), HasSubstr("f.toml: 't' is not a table"));
   EXPECT_THAT(edited("[t]\n", {{"t", 2LL}}), HasSubstr("'t' is a table"));
   EXPECT_THAT(edited("t = {a = 1}\n", {{"t.b", 2LL}}), HasSubstr("'t' is written on one line"));
   EXPECT_THAT(edited("t = [\n", {{"t", 2LL}}), HasSubstr("f.toml:"));

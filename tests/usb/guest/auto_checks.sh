@@ -31,7 +31,7 @@ check_leaves_what_others_have_open() {
   work_with /dev/ttyUSB0
   watch_bus
   start_course --wait
-  await "auto passes over /dev/ttyACM0: held open by sleep (pid $printer)"
+  await "auto skips /dev/ttyACM0: held open by sleep (pid $printer)"
   sleep 60
   ! says ": open" || wrong "tp100d opened somebody's port: $(last_words)"
   bus_was_quiet
@@ -53,7 +53,7 @@ check_leaves_a_bridge_that_others_have_open() {
   work_with /dev/ttyUSB0
   watch_bus
   start --wait
-  await "auto passes over /dev/ttyUSB0: held open by sleep (pid $holder)"
+  await "auto skips /dev/ttyUSB0: held open by sleep (pid $holder)"
   sleep 20
   bus_was_quiet
   works_at /dev/ttyUSB0 115200 || wrong "the bridge is at: $(stty < /dev/ttyUSB0 | head -n 1)"
@@ -67,6 +67,6 @@ check_leaves_a_bridge_that_others_have_open() {
   # A user who cannot see the programs of others must leave the bridge alone.
   chmod 666 /dev/ttyUSB0
   su nobody -c "tp100d run --listen off" > /tmp/other 2>&1 < /dev/null
-  has /tmp/other "auto passes over /dev/ttyUSB0: a FTDI bridge, and what others have open cannot be seen"
+  has /tmp/other "auto skips /dev/ttyUSB0: a FTDI bridge, and this account cannot see whether"
   plug 0
 }

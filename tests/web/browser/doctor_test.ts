@@ -109,7 +109,7 @@ describe('the doctor', () => {
     await setting.pair.robot.line(/motors on/, setting.pair.robot.lines.length);
     await page.click('#stop');
     await until(async () => (await page.getAttribute('.wheels-up .finding[data-name="wheels-up"]', 'data-severity').catch(() => null)) === 'error', 'it is broken off');
-    expect(await page.textContent('.wheels-up .finding')).toContain('stopped before its end');
+    expect(await page.textContent('.wheels-up .finding')).toContain('stopped before it was complete');
   });
 
   it('waits for the end of a run', async () => {
