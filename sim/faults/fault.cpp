@@ -164,7 +164,7 @@ HostNs time_of(std::string_view text, std::string_view whole) {
 
 std::span<const InjectableFault> injectable_faults() { return kInjectableFaults; }
 
-const InjectableFault& describe(FaultKind kind) {
+const InjectableFault& injectable_fault(FaultKind kind) {
   return *std::find_if(kInjectableFaults.begin(), kInjectableFaults.end(),
                        [&](const InjectableFault& row) { return row.kind == kind; });
 }

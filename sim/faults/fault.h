@@ -82,7 +82,7 @@ struct InjectableFault {
 
 /// All faults, group by group.
 std::span<const InjectableFault> injectable_faults();
-const InjectableFault& describe(FaultKind kind);
+const InjectableFault& injectable_fault(FaultKind kind);
 
 /// One fault as given on the command line.
 struct PlannedFault {

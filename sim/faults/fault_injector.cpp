@@ -90,8 +90,9 @@ std::optional<double> FaultInjector::take(FaultKind kind, HostNs now_ns) {
     if (!begin_ns_ || planned.fault.kind != kind || !planned.fault.active(at_ns) ||
         at_ns < planned.next_ns)
       continue;
-    planned.next_ns = describe(kind).at_once ? planned.fault.end_ns
-                                             : planned.next_ns + from_s(planned.fault.number);
+    planned.next_ns = injectable_fault(kind).at_once
+                          ? planned.fault.end_ns
+                          : planned.next_ns + from_s(planned.fault.number);
     return planned.fault.number;
   }
   return std::nullopt;

@@ -27,7 +27,7 @@ TEST(PlannedFault, EveryOneOfTheListIsReadByItsName) {
     EXPECT_TRUE(names.insert(row.name).second) << row.name;
     const PlannedFault fault = parse_fault(row.name);
     EXPECT_EQ(fault.kind, row.kind);
-    EXPECT_EQ(&describe(row.kind), &row);
+    EXPECT_EQ(&injectable_fault(row.kind), &row);
     EXPECT_EQ(fault.number, row.standard);
     EXPECT_TRUE(fault.active(0));
     EXPECT_LE(row.least, row.standard);
