@@ -165,11 +165,11 @@ std::string compare_page(const std::vector<ComparedRun>& runs,
   page.heading("Differences to the base run");
   if (const std::string names = unlike_base(all); !names.empty())
     page.paragraph("Driven on another course or in another set-up than the base run: " + names +
-                   ". Their differences come from that, too.");
+                   ". Part of their differences comes from that.");
   page.paragraph(
       "Errors are against the truth, those of the model piece by piece between disturbances; "
       "\"-\": not known, as without truth, or of a run that never began. One run each: a "
-      "difference may be chance; a campaign (tp100-sim campaign) says how far runs spread.");
+      "difference may be chance; a campaign (tp100-sim campaign) shows the spread of runs.");
   page.table(difference_rows(all),
              "A difference is the run minus the base run; of all figures but the duration, smaller "
              "is better");

@@ -25,7 +25,7 @@ const Rows::value_type kDurationHead = {"[us]", "count", "mean", "50 %", "99 %",
 
 const char* const kBaselinesCaption =
     "Simpler forms of the model on the same counts against the truth, piece by piece between "
-    "disturbances: what slip compensation brings, and the extension beyond eqs 1-5";
+    "disturbances: what slip compensation improves, and the extension beyond eqs 1-5";
 
 std::string decimals(double value, int count) {
   return std::isfinite(value) ? text::format("%.*f", count, value) : "-";

@@ -68,8 +68,8 @@ Facts summary(const RecordedRun& run, const std::optional<RunFigures>& judged) {
     facts.emplace_back("runs in the recording", count(run.runs) + ", the last is shown");
   if (!run.whole)
     facts.emplace_back("cut off",
-                       Cell("the file ends early; everything up to there is here", true));
-  if (run.every > 1) facts.emplace_back("points", "every " + count(run.every) + "th is looked at");
+                       Cell("the file ends early; the report covers everything before that", true));
+  if (run.every > 1) facts.emplace_back("points", "every " + count(run.every) + "th is used");
   if (run.implausible > 0)
     facts.emplace_back("points left out",
                        Cell(count(run.implausible) + ": their values are impossible", true));
@@ -110,22 +110,22 @@ void add_errors(HtmlPage& page, const RecordedRun& run, const std::optional<RunF
       page.paragraph("Recovered from the disturbances after " + recovery + ".");
   } else {
     page.paragraph(run.has_truth
-                       ? "There was no course to judge the run by."
-                       : "Nobody measured where the robot truly was: neither the model, nor the "
+                       ? "The run had no course, so that tracking is not judged."
+                       : "The true pose was not measured: neither the model, nor the "
                          "estimates, nor the tracking can be judged. What follows are differences "
                          "between estimates and what the controller estimated.");
     const Difference difference = model_from_odometry(run);
     page.table({{"", "max [cm]", "at the end [cm]"},
                 {"model from odometry", decimals(difference.max_m * kCmPerM, 2),
                  decimals(difference.final_m * kCmPerM, 2)}},
-               "Difference of two estimates; no error of either");
+               "Difference of two estimates, which is not the error of either");
   }
   if (run.run_context.course == nullptr) return;
   page.table({{"", "max [cm]", "rms [cm]", "heading max [deg]"},
               {"estimated", decimals(run.estimated.max_cross_track_m * kCmPerM, 2),
                decimals(run.estimated.rms_cross_track_m * kCmPerM, 2),
                decimals(run.estimated.max_heading_error_rad * kDegPerRad, 2)}},
-             "The steering pose against the path: what the controller saw, not what was true");
+             "The steering pose against the path: what the controller saw, which is not the truth");
 }
 
 void add_timing(HtmlPage& page, const RecordedRun& run) {
@@ -151,7 +151,8 @@ void add_timing(HtmlPage& page, const RecordedRun& run) {
                         std::to_string(messages::kLatenessEdgesUs[last ? i - 1 : i]) + " us",
                     count(run.jitter_counts[i])});
   }
-  page.table(rows, "Each row without those above it; rows without a step are left out");
+  page.table(rows,
+             "Each step counts in the first row that applies; rows without a step are left out");
 }
 
 void add_link(HtmlPage& page, const RecordedRun& run) {

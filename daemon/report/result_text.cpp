@@ -229,8 +229,8 @@ std::string result_table(const RunResult& run, const RunFigures& figures) {
     text += "Forms are simpler models on the same counts and gyro: daemon/report/RESULTS.md.\n";
   if (!run.disturbances.empty())
     text +=
-        "Model and forms are judged between the disturbances and set onto the truth after each,\n"
-        "because encoders cannot see them.\n";
+        "Model and forms are judged between the disturbances and reset to the truth after each,\n"
+        "because encoders cannot measure them.\n";
   if (paper) {
     text +=
         "Lengths, radii and disturbances of the course are ours: the paper does not print them.\n";
@@ -242,11 +242,11 @@ std::string result_table(const RunResult& run, const RunFigures& figures) {
   if (run.setup == "stand")
     text +=
         "On a stand nothing moves: the virtual pose stands in for the truth and is judged against "
-        "itself.\nOnly completion and tracking mean something here.\n";
+        "itself.\nOnly completion and tracking are meaningful here.\n";
   if (run.robot == "end-loaded")
     text +=
         "This robot's slip is fitted through its contacts and its tracks make eqs 1-5 nearly "
-        "exact;\nthe uniformly loaded robot is the harder judge.\n";
+        "exact;\nthe uniformly loaded robot is the harder test.\n";
   return text;
 }
 

@@ -278,7 +278,7 @@ int run_merge(const std::string& path) {
   if (!merged.missing.empty())
     std::fprintf(stderr, "tp100-sim: %s\n", missing_text(merged).c_str());
   if (refused > 0)
-    std::fprintf(stderr, "tp100-sim: %s refused; the page says why\n",
+    std::fprintf(stderr, "tp100-sim: %s refused; the page gives the reasons\n",
                  text::counted(refused, "run").c_str());
   return merged.missing.empty() && refused == 0 ? 0 : 1;
 }

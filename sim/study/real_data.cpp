@@ -39,7 +39,7 @@ RealMotion window(const text::CsvTable& table, std::size_t begin, std::size_t en
     };
     const auto change = [&](const char* column) { return table[column][i] - table[column][i - 1]; };
     if (std::abs(change("t_s") - motion.dt_s) > kUniformS || motion.dt_s <= 0.0)
-      throw SetupError(table.where(i) + ": t_s does not go on in even steps");
+      throw SetupError(table.where(i) + ": t_s does not increase in even steps");
     if (change("step") != 0.0) throw SetupError(table.where(i) + ": step changes in a window");
     motion.speeds.push_back(
         {mean("left_wheel_mps"), mean("right_wheel_mps"), mean("gyro_z_radps")});
@@ -74,7 +74,8 @@ RealRobot parse_maxxii(const course::TextFile& file) {
                    (right_ground_mps - left_ground_mps) / kMaxxiiGaugeM}});
   }
   if (table.rows() % kRightSpeeds != 0)
-    throw SetupError(table.where(table.rows() - 1) + ": the last left_track_mps has not nine rows");
+    throw SetupError(table.where(table.rows() - 1) +
+                     ": the last left_track_mps does not have nine rows");
   return robot;
 }
 

@@ -145,8 +145,8 @@ std::string shown_caption(const CourseStudy& study) {
       static_cast<unsigned long long>(study.shown.result.seed), study.shown.result.duration_s);
   if (!study.shown.result.disturbances.empty() && study.setup != "stand")
     text +=
-        " Encoders do not see a push: as it is judged, the model is put onto the truth at the end "
-        "of each (dots), and interrupted during it. The other estimates go on.";
+        " Encoders do not measure a push: the model is not judged during it, and is reset to the "
+        "truth at its end (dots). The other estimates continue.";
   if (study.setup == "stand")
     text += " The body does not move: the truth is the steering pose, and there are no errors.";
   return text;

@@ -89,7 +89,7 @@ TEST_F(Report, WithoutTruthNothingIsCalledAnError) {
   EXPECT_EQ(json["recording"]["steps"], 400);
   EXPECT_EQ(json["seed"], 5);
   const std::string page = text("report.html");
-  EXPECT_THAT(page, HasSubstr("Nobody measured where the robot truly was"));
+  EXPECT_THAT(page, HasSubstr("The true pose was not measured"));
   EXPECT_THAT(page, HasSubstr("run: idle -&gt; arming"));
   EXPECT_THAT(page, HasSubstr("robot.toml"));
   expect_offline(page);

@@ -214,7 +214,7 @@ TEST(RealData, RefusesACorruptedFileByItsLine) {
   const std::string begin = "0,0,0.00,0,0,0,0,0,0\n0,0,0.05,0,0,0,0,0,0\n";
   EXPECT_THAT(refusal(parse_husky, head + begin), "no error");
   EXPECT_THAT(refusal(parse_husky, head + begin + "0,0,0.20,0,0,0,0,0,0\n"),
-              HasSubstr("t_s does not go on in even steps"));
+              HasSubstr("t_s does not increase in even steps"));
   EXPECT_THAT(refusal(parse_husky, head + begin + "0,1,0.10,0,0,0,0,0,0\n"),
               HasSubstr("real.csv:4: step changes"));
   EXPECT_THAT(refusal(parse_husky, head + begin + "1,0,0.00,0,0,0,0,0,0\n"),
