@@ -139,7 +139,7 @@ describe('driving by hand', () => {
     await until(() => speed_mps() > 0.03, 'forwards');
     await pad(page, { noise: false });
     await until(() => speed_mps() === 0, 'a standstill when its values freeze');
-    await until(async () => (await page.textContent('.drive-source'))?.includes('stand still') === true, 'it says so');
+    await until(async () => (await page.textContent('.drive-source'))?.includes('do not change') === true, 'it says so');
     await pad(page, { noise: true });
     await until(() => speed_mps() > 0.03, 'forwards again');
     await pad(page, { connected: false });
