@@ -124,7 +124,7 @@ def install(build):
             shutil.copy(deb, machine.path(f"/srv/{name}.deb"))
         newer(debs["tp100"], machine.path("/srv"))
         apt = "apt-get -qq -y -o Dpkg::Use-Pty=0 -o Dpkg::Options::=--force-confdef -o Dpkg::Options::=--force-confold "
-        machine.shell(f"apt-get -qq update; {apt} install --no-install-recommends /srv/tp100.deb arduino-core-avr udev")
+        machine.shell(f"apt-get -qq update; {apt} install --no-install-recommends /srv/tp100.deb arduino-core-avr avrdude udev")
         if "tp100-camera" in debs:
             watch_marker(machine, apt)
         machine.shell("systemd-analyze verify --man=no tp100d@tp100.service")
