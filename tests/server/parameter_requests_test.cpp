@@ -140,7 +140,7 @@ TEST_F(RequestHandlerTest, HostileParametersToSaveAreRefusedByName) {
   EXPECT_EQ(refused(R"({"control.gian":1})"), "there is no parameter 'control.gian'");
   EXPECT_EQ(refused(R"({"a\nb":1})"), "there is no parameter 'a?b'");
   EXPECT_THAT(refused(R"({"server.listen":"0.0.0.0:80"})"),
-              HasSubstr("server.listen is not saved"));
+              HasSubstr("server.listen cannot be saved"));
   EXPECT_THAT(refused(R"({"robot.model.wheelbase_m":0.3})"), HasSubstr("the robot's file"));
   EXPECT_THAT(refused(R"({"control.gain":201})"), HasSubstr("control.gain ranges from 0 to 200"));
   EXPECT_THAT(refused(R"({"control.gain":"12"})"), HasSubstr("control.gain takes a number"));

@@ -133,7 +133,7 @@ TEST(Reproduction, ShowsTheModelAsItIsJudgedRestartedAfterEachPush) {
   const std::string page = reproduction_page(what);
   EXPECT_THAT(page, HasSubstr(">model, restarted<"));
   EXPECT_THAT(page, HasSubstr(">its restart<"));
-  EXPECT_THAT(page, HasSubstr("put onto the truth"));
+  EXPECT_THAT(page, HasSubstr("reset to the truth"));
   run.disturbances.clear();
   EXPECT_THAT(reproduction_page(what), testing::Not(HasSubstr("model, restarted")));
 }
