@@ -1,7 +1,7 @@
 // Start, hold and record. Actions that move the robot are confirmed if the daemon requires it;
 // actions that stop it never are.
 import { bytes, clock } from '../state/format.ts';
-import type { State } from '../state/messages.ts';
+import { kNoRights, type State } from '../state/messages.ts';
 import type { Store } from '../state/store.ts';
 import { StartQuestion, type Place } from './start_question.ts';
 import { h, icon, setAttribute, setClass, setText } from './dom.ts';
@@ -9,7 +9,6 @@ import { h, icon, setAttribute, setClass, setText } from './dom.ts';
 export type Command = 'hold' | 'pause' | 'resume' | 'record_start' | 'record_stop';
 
 const kConfirm_ms = 3000;
-const kNoRights = 'This daemon accepts only STOP from here (server.commands)';
 
 export class Controls {
   readonly element = h('div', { class: 'controls', role: 'group', 'aria-label': 'Run' });

@@ -1,5 +1,5 @@
 // Choice of course, robot, set-up and the robot's pose, while no run is under way.
-import { onCourse, type State } from '../state/messages.ts';
+import { kNoRights, onCourse, type State } from '../state/messages.ts';
 import { kindOf, kMaxText, nameOf, type CourseEntry, type FileKind, type RobotEntry, type SetupCall, type SetupList } from '../state/setup.ts';
 import type { Store } from '../state/store.ts';
 import type { CourseEditor } from '../draw/editor.ts';
@@ -252,7 +252,7 @@ export class CourseList {
 
 function whyNot(state: State | undefined, fresh: boolean, mayCommand: boolean): string {
   if (!fresh || state === undefined) return 'No connection to tp100d.';
-  if (!mayCommand) return 'This daemon accepts only STOP from here (server.commands).';
+  if (!mayCommand) return `${kNoRights}.`;
   if (onCourse(state.run)) return 'A run is under way: nothing can be changed.';
   if (state.run === 'driving') return 'The robot is driven by hand: release it first.';
   return '';

@@ -6,7 +6,7 @@ import { h, setAttribute, setClass, setText } from './dom.ts';
 import { findingRow } from './finding_row.ts';
 import { WheelsUpPanel } from './wheels_up_panel.ts';
 import { reason, type Call } from '../state/service.ts';
-import { asksForMotion } from '../state/messages.ts';
+import { asksForMotion, kNoRights } from '../state/messages.ts';
 
 export class DoctorPanel {
   readonly element = h('div', { class: 'doctor', tabindex: '0' });
@@ -29,7 +29,7 @@ export class DoctorPanel {
     const run = store.get('/state')?.run;
     const drives = asksForMotion(run);
     this.button.disabled = this.busy || this.wheelsUp.on || !connected || !mayCommand || drives;
-    const why = !mayCommand ? 'This daemon accepts only STOP from here (server.commands)' : drives ? 'A run is under way; stop it first' : '';
+    const why = !mayCommand ? kNoRights : drives ? 'A run is under way; stop it first' : '';
     setAttribute(this.button, 'title', why);
     this.wheelsUp.show(!connected ? 'No connection to tp100d' : why !== '' ? why : this.busy ? 'Examining' : (store.get('/state')?.why_not_drive ?? ''));
   }

@@ -3,12 +3,11 @@
 import type { Driver } from '../drive/driver.ts';
 import type { Inputs } from '../drive/inputs.ts';
 import { degrees, fixed } from '../state/format.ts';
-import type { State } from '../state/messages.ts';
+import { kNoRights, type State } from '../state/messages.ts';
 import type { Store } from '../state/store.ts';
 import { h, icon, setAttribute, setClass, setText } from './dom.ts';
 
 const kConfirm_ms = 3000;
-const kNoRights = 'This daemon accepts only STOP from here (server.commands)';
 const kSources = { none: 'no control held', keys: 'keys', stick: 'stick', gamepad: 'gamepad' };
 
 export class DrivePanel {

@@ -7,7 +7,7 @@ import type { Store } from '../state/store.ts';
 import { h, setClass, setText } from './dom.ts';
 import { FoundRobot } from './found_robot.ts';
 import { reason, type Call } from '../state/service.ts';
-import { asksForMotion } from '../state/messages.ts';
+import { asksForMotion, kNoRights } from '../state/messages.ts';
 
 const kRefresh_ms = 5000;
 
@@ -71,7 +71,7 @@ export class IdentifyPanel {
 
   private whyNot(connected: boolean, mayCommand: boolean): string {
     if (!connected) return 'No connection to tp100d.';
-    if (!mayCommand) return 'This daemon accepts only STOP from here (server.commands).';
+    if (!mayCommand) return `${kNoRights}.`;
     if (this.store?.get('/recording')?.available === false) return 'Drives are recorded: start tp100d with --record DIR and --stay.';
     const run = this.store?.get('/state')?.run;
     return asksForMotion(run) ? 'A run is under way; stop it first.' : '';

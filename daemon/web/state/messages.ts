@@ -115,6 +115,9 @@ export type Run = 'idle' | 'arming' | 'running' | 'finished' | 'aborted' | 'driv
 /** A course is being driven, or is about to be. */
 export const onCourse = (run: Run | undefined): boolean => run === 'arming' || run === 'running';
 
+/** Why a viewer whom server.commands does not allow may not command. */
+export const kNoRights = 'This daemon accepts only STOP from here (server.commands)';
+
 /** Motion was requested: on a course or by hand. */
 export const asksForMotion = (run: Run | undefined): boolean => onCourse(run) || run === 'driving';
 
