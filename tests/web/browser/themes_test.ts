@@ -20,8 +20,12 @@ const kGround = { dark: 'rgb(10, 14, 19)', light: 'rgb(255, 255, 255)' };
 const floor = (page: Page): Promise<number> =>
   page.evaluate(() => {
     const canvas = document.querySelector<HTMLCanvasElement>('.stage canvas');
-    const data = canvas?.getContext('2d')?.getImageData(1, 1, 1, 1).data;
-    return data === undefined ? NaN : ((data[0] ?? 0) + (data[1] ?? 0) + (data[2] ?? 0)) / 3;
+    // A copy, because the browser complains if the page's own canvas is read again and again.
+    const copy = document.createElement('canvas').getContext('2d', { willReadFrequently: true });
+    if (canvas === null || copy === null) return NaN;
+    copy.drawImage(canvas, 1, 1, 1, 1, 0, 0, 1, 1);
+    const { data } = copy.getImageData(0, 0, 1, 1);
+    return ((data[0] ?? 0) + (data[1] ?? 0) + (data[2] ?? 0)) / 3;
   });
 
 describe('the cockpit', () => {
