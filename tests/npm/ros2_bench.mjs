@@ -8,13 +8,12 @@ import { join } from 'node:path';
 import { readMcap } from './mcap_file.mjs';
 import { decode, nanoseconds } from './ros2.mjs';
 import { loseDriver, losses, movedAfter } from './ros2_driver.mjs';
-import { Peer, latched, percentile, program, topics, withRobot, withSecondHost } from './ros2_network.mjs';
+import { Peer, latched, percentile, program, ros2On, topics, withRobot, withSecondHost } from './ros2_network.mjs';
 
 const [seconds, rounds, trials] = process.argv.slice(2, 5).map(Number);
 const ways = process.argv[5] ? [process.argv[5]] : Object.keys(losses);
 if (ways.some((way) => !(way in losses))) throw new Error(`no way to lose a driver: ${ways}; there is: ${Object.keys(losses).join(', ')}`);
 const print = (row) => console.log(JSON.stringify(row));
-const on = '[ros2]\nenabled = true';
 
 function printTimes(what, values, unit, counts = {}) {
   print({ what, unit, count: values.length, p50: percentile(values, 0.5), p99: percentile(values, 0.99), max: percentile(values, 1), ...counts });
@@ -32,7 +31,7 @@ async function slowCourse(folder, duration) {
 const measureTopics = (pacing) => withRobot(async ({ folder, daemon }) => {
   const peer = await Peer.ofEverything('42timed');
   const course = await slowCourse(folder, seconds + 5);
-  const run = await daemon(on, ['--course', course, '--record', join(folder, 'runs'), '--duration', String(seconds + 5)],
+  const run = await daemon(ros2On, ['--course', course, '--record', join(folder, 'runs'), '--duration', String(seconds + 5)],
     `pacing = "${pacing}"`);
   await run.exit;
   await peer.end();
@@ -90,7 +89,7 @@ async function loopRun({ ros2, subscriber, dds_cpu }) {
   await withRobot(async ({ folder, daemon }) => {
     const peer = subscriber ? await Peer.ofEverything('42quiet') : undefined;
     const stats = join(folder, 'stats.json'), duration = 7;
-    const run = await daemon(ros2 ? on : '', ['--duration', String(duration), '--stats', stats], dds_cpu === undefined ? '' : 'cpu = 0');
+    const run = await daemon(ros2 ? ros2On : '', ['--duration', String(duration), '--stats', stats], dds_cpu === undefined ? '' : 'cpu = 0');
     await run.said(/state: syncing -> ready/);
     const before = await threadsOf(run.child.pid), stolenBefore = await stolen_s(), began = Date.now();
     if (dds_cpu !== undefined)
@@ -157,7 +156,7 @@ async function measureLoop() {
 const measureLosses = () => withSecondHost((under) => withRobot(async ({ folder, daemon }) => {
   for (const loss of ways) {
     const record = join(folder, loss);
-    const run = await daemon(`${on}\ninterface = "eth0"\n[server]\ncommands = "all"`, ['--wait', '--record', record], '');
+    const run = await daemon(`${ros2On}\ninterface = "eth0"\n[server]\ncommands = "all"`, ['--wait', '--record', record], '');
     const times = await loseDriver(run, loss, trials, { under });
     run.child.kill('SIGTERM');
     await run.exit;

@@ -3,10 +3,9 @@ import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import test from 'node:test';
 import { Driver, loseDriver, losses, movedAfter, pause, twist, twistStamped } from './ros2_driver.mjs';
-import { Peer, ddsType, withRobot, withSecondHost } from './ros2_network.mjs';
+import { Peer, ddsType, ros2On, withRobot, withSecondHost } from './ros2_network.mjs';
 
 const limits = { timeout: 120_000 };
-const on = '[ros2]\nenabled = true';
 const stays = ['--stay', '--wait'];
 
 // A square and its diagonal, with turns to both sides.
@@ -14,7 +13,7 @@ const waypoints = [[0.3, 0], [0.3, 0.3], [0, 0.3], [0, 0], [0.3, 0.3], [0.3, 0]]
 
 for (const type of [twist, twistStamped])
   test(`a node drives the robot through waypoints by ${type}`, limits, (t) => withRobot(async ({ daemon }) => {
-    const run = await daemon(on, stays);
+    const run = await daemon(ros2On, stays);
     const driver = new Driver(run, { type });
     await driver.take();
     await driver.peer.until(() => driver.peer.messages('/ground_truth').length > 0);
@@ -30,7 +29,7 @@ for (const type of [twist, twistStamped])
 test('the robot is told to stop within 250 ms of the last message of a driver that is lost, and brakes to a standstill', limits, (t) =>
   withSecondHost((under) => withRobot(async ({ folder, daemon }) => {
     const record = join(folder, 'runs');
-    const run = await daemon(`${on}\ninterface = "eth0"\n[server]\ncommands = "all"`, ['--wait', '--record', record]);
+    const run = await daemon(`${ros2On}\ninterface = "eth0"\n[server]\ncommands = "all"`, ['--wait', '--record', record]);
     const times = [];
     for (const loss of Object.keys(losses))
       for (const each of await loseDriver(run, loss, 1, { under })) times.push({ loss, ...each });
@@ -48,13 +47,13 @@ test('the robot is told to stop within 250 ms of the last message of a driver th
 
 test('no node of another machine drives unless server.commands says so', limits, () => withRobot(async ({ daemon }) => {
   const peer = new Peer(42, ['+rt/cmd_vel=geometry_msgs::msg::dds_::Twist_=RV', 'rt/odom=nav_msgs::msg::dds_::Odometry_=RV']);
-  const never = await daemon(`${on}\n[server]\ncommands = "none"`, stays);
+  const never = await daemon(`${ros2On}\n[server]\ncommands = "none"`, stays);
   await never.said(/ROS 2 may not drive: server.commands is "none"/);
   await peer.until(() => peer.messages('/odom').length > 200);
   assert.ok(!peer.found.some(({ matched, count }) => matched && count > 0));
   never.child.kill('SIGTERM');
   await never.exit;
-  const here = await daemon(on, stays);
+  const here = await daemon(ros2On, stays);
   await here.said(/ROS 2 may drive/);
   await peer.matched('/cmd_vel', 'geometry_msgs/msg/Twist');
   await peer.end();
@@ -62,7 +61,7 @@ test('no node of another machine drives unless server.commands says so', limits,
 
 test('a node places the robot, and what is no message is refused', limits, () => withRobot(async ({ daemon }) => {
   const pose = 'geometry_msgs/msg/PoseWithCovarianceStamped';
-  const run = await daemon(on, stays);
+  const run = await daemon(ros2On, stays);
   const driver = new Driver(run);
   const peer = new Peer(42, [`+rt/initialpose=${ddsType(pose)}=RV`, `+rt/cmd_vel=${ddsType('geometry_msgs/msg/Twist')}=RV`]);
   await run.said(/state: syncing -> ready/);

@@ -130,7 +130,7 @@ test('who comes late receives what is latched', limits, () => withRobot(async ({
 }));
 
 test('threads of DDS have neither the scheduling nor the processor of the loop', limits, () => withRobot(async ({ daemon }) => {
-  const run = await daemon('[ros2]\nenabled = true', ['--stay', '--wait'], ordinary.replace('priority = 0', 'priority = 1\ncpu = 0'));
+  const run = await daemon(ros2On, ['--stay', '--wait'], ordinary.replace('priority = 0', 'priority = 1\ncpu = 0'));
   await run.said(/state: syncing -> ready/);
   const folder = `/proc/${run.child.pid}/task`;
   const threads = readdirSync(folder).map((id) => ({
@@ -149,7 +149,7 @@ test('the emulated robot tells where it truly is', limits, () => withRobot(async
   const listener = new Peer(42, ['rt/ground_truth=geometry_msgs::msg::dds_::PoseStamped_=RV',
     'rt/odom=nav_msgs::msg::dds_::Odometry_=RV']);
   try {
-    const run = await daemon('[ros2]\nenabled = true', ['--course', '1-straight', '--duration', '8']);
+    const run = await daemon(ros2On, ['--course', '1-straight', '--duration', '8']);
     await run.exit;
     await listener.end();
     const poses = (topic, type) => listener.messages(topic).map((bytes) => {
@@ -182,7 +182,7 @@ test('nobody is on the network unless it is switched on', limits, () => withRobo
     await off.exit;
     assert.ok(!listener.found.some(({ participant, writer }) => participant || writer));
     // The same with ROS 2 on, to show that the listener would have seen the first daemon.
-    const on = await daemon('[ros2]\nenabled = true', ['--duration', '2']);
+    const on = await daemon(ros2On, ['--duration', '2']);
     await on.exit;
     assert.equal(listener.found.filter(({ participant }) => participant).length, 1);
   } finally {
@@ -241,7 +241,7 @@ const withoutCourse = new Map([...topics].filter(([name]) => name !== '/path'));
 for (const [announced, domain] of [['at 127.0.0.1', '42>127.0.0.1'], ['by multicast alone', '42@127.0.0.1']])
   test(`without multicast on lo both ends meet if the other one is announced ${announced}`, limits, (t) =>
     withoutMulticast(() => withRobot(async ({ daemon }) => {
-      const run = await daemon('[ros2]\nenabled = true', ['--stay', '--wait']);
+      const run = await daemon(ros2On, ['--stay', '--wait']);
       const listener = new Peer(domain, [...withoutCourse].map(([name, [type, qos]]) => `rt${name}=${ddsType(type)}=${qos}`));
       const driver = new Driver(run, { domain });
       try {
@@ -275,7 +275,7 @@ test('another host sees what is published on its network, and nothing of this ma
     const odometry = ['rt/odom=nav_msgs::msg::dds_::Odometry_=RV'];
     const there = new Peer(42, odometry, under), here = new Peer('42@127.0.0.1', odometry);
     try {
-      const local = await daemon('[ros2]\nenabled = true', ['--stay', '--wait']);
+      const local = await daemon(ros2On, ['--stay', '--wait']);
       await here.until(() => here.messages('/odom').length > 400);
       assert.ok(!there.found.some(({ participant }) => participant));
       assert.deepEqual(closedPorts(under, ports), ports);

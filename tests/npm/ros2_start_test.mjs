@@ -6,10 +6,9 @@ import { join } from 'node:path';
 import test from 'node:test';
 import { angles, decode } from './ros2.mjs';
 import { pause } from './ros2_driver.mjs';
-import { Peer, ddsType, program, withRobot } from './ros2_network.mjs';
+import { Peer, ddsType, program, ros2On, withRobot } from './ros2_network.mjs';
 
 const limits = { timeout: 240_000 };
-const on = '[ros2]\nenabled = true';
 const pose = 'geometry_msgs/msg/PoseStamped', string = 'std_msgs/msg/String', empty = 'std_msgs/msg/Empty';
 const diagnostics = 'diagnostic_msgs/msg/DiagnosticArray', fused = 'geometry_msgs/msg/PoseWithCovarianceStamped';
 const silenceMs = 2100;
@@ -66,7 +65,7 @@ class Starter {
 }
 const withStarter = (work) => withRobot(async ({ folder, daemon }) => {
   const records = join(folder, 'runs');
-  const run = await daemon(on, ['--stay', '--wait', '--course', '1-straight', '--record', records]);
+  const run = await daemon(ros2On, ['--stay', '--wait', '--course', '1-straight', '--record', records]);
   const starter = new Starter(run);
   // The first run begins by itself.
   await run.said(/state: arming -> running/);
@@ -118,7 +117,7 @@ test('what starts no run is refused with its reason', limits, () => withStarter(
 }));
 
 test('where nothing else is taken from nodes, a STOP is', limits, () => withRobot(async ({ daemon }) => {
-  const run = await daemon(`${on}\n[server]\ncommands = "none"`, ['--stay', '--wait', '--course', '1-straight']);
+  const run = await daemon(`${ros2On}\n[server]\ncommands = "none"`, ['--stay', '--wait', '--course', '1-straight']);
   const starter = new Starter(run);
   await run.said(/state: arming -> running/);
   await starter.stop();
