@@ -122,9 +122,7 @@ course::TextFile SetupFiles::read(Bundled kind, const std::string& name) const {
 
 void SetupFiles::save(Bundled kind, const std::string& name, const std::string& content,
                       bool replace) const {
-  if (!text::is_file_name(name))
-    throw SetupError(
-        "name must be 1 to 64 letters, digits, '-', '_' or '.', not starting with '.'");
+  if (!text::is_file_name(name)) throw SetupError(text::kFileNameRule);
   if (library_.empty())
     throw SetupError("there is no folder for your own files: set library in the configuration");
   for (const Entry& entry : list(kind)) {

@@ -41,8 +41,7 @@ std::span<const Key<bridge::WorldParameters>> world_keys() {
                  [](T& w, std::size_t i) { w.owns_pose = i == 1; }},
        {},
        "Which side determines the pose. bridge: the world answers with height, pitch and roll "
-       "only; "
-       "world: with the whole pose, which the controller then uses"},
+       "only; world: with the whole pose, which the controller then uses"},
       {"timeout_ms",
        &T::timeout_s,
        {50, 2000},
@@ -77,8 +76,7 @@ std::span<const Key<WorldSettings>> world_stream_keys() {
        &T::orientation_template,
        {},
        "files: text of orientation_file, with {x}, {y}, {z}, {roll}, {pitch}, {yaw}, {} for a "
-       "number to skip; "
-       "empty: what Unreal prints of a rotator and a vector, or plain numbers"},
+       "number to skip; empty: what Unreal prints of a rotator and a vector, or plain numbers"},
       {"live_link",
        &T::live_link,
        {},

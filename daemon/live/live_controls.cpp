@@ -21,6 +21,7 @@ using messages::ParameterText;
 // After this time a step has taken a request.
 constexpr HostNs kTakesEffectNs = 200 * kNsPerMs;
 constexpr const char* kChanging = "course, robot or place are being changed; try again";
+constexpr const char* kShuttingDown = "the daemon is shutting down";
 constexpr const char* kBusy = "too many requests wait; try again";
 
 struct LiveKey {
@@ -50,7 +51,7 @@ const LiveKey* live_key(std::string_view name) {
 
 std::string LiveControls::request_start(OperatorRequest request) {
   const std::lock_guard lock(mutex_);
-  if (ending_) return "the daemon is shutting down";
+  if (ending_) return kShuttingDown;
   if (setup_.changing()) return kChanging;
   if (self_test_.wheels_up().on()) return selftest::kTracksRun;
   return cycle_.request(request) ? std::string() : kBusy;
@@ -73,7 +74,7 @@ void LiveControls::stop() {
 std::string LiveControls::wheels_up_begin(const server::Driver& viewer, HostNs now,
                                           std::string& token) {
   const std::lock_guard lock(mutex_);
-  if (ending_) return "the daemon is shutting down";
+  if (ending_) return kShuttingDown;
   if (setup_.changing()) return kChanging;
   if (driving(now)) return server::kUnderWay;
   std::string why = self_test_.wheels_up().begin(viewer, now, token);
@@ -83,7 +84,7 @@ std::string LiveControls::wheels_up_begin(const server::Driver& viewer, HostNs n
 
 std::string LiveControls::drive_take(const server::Driver& driver, HostNs now, std::string& token) {
   const std::lock_guard lock(mutex_);
-  if (ending_) return "the daemon is shutting down";
+  if (ending_) return kShuttingDown;
   if (setup_.changing()) return kChanging;
   if (self_test_.wheels_up().on()) return selftest::kTracksRun;
   if (!driving(now)) wheel_.clear();

@@ -15,8 +15,6 @@ namespace tp100::server {
 namespace {
 
 constexpr std::size_t kMaxShownArgument = 64;
-constexpr const char* kNameRule =
-    "name must be 1 to 64 letters, digits, '-', '_' or '.', not starting with '.'";
 constexpr const char* kSaved = R"({"file":"","written":true,"may_restore":true,)"
                                R"("differences":[{"name":"","before":"","after":""}]})";
 constexpr std::size_t kMaxDrives = 100;
@@ -205,7 +203,7 @@ std::string read_start(const Arguments& arguments, bool& here) {
 std::string read_record_name(const Arguments& arguments, std::string& name) {
   name = text_of(arguments, "name").value_or("");
   const bool wrong = !texts_only(arguments) || !(name.empty() || text::is_file_name(name));
-  return wrong ? kNameRule : "";
+  return wrong ? text::kFileNameRule : "";
 }
 
 std::string read_choice(const Arguments& arguments, SetupChoice& choice) {
@@ -239,7 +237,7 @@ std::string read_file(const Arguments& arguments, SetupFile& file) {
   for (const RequestField& field : arguments)
     if (const bool* replace = std::get_if<bool>(&field.value)) file.replace = *replace;
   if (text::is_file_name(file.name)) return {};
-  return kNameRule;
+  return text::kFileNameRule;
 }
 
 std::string read_part(const Arguments& arguments, DoctorPart& part) {
@@ -310,7 +308,7 @@ std::string read_parameters(const Arguments& arguments,
       value = *words;
       const bool name = found->type == messages::ParameterText::Type::kText;
       if (name && !words->empty() && !text::is_file_name(*words))
-        return field.name + ": " + kNameRule;
+        return field.name + ": " + text::kFileNameRule;
     }
     if (std::holds_alternative<RequestField::Other>(field.value))
       return field.name + " takes no value of that type";

@@ -93,7 +93,7 @@ constexpr std::array kInjectableFaults = std::to_array<InjectableFault>({
     {kBattery, "battery", "sensor", "V", 5.5, 0, 20, kNone, false,
      "the battery divider reads another voltage"},
     {kHostStall, "host-stall", "host", "ms", 300, 1, 60000, kNone, true,
-     "the daemon's loop stops for this time (only tp100-sim course)"},
+     "the daemon's loop stops for this time (tp100-sim course only; elsewhere stop the daemon)"},
 });
 
 constexpr double kMaxS = 1e6;

@@ -222,9 +222,8 @@ LiveRun drive(const DemoCommand& command, const fs::path& programs, const std::s
     show(page);
     std::printf(
         "demo: keeps running after the run. To drive again, press Start on the page, or type go "
-        "and "
-        "press Enter here; "
-        "Enter alone is STOP; Ctrl-C ends the demo, and removes its recordings\n");
+        "and press Enter here; Enter alone is STOP; Ctrl-C ends the demo, and removes its "
+        "recordings\n");
   }
   std::fflush(stdout);
   const int status = bridge.wait();
