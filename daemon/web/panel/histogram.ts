@@ -44,7 +44,7 @@ export class Histogram {
     setText(this.figures.p50, duration(loop.lateness_us.p50));
     setText(this.figures['p99.9'], duration(loop.lateness_us.p999));
     setText(this.figures.max, duration(loop.lateness_us.max));
-    const summary = `median ${duration(loop.lateness_us.p50)}, worst ${duration(loop.lateness_us.max)} of ${count(loop.cycles)} turns`;
+    const summary = `median ${duration(loop.lateness_us.p50)}, worst ${duration(loop.lateness_us.max)} of ${count(loop.cycles)} cycles`;
     setAttribute(this.bars, 'aria-label', summary);
   }
 
