@@ -82,10 +82,9 @@ AutoChoice choose_for_auto(const std::vector<PortInfo>& ports, bool attended,
     const PortHolder holder = holder_of(port.path);
     if (!holder.name.empty()) return "held open by " + holder.name;
     if (classify(port) == PortKind::kMega) return {};
-    if (likely.size() > 1) return "a " + describe(port) + " that is not the only candidate";
+    if (likely.size() > 1) return "not the only candidate (" + describe(port) + ")";
     if (holder.others_hidden)
-      return "a " + describe(port) +
-             ", and this account cannot see whether another program has it open";
+      return "this account cannot see whether another program has it open (" + describe(port) + ")";
     return {};
   };
   AutoChoice choice;

@@ -81,7 +81,7 @@ TEST_F(Auto, OpensABridgeOnlyIfItIsTheOnlyCandidate) {
               ::testing::ElementsAre("/dev/ttyUSB0"));
   EXPECT_TRUE(opened({bridge_, other_bridge_}).empty());
   EXPECT_THAT(why_none(choose({bridge_, other_bridge_})),
-              HasSubstr("/dev/ttyUSB0: a CH340 bridge that is not the only candidate"));
+              HasSubstr("/dev/ttyUSB0: not the only candidate (CH340 bridge)"));
 }
 
 TEST_F(Auto, LeavesAloneWhatSomebodyHasOpen) {

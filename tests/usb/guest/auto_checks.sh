@@ -67,6 +67,6 @@ check_leaves_a_bridge_that_others_have_open() {
   # A user who cannot see the programs of others must leave the bridge alone.
   chmod 666 /dev/ttyUSB0
   su nobody -c "tp100d run --listen off" > /tmp/other 2>&1 < /dev/null
-  has /tmp/other "auto skips /dev/ttyUSB0: a FTDI bridge, and this account cannot see whether"
+  has /tmp/other "auto skips /dev/ttyUSB0: this account cannot see whether another program has it open (FTDI bridge)"
   plug 0
 }

@@ -8,7 +8,7 @@ check_lists_ports() {
   has /tmp/first "^/dev/ttyACM0  2341:0042  Arduino Mega 2560, serial TP100A$"
   has /tmp/ports '^    port = "/dev/serial/by-id/usb-Arduino-TP100A-if00"$'
   has /tmp/ports "^/dev/ttyUSB0  0403:6001  FTDI bridge"
-  has /tmp/ports "^    auto skips it: a FTDI bridge that is not the only candidate; if it is the robot, name it"
+  has /tmp/ports "^    auto skips it: not the only candidate (FTDI bridge); if it is the robot, name it"
   has /tmp/ports "^/dev/ttyS1  -  serial port$"
 }
 
