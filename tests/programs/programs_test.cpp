@@ -127,9 +127,12 @@ TEST_F(Programs, AKilledDaemonLeavesTheMotorsOffWithinTwoHundredMilliseconds) {
   bridge.signal(SIGKILL);
   bridge.wait();
   ASSERT_TRUE(robot.wait_for("port closed")) << robot.output();
-  ASSERT_TRUE(robot.wait_for("motors off: command_timeout")) << robot.output();
+  // On a busy machine the port of a killed program is closed only after the commands' timeout.
+  const std::string off = "motors off: command_timeout";
+  ASSERT_TRUE(robot.output().find(off) != std::string::npos || robot.wait_for(off))
+      << robot.output();
   const double closed_s = time_of(robot.output(), "port closed");
-  const double off_s = time_of(robot.output(), "motors off: command_timeout");
+  const double off_s = time_of(robot.output(), off);
   // Both times are on the board's clock; the tolerance is one loop and one physics step.
   EXPECT_LE(off_s - closed_s, 0.200 + 0.010) << robot.output();
 
