@@ -18,8 +18,6 @@ constexpr text::Range kLength{kSmallestLengthM, 100.0};
 
 constexpr std::size_t kMaxPieces = 50;
 constexpr std::size_t kMaxCorners = 100;
-constexpr double kFenceStepM = 0.005;
-constexpr int kMinFenceSteps = 180, kMaxFenceSteps = 20000;
 constexpr text::Range kHeading{-3600.0, 3600.0};
 constexpr text::Range kHeight{0.001, 0.5};
 constexpr text::Range kSize{0.01, 20.0};
@@ -157,25 +155,6 @@ Disturbance disturbance_of(text::TomlTable table, double length_m, double after_
   return disturbance;
 }
 
-void require_inside(const Path& path, const Fence& fence, const text::TomlTable& table) {
-  // A line between two points of a rectangle stays inside; an arc that leaves it does so for longer
-  // than a coarse step.
-  const bool rectangle = fence.corners.empty() && fence.keep_out.empty();
-  for (std::size_t i = 0; i < path.segments().size(); ++i) {
-    const PathSegment& segment = path.segments()[i];
-    const int fine = rectangle ? 0 : static_cast<int>(segment.length_m / kFenceStepM);
-    const int steps = std::clamp(fine, kMinFenceSteps, kMaxFenceSteps);
-    for (int step = 0; step <= steps; ++step) {
-      const PathPoint point = path.at(i, segment.length_m * step / steps);
-      if (!contains(fence, point.x_m, point.y_m))
-        table.fail(
-            "fence",
-            text::format("the path leaves the fence at (%.3f, %.3f) m, %.3f m from its start",
-                         point.x_m, point.y_m, point.s_m));
-    }
-  }
-}
-
 }  // namespace
 
 Course parse_course(const std::string& text, const std::string& file) {
@@ -208,7 +187,10 @@ Course parse_course(const std::string& text, const std::string& file) {
         disturbance_of(disturbance, path.length_m(),
                        course.disturbances.empty() ? 0.0 : course.disturbances.back().at_m));
   root.finish();
-  require_inside(path, course.fence, root);
+  if (const auto outside = first_point_outside(path, course.fence))
+    root.fail("fence",
+              text::format("the path leaves the fence at (%.3f, %.3f) m, %.3f m from its start",
+                           outside->x_m, outside->y_m, outside->s_m));
   return course;
 }
 

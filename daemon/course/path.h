@@ -2,6 +2,7 @@
 // The geometry of a course's path: the reference pose, and the nearest point of the path.
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "course/course.h"
@@ -51,5 +52,9 @@ class Path {
   std::vector<PathSegment> segments_;
   double length_m_ = 0.0;
 };
+
+/// The first of the path's sampled points at which the reference point may not be: 181 a segment,
+/// and at most 5 mm apart if the fence is not a plain rectangle.
+std::optional<PathPoint> first_point_outside(const Path& path, const Fence& fence);
 
 }  // namespace tp100::course

@@ -8,6 +8,7 @@
 #include "core/arithmetic.h"
 #include "core/error.h"
 #include "course/course.h"
+#include "course/path.h"
 #include "identify/manoeuvres.h"
 #include "model/track_model.h"
 #include "text/format.h"
@@ -143,9 +144,14 @@ std::optional<OtherPath> NextManoeuvre::best_within(const Clearance& clearance, 
   const double now = excess(half, goals);
   std::optional<OtherPath> best;
   double best_rate = 0.0;
+  course::Course driven = area_;
+  driven.start = here_;
   for (OtherPath& manoeuvre : candidate_manoeuvres(tracks.wheelbase_m)) {
     const Prediction prediction = predict(manoeuvre);
     if (!fits(prediction.poses, clearance)) continue;
+    // The prediction is some millimetres beside its path, which has to be inside as well.
+    driven.path = manoeuvre.path;
+    if (first_point_outside(course::Path(driven), area_.fence)) continue;
     any = true;
     const Eigen::VectorXd by = intervals_.narrowed_by(
         fit_.sums_of(FittedRun(prediction.drive, base_.counts_per_metre, tracks.gyro_scale)));

@@ -67,15 +67,17 @@ RecordedDrive drive(const course::OtherPath& manoeuvre, const TrackParameters& t
     }
     left /= 1.0 - truth.slip_left - turn.slip;
     right /= 1.0 - truth.slip_right - turn.slip;
+    const Twist twist = model::body_twist(truth, model::Mode::kExtended, left, right);
     const auto last = static_cast<int>(std::lround(duration_s / kStepS));
     for (int i = 0; i < last; ++i) {
       drive.samples.push_back({t_s, std::lround(left_m * kCountsPerMetre),
-                               std::lround(right_m * kCountsPerMetre), radps / truth.gyro_scale});
+                               std::lround(right_m * kCountsPerMetre),
+                               twist.yaw_rate_radps / truth.gyro_scale});
       if (steps++ % kStepsPerImage == 0)
         drive.camera.push_back({t_s, pose.x_m + 0.0015 * normal(random),
                                 pose.y_m + 0.0015 * normal(random),
                                 wrap_angle(pose.yaw_rad + 0.4 * kRadPerDeg * normal(random))});
-      model::advance(pose, model::body_twist(truth, model::Mode::kExtended, left, right), kStepS);
+      model::advance(pose, twist, kStepS);
       left_m += left * kStepS;
       right_m += right * kStepS;
       t_s += kStepS;
@@ -159,6 +161,44 @@ TEST(NextManoeuvre, NeverLeavesTheFence) {
       EXPECT_EQ(course.fence.keep_out.size(), 1u);
     }
   }
+}
+
+TEST(NextManoeuvre, ThePathKeepsToTheFenceFromAnyPlaceNearItsEdge) {
+  constexpr double kHalfM = 0.5;
+  TrackParameters truth = robot();
+  // Its track speeds lag behind the changes of the turn, so that it drives beside the path.
+  truth.wheelbase_m = 0.2;
+  truth.wheelbase_tight_m = 0.3;
+  truth.wheelbase_spin_m = 0.35;
+  truth.turn_slip = truth.turn_slip_tight = 0.1;
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> from_edge_m(0.0, 0.4), along_m(-kHalfM, kHalfM),
+      yaw_rad(-kPi, kPi);
+  course::OtherPath arrival;
+  arrival.speed_mps = 0.15;
+  arrival.path = {course::Line{0.3}, course::Arc{0.3, 1.0}, course::Pivot{1.0}};
+  int chosen = 0;
+  const SeenPose seen = drive(arrival, truth, 1).camera.back();
+  const Pose end{.x_m = seen.x_m, .y_m = seen.y_m, .yaw_rad = seen.yaw_rad};
+  for (int i = 0; i < 120; ++i) {
+    SCOPED_TRACE(i);
+    const Pose there{
+        .x_m = along_m(random), .y_m = kHalfM - from_edge_m(random), .yaw_rad = yaw_rad(random)};
+    arrival.start = Transform2d::between(end, there).of(Pose{});
+    NextManoeuvre next(nothing_known(), area(kHalfM));
+    next.take(drive(arrival, truth, 1));
+    std::optional<course::OtherPath> manoeuvre;
+    try {
+      manoeuvre = next.choose();
+    } catch (const SetupError&) {
+      continue;  // nothing fits from there
+    }
+    if (!manoeuvre) continue;
+    ++chosen;
+    const course::TextFile file = next.course_of(*manoeuvre);
+    EXPECT_NO_THROW(course::parse_course(file.text, file.path)) << manoeuvre->name;
+  }
+  EXPECT_GT(chosen, 60);
 }
 
 /// Metres on lines, and angle on the spot, after the first turn towards free room.
