@@ -20,7 +20,7 @@ namespace tp100::identify {
 struct IdentifySettings {
   double camera_sd_m = 0.002;
   double camera_sd_rad = 0.5 * kRadPerDeg;
-  double correlated_s = 1.0;  ///< camera residuals within this time count as one, or within their
+  double correlated_s = 0.1;  ///< camera residuals within this time count as one, or within their
                               ///< correlation time if that is longer
   double tape_sd_m = 0.002;
   double protractor_sd_rad = 1.0 * kRadPerDeg;

@@ -33,6 +33,8 @@ RecordedDrive drive(const Truth& truth, const std::string& name, double left_mps
                     double duration_s, unsigned seed) {
   constexpr double kStandstillS = 1.0, kStepS = 5e-4;
   constexpr int kStepsPerSample = 20, kStepsPerImage = 60;
+  // Half-way between two samples, so that the sum of the rates is the angle.
+  constexpr double kBeginsS = kStandstillS + kStepS * kStepsPerSample / 2;
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
@@ -44,7 +46,7 @@ RecordedDrive drive(const Truth& truth, const std::string& name, double left_mps
   const auto steps = static_cast<int>((2.0 * kStandstillS + duration_s) / kStepS);
   for (int i = 0; i < steps; ++i) {
     const double t = i * kStepS;
-    const bool moves = t > kStandstillS && t < kStandstillS + duration_s;
+    const bool moves = t >= kBeginsS && t < kBeginsS + duration_s;
     const double left = moves ? left_mps : 0.0, right = moves ? right_mps : 0.0;
     const double l = left * (1.0 - truth.slip_left), r = right * (1.0 - truth.slip_right);
     const double rate = (r - l) / truth.wheelbase_m, vx = (l + r) / 2.0;
