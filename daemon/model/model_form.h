@@ -50,7 +50,8 @@ TrackParameters as_printed(double gauge_m);
 
 /// The model that the daemon drives with.
 inline constexpr ModelForm kExtendedForm{
-    "extended", "Eqs 1-5 with turning centre, tight turns and uneven creep", rows_of_motion()};
+    "extended", "Eqs 1-5 with turning centre, tight turns, uneven creep and loss of turns",
+    rows_of_motion()};
 
 /// Simpler forms, the simplest first.
 inline constexpr std::array kBaselines = {

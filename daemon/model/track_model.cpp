@@ -45,7 +45,8 @@ TurnShape turn_shape(double left_mps, double right_mps) {
   const double difference = (right_mps - left_mps) / faster;
   const double turn = std::abs(difference);
   return {std::clamp(difference / kWideTurn, -1.0, 1.0), between(turn, kWideTurn, kTightTurn),
-          between(turn, kWideArc, kTightArc), between(turn, kTightArc, kSpin)};
+          between(turn, kWideArc, kTightArc), between(turn, kTightArc, kSpin),
+          std::abs(right_mps - left_mps) / (std::abs(left_mps) + std::abs(right_mps))};
 }
 
 TurnShape TurnShapeFilter::update(double left_mps, double right_mps, double dt_s) {
@@ -88,7 +89,8 @@ Turn turn_of(const TrackParameters& p, Mode mode, const TurnShape& shape) {
   return {
       std::lerp(std::lerp(p.wheelbase_m, tight_m, shape.arc), spin_m, shape.spin),
       p.x_icr_m + std::lerp(p.x_icr_tight_shift_m * shape.arc, p.x_icr_spin_shift_m, shape.spin),
-      shape.wide * std::lerp(p.turn_slip, p.turn_slip_tight, shape.tight),
+      shape.wide * std::lerp(p.turn_slip, p.turn_slip_tight, shape.tight) +
+          p.turn_loss * shape.curved,
       p.slip_angle_turning_rad};
 }
 

@@ -72,15 +72,19 @@ double equivalent_wheelbase_m(const WheelbaseGeometry& geometry);
 /// A turn described by the ratio of the two tracks' speeds, on which friction depends, rather than
 /// by the speeds. Friction saturates at much the same ratio for uneven robots.
 /// Unevenly creeping tracks lose or gain distance only until friction saturates (`wide`, `tight`).
+/// Friction that acts against sideways sliding cannot drive: a turn to either side costs distance,
+/// the more the tighter the path is (`curved`).
 /// Wheelbase and turning centre drift on as more of the track ends slip, until the slower track
 /// stands still: `arc` and `spin` lead from their values in wide turns over those in tight arcs to
 /// those on the spot.
 struct TurnShape {
-  double wide = 0.0;   ///< -1..1, left positive: grows with the turn until the slower track makes
-                       ///< 0.55 of the faster one's speed, then stays
-  double tight = 0.0;  ///< 0..1: 0 up to there, 1 from 0.35 of the faster one's speed on to spins
-  double arc = 0.0;    ///< 0..1: 0 up to 0.65 of the faster one's speed, 1 from 0.4 on to spins
-  double spin = 0.0;   ///< 0..1: 0 up to there, 1 from -0.1 of the faster one's speed on to spins
+  double wide = 0.0;    ///< -1..1, left positive: grows with the turn until the slower track makes
+                        ///< 0.55 of the faster one's speed, then stays
+  double tight = 0.0;   ///< 0..1: 0 up to there, 1 from 0.35 of the faster one's speed on to spins
+  double arc = 0.0;     ///< 0..1: 0 up to 0.65 of the faster one's speed, 1 from 0.4 on to spins
+  double spin = 0.0;    ///< 0..1: 0 up to there, 1 from -0.1 of the faster one's speed on to spins
+  double curved = 0.0;  ///< 0..1: difference of the speeds in parts of their sum, as the curvature
+                        ///< of the path, 1 from where the slower track stands still on to spins
 };
 
 /// Shape for tracks whose ground sides move at these speeds (slip removed). Pure.

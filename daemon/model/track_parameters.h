@@ -46,6 +46,7 @@ struct TrackParameters {
   double turn_slip = 0.0;            ///< slip of both tracks that a left turn adds and a right turn
                                      ///< subtracts: uneven creep of the tracks
   double turn_slip_tight = 0.0;      ///< the same in tight turns
+  double turn_loss = 0.0;            ///< slip of both tracks that a turn to either side adds
   double gyro_scale = 1.0;           ///< true rate / nominal rate, z axis
 
   // Not of the robot: the configuration sets these.
@@ -124,6 +125,11 @@ inline constexpr std::array kTrackParameters = {
         0.1, 0.01},
     ParameterRow{"turn_slip_tight", &TrackParameters::turn_slip_tight, ParameterOf::kExtended, -0.5,
                  0.5, "The same in tight turns", 0.1, 0.01},
+    ParameterRow{
+        "turn_loss", &TrackParameters::turn_loss, ParameterOf::kExtended, -0.5, 0.5,
+        "Slip that a turn to either side adds to both tracks, where the slower track stands still; "
+        "it grows with the curvature of the path up to there",
+        0.1, 0.02},
     ParameterRow{"gyro_scale", &TrackParameters::gyro_scale, ParameterOf::kGyro, 0.8, 1.25,
                  "True over nominal rate of the gyro's z axis, from turning on the spot by a known "
                  "angle",

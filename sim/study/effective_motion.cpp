@@ -129,7 +129,7 @@ class Regression {
 struct Turns {
   Regression<3> wheelbase{};
   Regression<4> centre{};  // the last one is the slip angle's tangent
-  Regression<2> lost{};
+  Regression<3> lost{};
 
   void add(const Steps& steps, double slip_left, double slip_right) {
     model::TurnShapeFilter filter;
@@ -137,7 +137,7 @@ struct Turns {
       double difference_m = 0.0, lost_m = 0.0, left_m = 0.0, ahead_m = 0.0;
       double turned_rad = 0.0, took_s = 0.0, travel_m = 0.0;
       Eigen::Vector3d by_turn = Eigen::Vector3d::Zero();
-      Eigen::Vector2d by_travel = Eigen::Vector2d::Zero();
+      Eigen::Vector3d by_travel = Eigen::Vector3d::Zero();
       for (; from <= to; ++from) {
         const Step& step = steps[from];
         const double left = step.left_track_m * (1.0 - slip_left);
@@ -154,10 +154,11 @@ struct Turns {
         took_s += step.dt_s;
         by_turn += step.turned_rad * Eigen::Vector3d((1.0 - shape.arc) * (1.0 - shape.spin),
                                                      shape.arc * (1.0 - shape.spin), shape.spin);
-        by_travel += mean * shape.wide * Eigen::Vector2d(1.0 - shape.tight, shape.tight);
+        by_travel += mean * Eigen::Vector3d(shape.wide * (1.0 - shape.tight),
+                                            shape.wide * shape.tight, shape.curved);
       }
       wheelbase.add(by_turn, Eigen::Vector3d::Constant(turned_rad), difference_m);
-      lost.add(by_travel, Eigen::Vector2d::Constant(travel_m), lost_m);
+      lost.add(by_travel, Eigen::Vector3d::Constant(travel_m), lost_m);
       if (std::abs(turned_rad) > kTurningRadps * took_s)
         centre.add({-by_turn[0], -by_turn[1], -by_turn[2], ahead_m},
                    {turned_rad, turned_rad, turned_rad, ahead_m}, left_m);
@@ -191,9 +192,10 @@ model::TrackParameters effective_motion(const std::vector<CalibrationDrive>& dri
   motion.x_icr_tight_shift_m = centre[1] - centre[0];
   motion.x_icr_spin_shift_m = centre[2] - centre[0];
   motion.slip_angle_turning_rad = std::atan(centre[3]);
-  const Eigen::Vector2d lost = turns.lost.solution();
+  const Eigen::Vector3d lost = turns.lost.solution();
   motion.turn_slip = lost[0];
   motion.turn_slip_tight = lost[1];
+  motion.turn_loss = lost[2];
   // The sensor's own counts per deg/s at this range are 2^15 / 1000.
   constexpr double kSensorLsbPerDegps = 32.768;
   motion.gyro_scale = static_cast<double>(wire::kGyroLsbPerDegps) / kSensorLsbPerDegps /

@@ -26,7 +26,7 @@ struct CalibrationDrive {
 /// - Turning centre and slip angle turning: sideways distance against turned angle and forward
 ///   distance.
 /// - Turn slip: forward distance that turning left costs and right gains, against the mean of the
-///   tracks' ground travel.
+///   tracks' ground travel; turn loss: what turning to either side costs.
 /// - Gyro scale: of the emulated sensor.
 /// NaN is what the drives do not show.
 model::TrackParameters effective_motion(const std::vector<CalibrationDrive>& drives,

@@ -90,18 +90,21 @@ std::string yaw_chart(const RealStudy& study) {
 
 std::string remark(const RealStudy& study) {
   if (study.robot == "MAXXII")
-    return "MAXXII: tracks, indoors, stationary points. Of the seven constants that the extended "
+    return "MAXXII: tracks, indoors, stationary points. Of the eight constants that the extended "
            "model adds, only x_icr reduces the error, that of the lateral speed; wheelbases by "
-           "turn ratio and turn slip do not help. The yaw rate error that eqs 1-5 leave is mostly "
+           "turn ratio, turn slip and turn loss do not help. The yaw rate error that eqs 1-5 leave "
+           "is mostly "
            "in right turns on the spot with more than 0.55 m/s between the tracks: there the robot "
            "turns at down to half the rate that its tracks would give; in left turns it does not. "
            "A term for this reduces the error to 6 %, but few points determine its two constants, "
            "and their intervals are as wide as the assumed priors. Track speeds are set points, so "
            "the motors may contribute.";
   return "Husky: wheels, strongly varying random commands, windows of 1.95 s. The slip of eqs 1-5 "
-         "occurs in turns: a slip that may grow with the difference of the speeds leaves none for "
-         "straight driving and reduces the position error by a fifth. The extended model is worse "
-         "than eqs 1-5 with x_icr. No form improves yaw, where the gyro more than halves the "
+         "occurs in turns: a slip that grows with the difference of the speeds, or with the "
+         "curvature "
+         "of the path (turn_loss of the extended model), takes most of it from straight driving "
+         "and reduces the position error by a fifth. No form improves yaw, where the gyro more "
+         "than halves the "
          "error.";
 }
 
@@ -125,7 +128,8 @@ void write_real(report::HtmlPage& page, const std::vector<RealStudy>& studies) {
   page.heading("Real robots");
   page.paragraph(
       "Measured motion of two robots that are not a TP100. Each form is fitted by least squares to "
-      "one half and judged on the other. Eqs 1-5 have five constants, the extended model twelve.");
+      "one half and judged on the other. Eqs 1-5 have five constants, the extended model "
+      "thirteen.");
   for (const RealStudy& study : studies) {
     page.paragraph(remark(study));
     page.table(form_rows(study),

@@ -154,7 +154,7 @@ constexpr Limit kLimits[] = {{"MAXXII", kPaperFitted, kYawRate, 10.4},
                              {"Husky", kPaperFitted, kPosition, 24.3},
                              {"Husky", kPaperFitted, kYaw, 11.2},
                              {"Husky", kPaperIcr, kPosition, 22.7},
-                             {"Husky", kExtendedFitted, kPosition, 23.2},
+                             {"Husky", kExtendedFitted, kPosition, 18.2},
                              {"Husky", kBothSpeeds, kPosition, 18.4},
                              {"Husky", kPaperGyro, kYaw, 4.7}};
 

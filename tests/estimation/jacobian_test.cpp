@@ -26,6 +26,7 @@ model::TrackParameters tracks() {
   tracks.x_icr_spin_shift_m = -0.03;
   tracks.wheelbase_spin_m = 0.31;
   tracks.turn_slip = 0.04;
+  tracks.turn_loss = 0.05;
   return tracks;
 }
 

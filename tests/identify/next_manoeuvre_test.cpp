@@ -41,6 +41,7 @@ TrackParameters robot() {
   tracks.wheelbase_spin_m = 0.26;
   tracks.x_icr_m = 0.01;
   tracks.turn_slip = tracks.turn_slip_tight = 0.01;
+  tracks.turn_loss = 0.03;
   tracks.gyro_scale = 1.01;
   return tracks;
 }

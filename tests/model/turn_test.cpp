@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "model/track_model.h"
 
@@ -31,6 +32,35 @@ TEST(Turn, LeadsFromWideArcsOverTightOnesToTheSpot) {
   EXPECT_NEAR(turn_shape(0.015, 0.1).spin, 0.5, 1e-12);
   EXPECT_NEAR(turn_shape(0.1, 0.015).spin, 0.5, 1e-12);
   EXPECT_EQ(turn_shape(-0.011, 0.1).spin, 1.0);
+}
+
+TEST(Turn, CurvesWithThePathUntilTheSlowerTrackStandsStill) {
+  EXPECT_EQ(turn_shape(0.1, 0.1).curved, 0.0);
+  EXPECT_NEAR(turn_shape(0.09, 0.1).curved, 0.1 / 1.9, 1e-12);
+  EXPECT_NEAR(turn_shape(0.05, 0.1).curved, 1.0 / 3.0, 1e-12);
+  EXPECT_NEAR(turn_shape(0.1, 0.05).curved, 1.0 / 3.0, 1e-12);
+  EXPECT_NEAR(turn_shape(-0.05, -0.1).curved, 1.0 / 3.0, 1e-12);
+  for (const double slower : {0.0, -0.03, -0.1}) {
+    EXPECT_NEAR(turn_shape(slower, 0.1).curved, 1.0, 1e-12);
+    EXPECT_NEAR(turn_shape(0.1, slower).curved, 1.0, 1e-12);
+  }
+}
+
+TEST(Turn, LosesAsMuchDistanceToEitherSideAndTurnsAsBefore) {
+  TrackParameters p, without;
+  p.turn_loss = 0.06;
+  const auto twist = [](const TrackParameters& of, Mode mode, double left, double right) {
+    return body_twist(of, mode, left / (1.0 - of.slip_left), right / (1.0 - of.slip_right));
+  };
+  for (const auto& [left, right] : {std::pair{0.05, 0.1}, std::pair{0.1, 0.05}}) {
+    const Twist with = twist(p, Mode::kExtended, left, right);
+    const Twist plain = twist(without, Mode::kExtended, left, right);
+    EXPECT_NEAR(with.vx_mps, plain.vx_mps * 0.98, 1e-12);
+    EXPECT_EQ(with.yaw_rate_radps, plain.yaw_rate_radps);
+    EXPECT_EQ(twist(p, Mode::kPaper, left, right).vx_mps, plain.vx_mps);
+  }
+  EXPECT_NEAR(twist(p, Mode::kExtended, 0.1, 0.1).vx_mps, 0.1, 1e-12);
+  EXPECT_NEAR(twist(p, Mode::kExtended, -0.1, 0.1).vx_mps, 0.0, 1e-12);
 }
 
 TEST(Turn, ARobotThatStandsMakesNone) {

@@ -70,6 +70,7 @@ TEST(EffectiveMotion, FindsTheParametersThatAMotionFollows) {
   truth.x_icr_spin_shift_m = -0.006;
   truth.turn_slip = 0.03;
   truth.turn_slip_tight = 0.02;
+  truth.turn_loss = 0.05;
   course::Emulated robot;
   robot.encoder.counts_per_metre = 20000.0;
   robot.body.gauge_m = 0.16;

@@ -151,15 +151,16 @@ TEST(RealStudy, AgreesWithTheIndependentEvaluation) {
   EXPECT_NEAR(husky().figure(kPaperGyro, kYaw), 4.7, 0.05);
 }
 
-TEST(RealStudy, SlipByBothSpeedsPaysWhereTheExtendedModelDoesNot) {
+TEST(RealStudy, BreakingAwayPaysOnMaxxiiAndTheLossOfTurnsOnTheHusky) {
   for (const std::size_t half : {0u, 1u}) {
     SCOPED_TRACE(half);
     EXPECT_LE(maxxii().forms.back().figures[half][0], 6.0);
     EXPECT_GT(maxxii().forms[4].figures[half][0], 7.9);
   }
-  EXPECT_LT(husky().figure(kBothSpeeds, kPosition),
-            0.8 * husky().figure(kExtendedFitted, kPosition));
-  EXPECT_GT(husky().figure(kExtendedFitted, kPosition), husky().figure(kPaperIcr, kPosition));
+  for (const char* form : {kBothSpeeds, kExtendedFitted}) {
+    SCOPED_TRACE(form);
+    EXPECT_LT(husky().figure(form, kPosition), 0.81 * husky().figure(kPaperIcr, kPosition));
+  }
   EXPECT_TRUE(std::isnan(husky().figure(kBothSpeeds, kYawRate)));
 }
 
