@@ -1,6 +1,7 @@
 #include "identify/identify.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -140,23 +141,25 @@ Identification identify(const std::vector<RecordedDrive>& drives, const Prior& b
   return found;
 }
 
-namespace {
-
-// Half a metre is a wide arc for a TP100 and a tight one for a robot of twice its size.
-constexpr double kNarrowGaugeM = 0.2;
-
-}  // namespace
-
 std::vector<std::string> calibration_courses(const course::ShapeValues& shape) {
-  const bool narrow = shape.gauge_m <= kNarrowGaugeM;
-  const std::string wide = narrow ? "arc" : "wide", tight = narrow ? "tight" : "arc";
-  return {"calibrate-straight",
-          "calibrate-" + wide + "-left",
-          "calibrate-" + wide + "-right",
-          "calibrate-" + tight + "-left",
-          "calibrate-" + tight + "-right",
-          "calibrate-spin-left",
-          "calibrate-spin-right"};
+  struct Arc {
+    double radius_m;
+    const char* name;
+  };
+  constexpr std::array kArcs = {Arc{1.0, "wide"}, Arc{0.5, "arc"}, Arc{0.25, "tight"}};
+  // Between a turn that is nearly on the spot and one in which the tracks hardly differ.
+  constexpr double kTightestGauges = 0.9, kWidestGauges = 5.0;
+  // Beyond these no arc is in between, or only one.
+  const double gauge_m = std::clamp(shape.gauge_m, 0.1, 0.55);
+  std::vector<std::string> names = {"calibrate-straight"};
+  for (const auto& [radius_m, name] : kArcs) {
+    const double gauges = radius_m / gauge_m;
+    if (gauges < kTightestGauges || gauges > kWidestGauges) continue;
+    for (const char* side : {"-left", "-right"})
+      names.push_back(std::string("calibrate-") + name + side);
+  }
+  names.insert(names.end(), {"calibrate-spin-left", "calibrate-spin-right"});
+  return names;
 }
 
 }  // namespace tp100::identify

@@ -333,5 +333,28 @@ TEST(Identify, IntervalsHoldTheTruth) {
   EXPECT_GE(inside, 0.9 * all) << inside << " of " << all;
 }
 
+using testing::ElementsAre;
+
+std::vector<std::string> arcs_of(double gauge_m) {
+  course::ShapeValues shape;
+  shape.gauge_m = gauge_m;
+  std::vector<std::string> names = calibration_courses(shape);
+  EXPECT_EQ(names.front(), "calibrate-straight");
+  EXPECT_EQ(names.back(), "calibrate-spin-right");
+  std::erase_if(names, [](const std::string& name) {
+    return !name.ends_with("-left") || name == "calibrate-spin-left";
+  });
+  return names;
+}
+
+TEST(CalibrationCourses, HaveWideAndTightArcsForEverySize) {
+  EXPECT_THAT(arcs_of(0.155), ElementsAre("calibrate-arc-left", "calibrate-tight-left"));
+  EXPECT_THAT(arcs_of(0.215),
+              ElementsAre("calibrate-wide-left", "calibrate-arc-left", "calibrate-tight-left"));
+  EXPECT_THAT(arcs_of(0.31), ElementsAre("calibrate-wide-left", "calibrate-arc-left"));
+  for (double gauge_m = 0.03; gauge_m <= 1.0; gauge_m += 0.005)
+    EXPECT_GE(arcs_of(gauge_m).size(), 2u) << gauge_m;
+}
+
 }  // namespace
 }  // namespace tp100::identify
