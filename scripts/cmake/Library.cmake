@@ -64,11 +64,11 @@ endfunction()
 # Label "realtime": the test waits more than it computes, so that many such tests run at once, but no computing tests
 # beside them. Label "threads": it starts threads, or programs of the project that do; the thread sanitizer's build has
 # only these tests. LONG, ALL, NIGHTLY and COMPUTE match the beginnings of test names (Suite.Name): LONG tests are started
-# first, ALL and NIGHTLY ones are run only by scripts/test --all and --nightly. COMPUTE ones of a program with "threads"
-# compute for long in threads that its other tests start too; the thread sanitizer runs them nightly.
+# first, ALL and NIGHTLY ones are run only by scripts/test --all and --nightly. COMPUTE ones compute for long in code and
+# threads that other tests run too; the sanitizers run them nightly.
 function(tp100_test name)
   cmake_parse_arguments(TEST "" "LONG;ALL;NIGHTLY;COMPUTE" "SOURCES;DEPENDS;LABELS;LIBRARIES" ${ARGN})
-  if(TP100_SANITIZE STREQUAL "thread" AND TEST_COMPUTE)
+  if(TP100_SANITIZE AND TEST_COMPUTE)
     list(APPEND TEST_NIGHTLY ${TEST_COMPUTE})
     list(JOIN TEST_NIGHTLY "|" TEST_NIGHTLY)
   endif()
