@@ -131,14 +131,14 @@ double Path::distance(double x_m, double y_m, double s_from, double s_to) const 
 
 std::optional<PathPoint> first_point_outside(const Path& path, const Fence& fence) {
   constexpr double kStepM = 0.005;
-  constexpr int kFewest = 180, kMost = 20000;
+  constexpr int kMinSteps = 180, kMaxSteps = 20000;
   // A line between two points of a rectangle stays inside; an arc that leaves it does so for longer
   // than a coarse step.
   const bool rectangle = fence.corners.empty() && fence.keep_out.empty();
   for (std::size_t i = 0; i < path.segments().size(); ++i) {
     const double length_m = path.segments()[i].length_m;
     const int fine = rectangle ? 0 : static_cast<int>(length_m / kStepM);
-    const int steps = std::clamp(fine, kFewest, kMost);
+    const int steps = std::clamp(fine, kMinSteps, kMaxSteps);
     for (int step = 0; step <= steps; ++step) {
       const PathPoint point = path.at(i, length_m * step / steps);
       if (!contains(fence, point.x_m, point.y_m)) return point;

@@ -147,11 +147,11 @@ std::optional<OtherPath> NextManoeuvre::best_within(const Clearance& clearance, 
   course::Course driven = area_;
   driven.start = here_;
   for (OtherPath& manoeuvre : candidate_manoeuvres(tracks.wheelbase_m)) {
-    const Prediction prediction = predict(manoeuvre);
-    if (!fits(prediction.poses, clearance)) continue;
-    // The prediction is some millimetres beside its path, which has to be inside as well.
+    // The prediction is some millimetres beside its path, and both have to be inside.
     driven.path = manoeuvre.path;
     if (first_point_outside(course::Path(driven), area_.fence)) continue;
+    const Prediction prediction = predict(manoeuvre);
+    if (!fits(prediction.poses, clearance)) continue;
     any = true;
     const Eigen::VectorXd by = intervals_.narrowed_by(
         fit_.sums_of(FittedRun(prediction.drive, base_.counts_per_metre, tracks.gyro_scale)));

@@ -19,6 +19,7 @@ namespace tp100::identify {
 namespace {
 
 using model::TrackParameters;
+using testing::ElementsAre;
 using testing::HasSubstr;
 
 struct Truth {
@@ -332,8 +333,6 @@ TEST(Identify, IntervalsHoldTheTruth) {
   }
   EXPECT_GE(inside, 0.9 * all) << inside << " of " << all;
 }
-
-using testing::ElementsAre;
 
 std::vector<std::string> arcs_of(double gauge_m) {
   course::ShapeValues shape;
