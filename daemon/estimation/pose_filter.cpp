@@ -12,8 +12,12 @@ namespace {
 // Two outliers in a row hardly agree; two images of a robot that was moved do.
 constexpr double kSameStoryM = 0.03;
 constexpr double kSameStoryRad = 10.0 * kRadPerDeg;
-// So many rejections in a row between gate and trigger are no coincidence.
+// So many rejections in a row are no coincidence, however small the innovation is.
 constexpr int kRejectionsInARow = 10;
+// Farther from the estimate than this the robot was moved. Worn tracks slide up to 12 mm while they
+// turn on the spot, and the smallest disturbance that the controller has to answer is 20 mm.
+constexpr double kMovedM = 0.015;
+constexpr double kMovedRad = 3.0 * kRadPerDeg;
 // Error of the pitch while climbing a block and falling off it; the raised marker moves with it.
 constexpr double kClimbingSdRad = 3.0 * kRadPerDeg;
 // The attitude of a ground is that at one end of its interval.
@@ -95,14 +99,16 @@ CameraVerdict CameraUpdate::apply(FilterState& state, const CameraSample& seen,
     return CameraVerdict::kUsed;
   }
   ++rejections_;
-  if (nis_ > kNisTrigger ? contradicted(measured.innovation) : rejections_ >= kRejectionsInARow) {
-    contradictions_ = 0;
-    rejections_ = 0;
-    motion.disturb(state);
-    update(state, measured);
-    return CameraVerdict::kRecovered;
-  }
-  return CameraVerdict::kRejected;
+  const bool moved =
+      nis_ > kNisTrigger && (magnitude(measured.innovation[0], measured.innovation[1]) > kMovedM ||
+                             std::abs(measured.innovation[2]) > kMovedRad);
+  const bool recovers = moved && contradicted(measured.innovation);
+  if (!recovers && rejections_ < kRejectionsInARow) return CameraVerdict::kRejected;
+  contradictions_ = 0;
+  rejections_ = 0;
+  motion.disturb(state);
+  update(state, measured);
+  return recovers ? CameraVerdict::kRecovered : CameraVerdict::kUsed;
 }
 
 PoseFilter::PoseFilter(const model::TrackParameters& tracks, const FilterParameters& noise,

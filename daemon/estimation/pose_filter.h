@@ -30,9 +30,9 @@ Eigen::Vector3d expected_marker(const Eigen::Vector3d& pose, const Ground& groun
 
 /// Outcome of a sample.
 enum class CameraVerdict {
-  kUsed,
+  kUsed,       ///< also the last of many rejected ones in a row, from which the estimate was reset
   kRejected,   ///< beyond the gate
-  kRecovered,  ///< the second contradiction in a row, or many rejections: the estimate was reset
+  kRecovered,  ///< the second in a row that finds the robot moved: the estimate was reset
 };
 
 /// Accepts or rejects samples and applies them. Its only state is about rejections in a row. No
