@@ -38,7 +38,8 @@ class Rig : public test::ReceivedFrames {
   bool tracks_follow = false;
   bool left_blocked = false;
   bool right_blocked = false;
-  double load_duty = 0.0;          ///< duty that each track loses to resistance
+  double load_duty = 0.0;   ///< duty that each track loses to resistance
+  double scrub_duty = 0.0;  ///< duty that a left turn takes from the right track, gives the left
   double disturbance_radps = 0.0;  ///< rotation that the tracks do not cause
   double jumped_m = 0.0;           // distance that the left encoder has counted by a jump
   double left_counted = 1.0;       ///< share of the edges that the left encoder counts
@@ -135,15 +136,15 @@ class Rig : public test::ReceivedFrames {
   }
 
  private:
-  double follow(double mps, std::int16_t duty) const {
-    const double size = std::abs(duty) / 1000.0 - load_duty;
+  static double follow(double mps, std::int16_t duty, double load) {
+    const double size = std::abs(duty) / 1000.0 - load;
     const double wanted = std::copysign(std::max(0.0, size - 0.13) / 4.3, duty);
     return mps + (wanted - mps) * (1.0 / 80.0);
   }
   void move() {
     if (!tracks_follow) return;
-    left_mps = left_blocked ? 0.0 : follow(left_mps, hal.duties.left);
-    right_mps = right_blocked ? 0.0 : follow(right_mps, hal.duties.right);
+    left_mps = left_blocked ? 0.0 : follow(left_mps, hal.duties.left, load_duty - scrub_duty);
+    right_mps = right_blocked ? 0.0 : follow(right_mps, hal.duties.right, load_duty + scrub_duty);
     left_m_ += left_mps * 1e-3 * left_counted;
     right_m_ += right_mps * 1e-3 * right_counted;
     true_m += (left_mps * 0.84 + right_mps * 0.90) / 2.0 * 1e-3;

@@ -185,6 +185,27 @@ TEST(FailSafe, ALoadThatTheAccelerometerExplainsIsNoFaultOfAnEncoder) {
   }
 }
 
+// The resistance against turning falls slowly with the radius (Nikitin's formula); on soft tracks
+// wide arcs take a third of the duty of the spot.
+TEST(FailSafe, TheResistanceOfAnArcIsNoFaultOfAnEncoder) {
+  constexpr double kOnTheSpotDuty = 0.28, kGaugeM = 0.155;
+  for (const double speed_mps : {0.05, 0.1, 0.15}) {
+    for (const double radius_m : {0.4, 0.8, 1.2, 1.6, 2.4, 4.0}) {
+      Rig rig;
+      rig.tracks_follow = true;
+      rig.drive(static_cast<float>(speed_mps));
+      driven_m(rig, 2000);
+      rig.yaw_rate_radps = static_cast<float>(speed_mps / radius_m);
+      rig.scrub_duty = kOnTheSpotDuty / (0.925 + 0.15 * radius_m / kGaugeM);
+      for (int ms = 0; ms < 20'000 && rig.program.faults() == 0; ms += 5) {
+        rig.yaw_rad = rig.desired_yaw_rad = static_cast<float>(rig.true_yaw_rad);
+        rig.run(5);
+      }
+      EXPECT_EQ(rig.program.faults(), 0) << speed_mps << " m/s, radius " << radius_m << " m";
+    }
+  }
+}
+
 TEST(FailSafe, ABatteryThatSagsIsNoFaultOfAnEncoder) {
   Rig rig;
   rig.tracks_follow = true;

@@ -60,12 +60,14 @@ const float kSpin = 1.1f;
 // Counts of few samples are coarse: they are low-pass filtered with a time constant of 0.1 s.
 const float kSpeedShare = 0.33f;
 
-// Extra duty for a turn (all of it from kFullTurning on), and for a slope or bump relative to the
-// robot's attitude at the start. Loads rise at once and decay slowly.
+// Extra duty for a turn, and for a slope or bump relative to the robot's attitude at the start.
+// Loads rise at once and decay slowly.
 const float kTurnDuty = 0.3f;
 const float kTurnFallPerS = 0.3f;
-const float kFullTurning = 0.4f;  // track speed due to the turn alone, as a fraction of the mean
-                                  // speed
+// Track speed due to the turn alone, as a fraction of the mean speed, from which on a turn takes
+// half and all of its duty: the resistance against turning falls slowly with the radius.
+const float kHalfTurning = 0.12f;
+const float kFullTurning = 0.4f;
 const float kSlowestRad = 0.003f;
 const float kMaxSlopeDuty = 0.4f;
 const float kSlopeFallPerS = 0.15f;
@@ -287,8 +289,10 @@ TurnMonitor::Verdict TurnMonitor::update(const TurnMark& now, int16_t accel_x, f
 
 void TurnMonitor::weigh(float turn_rad, float driven_rad, float elapsed_s) {
   const float turning = 0.5f * turn_rad / larger(driven_rad, kSlowestRad);
-  turn_duty_ = larger(kTurnDuty * smaller(1.0f, turning / kFullTurning),
-                      turn_duty_ - kTurnFallPerS * elapsed_s);
+  const float share = turning < kHalfTurning
+                          ? between(turning, 0.0f, kHalfTurning, 0.0f, 0.5f)
+                          : between(turning, kHalfTurning, kFullTurning, 0.5f, 1.0f);
+  turn_duty_ = larger(kTurnDuty * share, turn_duty_ - kTurnFallPerS * elapsed_s);
   const float pitch_rad = static_cast<float>(accel_x_) * (1.0f / (wire::kAccelLsbPerG * kSamples));
   accel_x_ = 0;
   if (!level_known_) level_rad_ = pitch_rad;
