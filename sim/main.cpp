@@ -172,9 +172,10 @@ void add_reproduce_command(CLI::App& app, Action& action) {
       ->add_option("--part", reproduce.part,
                    "paper (reference robot), state (slopes and steps, camera noise), robots (all "
                    "others), uneven (floors sampled from the seed), covariance (does it contain "
-                   "the true pose?), sampled (robots drawn from stated ranges), held-out (courses "
-                   "that are not bundled), real (measured data of real robots), avr (course 3 on "
-                   "the image), all, or random (50 random courses a run)")
+                   "the true pose?), constants (which of the model's pay), sampled (robots drawn "
+                   "from stated ranges), held-out (courses that are not bundled), real (measured "
+                   "data of real robots), avr (course 3 on the image), all, or random (50 random "
+                   "courses a run)")
       ->type_name("PART")
       ->capture_default_str();
   command

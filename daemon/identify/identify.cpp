@@ -58,28 +58,6 @@ ModelFit fit_of(const std::vector<FittedRun>& runs, const Prior& base, const mod
   return fit;
 }
 
-/// Fits the requested and observable parameters; those that the runs do not show stay as assumed.
-Fit best_fit(const std::vector<FittedRun>& runs, const Prior& base, const model::ModelForm& form,
-             const IdentifySettings& settings) {
-  Free free = all_free(runs, form);
-  // Which parameters these drives cannot separate depends on the drives, not on the parameters
-  // dropped for it: it is judged by the fit with all of them.
-  std::optional<Fit> with_all;
-  while (true) {
-    const ModelFit model_fit = fit_of(runs, base, form, free, settings);
-    const auto left = model_fit.uncertainty_left();
-    const auto worst = std::max_element(left.begin(), left.end());
-    Fit fit = model_fit.fit();
-    if (!with_all) with_all = fit;
-    if (*worst < kUnseen) {
-      fit.confused = with_all->confused;
-      fit.condition = with_all->condition;
-      return fit;
-    }
-    free[static_cast<std::size_t>(worst - left.begin())] = false;
-  }
-}
-
 /// The form with the values of `base`. Where each run began and how late the camera's time stamps
 /// are is found all the same.
 Fit unchanged_fit(const std::vector<FittedRun>& runs, const Prior& base,
@@ -97,7 +75,7 @@ std::optional<Fit> baseline_fit(const std::vector<FittedRun>& runs, const Prior&
   const bool biased =
       std::ranges::all_of(runs, [](const FittedRun& run) { return run.motion.has_bias(); });
   if (form.fixed != nullptr || (form.yaw_from_gyro && !biased)) return std::nullopt;
-  const Fit fit = best_fit(runs, base, form, settings);
+  const Fit fit = fit_of_form(runs, base, form, settings);
   for (std::size_t i = 0; i < kTrackParameters.size(); ++i)
     if (form.fitted[i] && !fit.estimates[i].found) return std::nullopt;
   return fit;
@@ -117,6 +95,27 @@ FittedRun fitted_run(const RecordedDrive& drive, const Prior& base) {
   return run;
 }
 
+Fit fit_of_form(const std::vector<FittedRun>& runs, const Prior& base, const model::ModelForm& form,
+                const IdentifySettings& settings) {
+  Free free = all_free(runs, form);
+  // Which parameters these drives cannot separate depends on the drives, not on the parameters
+  // dropped for it: it is judged by the fit with all of them.
+  std::optional<Fit> with_all;
+  while (true) {
+    const ModelFit model_fit = fit_of(runs, base, form, free, settings);
+    const auto left = model_fit.uncertainty_left();
+    const auto worst = std::max_element(left.begin(), left.end());
+    Fit fit = model_fit.fit();
+    if (!with_all) with_all = fit;
+    if (*worst < kUnseen) {
+      fit.confused = with_all->confused;
+      fit.condition = with_all->condition;
+      return fit;
+    }
+    free[static_cast<std::size_t>(worst - left.begin())] = false;
+  }
+}
+
 ModelFit fit_of_all(const std::vector<FittedRun>& runs, const Prior& base,
                     const IdentifySettings& settings) {
   return fit_of(runs, base, model::kExtendedForm, all_free(runs, model::kExtendedForm), settings);
@@ -130,7 +129,7 @@ Identification identify(const std::vector<RecordedDrive>& drives, const Prior& b
   for (const RecordedDrive& drive : drives) runs.push_back(fitted_run(drive, base));
 
   Identification found;
-  found.extended = best_fit(runs, base, model::kExtendedForm, settings);
+  found.extended = fit_of_form(runs, base, model::kExtendedForm, settings);
   found.before = unchanged_fit(runs, base, model::kExtendedForm, settings);
   for (std::size_t i = 0; i < model::kBaselines.size(); ++i)
     found.baselines[i] = baseline_fit(runs, base, model::kBaselines[i], settings);

@@ -47,6 +47,10 @@ Identification identify(const std::vector<RecordedDrive>& drives, const Prior& b
 /// or the robot does not move.
 FittedRun fitted_run(const RecordedDrive& drive, const Prior& base);
 
+/// The best fit of one form: parameters that the runs do not show stay as assumed.
+Fit fit_of_form(const std::vector<FittedRun>& runs, const Prior& base, const model::ModelForm& form,
+                const IdentifySettings& settings = {});
+
 /// The fit of `extended` with every parameter free: what the runs do not show stays near what is
 /// assumed, with an interval as wide. Without runs that is all of them.
 ModelFit fit_of_all(const std::vector<FittedRun>& runs, const Prior& base,

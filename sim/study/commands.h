@@ -29,6 +29,9 @@ struct Calibration {
   bool holds(model::TrackParameter parameter) const;
 };
 
+/// Drives of each calibration course: enough to tell what differs from run to run.
+inline constexpr int kDrivesOfAKind = 2;
+
 /// Drives straight ahead, arcs and turns on the spot in both directions under an overhead camera,
 /// as an unidentified robot ([model] at its defaults), and identifies it. Each drive has noise of
 /// its own. Throws SetupError.
@@ -53,9 +56,9 @@ std::string calibration_json(const std::string& robot, std::uint64_t seed, const
 
 struct CalibrateCommand {
   Options options{};
-  int repeats = 2;  ///< of each drive, each with noise of its own
-  int runs = 1;     ///< whole calibrations, with this and the following seeds
-  std::string out;  ///< folder for the recordings; empty: none
+  int repeats = kDrivesOfAKind;  ///< of each drive, each with noise of its own
+  int runs = 1;                  ///< whole calibrations, with this and the following seeds
+  std::string out;               ///< folder for the recordings; empty: none
   bool json = false;
   bool by_itself = false;           ///< the robot chooses its manoeuvres; see auto_study.h
   std::string area = "1-straight";  ///< then: course whose fence contains them

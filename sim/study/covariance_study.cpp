@@ -12,7 +12,6 @@ namespace tp100::sim {
 namespace {
 
 constexpr std::uint64_t kDrivesSeed = 9001;
-constexpr int kDrivesOfAKind = 2;
 constexpr std::uint64_t kSeedsApart = 1000;
 constexpr double kLeastPercent = 90.0, kMaxPercent = 99.0;
 

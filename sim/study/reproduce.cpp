@@ -14,6 +14,7 @@
 #include "report/run_result.h"
 #include "sim/robot/options.h"
 #include "sim/study/commands.h"
+#include "sim/study/constants_study.h"
 #include "sim/study/covariance_study.h"
 #include "sim/study/random_study.h"
 #include "sim/study/sampled.h"
@@ -213,18 +214,18 @@ int run_reproduce(const ReproduceCommand& command) {
   const bool shear = reference.emulated.contact_law == course::ContactLaw::kShear;
   const bool all = command.part == "all";
   const auto wanted = [&](const char* part) { return (all && !shear) || command.part == part; };
-  constexpr std::array<std::string_view, 10> kParts = {
-      "paper",   "state",    "robots", "uneven", "covariance",
+  constexpr std::array<std::string_view, 11> kParts = {
+      "paper",   "state",    "robots", "uneven", "covariance", "constants",
       "sampled", "held-out", "real",   "avr",    "random"};
   if (!all && std::ranges::find(kParts, command.part) == kParts.end())
     throw SetupError("--part " + text::one_line(command.part) + ": unknown" +
                      text::suggestion(command.part, {kParts.begin(), kParts.end()}) +
-                     "; give paper, state, robots, uneven, covariance, sampled, held-out, "
-                     "real, avr, random or all");
-  if (shear && !all && command.part != "covariance")
+                     "; give paper, state, robots, uneven, covariance, constants, sampled, "
+                     "held-out, real, avr, random or all");
+  if (shear && !all && command.part != "covariance" && command.part != "constants")
     throw SetupError("--part " + command.part +
                      ": --body shear has courses and robots of its own; leave --part out, "
-                     "or give covariance");
+                     "or give covariance or constants");
   text::make_folder(command.out);
   Reproduction what;
   what.reference = reference;
@@ -246,6 +247,9 @@ int run_reproduce(const ReproduceCommand& command) {
   if (wanted("avr")) drive_image(command, what);
   if (command.part == "covariance")
     what.studies = study_covariance(command.body, command.out, command.seed, command.runs);
+  if (command.part == "constants")
+    what.studies = study_constants(course::bundled_names(course::Bundled::kRobots), command.body,
+                                   command.seed);
   // Not part of "all": it takes longer than all others together.
   if (command.part == "random")
     what.studies.push_back(study_random(command.seed, kRandomCoursesARun * command.runs));

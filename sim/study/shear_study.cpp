@@ -17,7 +17,6 @@ constexpr double kMedianLimit = 0.8;
 constexpr double kWorstLimit = 5.0;
 constexpr std::uint64_t kDrivesSeed = 9001;
 constexpr std::uint64_t kCoursesSeed = 5001;
-constexpr int kDrivesOfAKind = 2;
 
 /// A bundled robot, and what is changed in its [emulated.shear].
 struct Variant {

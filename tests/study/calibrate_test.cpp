@@ -2,11 +2,13 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "model/track_model.h"
 #include "sim/study/commands.h"
+#include "sim/study/constants_study.h"
 
 namespace tp100::sim {
 namespace {
@@ -93,6 +95,23 @@ TEST(EffectiveMotion, FindsTheParametersThatAMotionFollows) {
   EXPECT_NEAR(without_arcs.wheelbase_spin_m, truth.wheelbase_spin_m, 5e-4);
   EXPECT_TRUE(std::isnan(without_arcs.wheelbase_m));
   EXPECT_TRUE(std::isnan(without_arcs.turn_slip_tight));
+}
+
+// Tracks that are evenly loaded turn on the spot with another wheelbase, and a turn costs no
+// distance on the ODE body.
+TEST(Calibration, TheCriterionTellsConstantsThatPayFromOthers) {
+  const std::vector<CourseStudy> studies = study_constants({"uniform"}, "ode", 5);
+  ASSERT_EQ(studies.size(), 2u) << "the robot, and the largest of all robots";
+  const auto of = [&](const std::string& what) {
+    for (const Judged& one : studies[0].judged)
+      if (one.what == "criterion " + what) return one.ours.median;
+    return std::nan("");
+  };
+  EXPECT_GT(of("of eqs 1-5"), 1000.0);
+  EXPECT_GT(of("without wheelbase_tight_m"), 1000.0);
+  EXPECT_GT(of("without wheelbase_spin_m"), 1000.0);
+  EXPECT_LT(of("without turn_loss"), 0.0);
+  EXPECT_GT(of("without turn_loss"), -15.0) << "one constant less cannot save more than ln n";
 }
 
 TEST(CalibrationJson, WhatCouldNotBeMeasuredIsLeftOut) {

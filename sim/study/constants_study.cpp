@@ -1,0 +1,93 @@
+#include "sim/study/constants_study.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "identify/identify.h"
+#include "identify/identify_report.h"
+#include "sim/robot/options.h"
+#include "sim/study/commands.h"
+
+namespace tp100::sim {
+namespace {
+
+using model::kTrackParameters;
+
+double criterion(const identify::Fit& fit, const std::vector<identify::FittedRun>& runs,
+                 const model::ModelForm& form) {
+  const identify::IdentifySettings settings;
+  double images = 0.0;
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    images += static_cast<double>(fit.runs[i].images) /
+              std::max(1.0, settings.correlated_s * runs[i].images_per_s);
+  // x, y and yaw of each image.
+  return images * (2.0 * std::log(square(fit.rms_m) / 2.0) + std::log(square(fit.rms_rad))) +
+         static_cast<double>(form.constants()) * std::log(3.0 * images);
+}
+
+/// The extended model without one constant; the name of the figure.
+struct Reduced {
+  model::ModelForm form;
+  std::string what;
+};
+
+std::vector<Reduced> reduced_forms() {
+  std::vector<Reduced> all = {{model::kBaselines[model::kEqsFitted], "criterion of eqs 1-5"}};
+  for (std::size_t i = 0; i < kTrackParameters.size(); ++i) {
+    if (kTrackParameters[i].of != model::ParameterOf::kExtended) continue;
+    model::ModelForm form = model::kExtendedForm;
+    form.fitted[i] = false;
+    all.push_back({form, std::string("criterion without ") + kTrackParameters[i].key});
+  }
+  return all;
+}
+
+CourseStudy study_of(const Loaded& loaded, const std::vector<Reduced>& forms, std::uint64_t seed) {
+  CourseStudy study;
+  study.course = "calibration drives";
+  study.robot = loaded.robot.name;
+  study.setup = bridge::to_string(loaded.setup);
+  study.board = to_string(loaded.board);
+  const identify::Prior prior = identify::prior_of(
+      without_model(loaded.robot), loaded.configuration.parameters.model.turning_threshold_radps);
+  std::vector<identify::FittedRun> runs;
+  for (const CalibrationDrive& drive : calibration_drives(loaded, kDrivesOfAKind, seed))
+    runs.push_back(identify::fitted_run(drive.drive, prior));
+  study.runs = study.completed = static_cast<int>(runs.size());
+  const auto of = [&](const model::ModelForm& form) {
+    return criterion(identify::fit_of_form(runs, prior, form), runs, form);
+  };
+  const double extended = of(model::kExtendedForm);
+  for (const Reduced& reduced : forms)
+    study.judged.push_back(
+        judged_value(study, reduced.what, "", -1.0, of(reduced.form) - extended));
+  std::fprintf(stderr, "%-28s %-14s\n", study.course.c_str(), study.robot.c_str());
+  return study;
+}
+
+}  // namespace
+
+std::vector<CourseStudy> study_constants(const std::vector<std::string>& robots,
+                                         const std::string& body, std::uint64_t seed) {
+  const std::vector<Reduced> forms = reduced_forms();
+  std::vector<CourseStudy> studies;
+  for (const std::string& name : robots) {
+    Options options;
+    options.body = body;
+    options.robot = name;
+    studies.push_back(study_of(load(options), forms, seed));
+  }
+  CourseStudy all = studies.front();
+  all.robot = "all, largest";
+  all.judged.clear();
+  for (std::size_t i = 0; i < forms.size(); ++i) {
+    double most = studies.front().judged[i].ours.median;
+    for (const CourseStudy& study : studies) most = std::max(most, study.judged[i].ours.median);
+    all.judged.push_back(judged_value(all, forms[i].what, "", -1.0, most));
+  }
+  studies.push_back(all);
+  return studies;
+}
+
+}  // namespace tp100::sim
