@@ -14,6 +14,9 @@ namespace {
 constexpr double kMarginDuty = 0.02;
 constexpr double kMarginShare = 0.1;
 constexpr double kTurningDuty = 0.4;
+// Track speed due to the turn alone, as a fraction of the mean speed, from which on a turn takes
+// half and all of its duty: the resistance against turning falls slowly with the radius.
+constexpr double kHalfTurning = 0.12;
 constexpr double kFullTurning = 0.4;
 constexpr double kDutyPerSlopeRad = 0.8;
 constexpr double kObstacleDuty = 0.4;
@@ -44,6 +47,15 @@ constexpr double kDistanceShare = 0.8;
 constexpr double kObstacleShare = 0.25;
 // A disturbance turns the robot faster.
 constexpr double kSlowRadps = 10.0 * kRadPerDeg;
+
+/// Duty that a turn takes from one track and gives the other.
+double turn_duty(double turning) {
+  const double share =
+      turning < kHalfTurning
+          ? 0.5 * turning / kHalfTurning
+          : std::lerp(0.5, 1.0, (turning - kHalfTurning) / (kFullTurning - kHalfTurning));
+  return kTurningDuty * share;
+}
 
 double drained(double balance_rad, double by_rad) {
   return std::copysign(std::max(0.0, std::abs(balance_rad) - by_rad), balance_rad);
@@ -95,8 +107,8 @@ bool DutyMonitor::update(double duty, double track_mps, const Load& load, double
   const double above = size - motor_.dead_band;
   const double beyond_mps = std::max(0.0, mps - kBeyond * learned_mps_);
   const double usual = motor_.feed_forward * (gain_ * (mps - beyond_mps) + kMaxGain * beyond_mps);
-  const double turn_duty = kTurningDuty * turning_ / kFullTurning;
-  const double margin = kMarginDuty + kMarginShare * usual + turn_duty +
+  const double turn = turn_duty(turning_);
+  const double margin = kMarginDuty + kMarginShare * usual + turn +
                         kDutyPerSlopeRad * std::abs(load.pitch_rad) +
                         (obstacle_s_ > 0.0 ? kObstacleDuty : 0.0);
   const double unexplained = above - usual - margin;
@@ -105,7 +117,7 @@ bool DutyMonitor::update(double duty, double track_mps, const Load& load, double
     missing_m_ = drained(missing_m_, -missing_mps * dt_s);
   else
     missing_m_ += std::copysign(missing_mps, duty) * dt_s;
-  learn(above, mps, turn_duty, load, dt_s);
+  learn(above, mps, turn, load, dt_s);
   return std::abs(missing_m_) > kMissingM;
 }
 
