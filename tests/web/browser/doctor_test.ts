@@ -84,7 +84,10 @@ describe('the doctor', () => {
           if (await page.isVisible('.wheels-up .finding[data-name="gyro"]')) return true;
           if (!confirmable) return false;
           await page.check('#wheels-up-free', { timeout: 2000 }).catch(() => undefined);
-          if (await page.isEnabled('#wheels-up-start')) await page.click('#wheels-up-start');
+          if (!(await page.isEnabled('#wheels-up-start'))) return false;
+          await page.click('#wheels-up-start');
+          // Until the page shows that it began, it may be confirmed, and this loop would confirm the next one.
+          await until(() => page.isDisabled('#wheels-up-start'), 'the check begins').catch(() => undefined);
           return false;
         },
         'the tracks are judged',
