@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <functional>
+#include <numeric>
 
+#include "core/arithmetic.h"
 #include "identify/identify.h"
 #include "identify/identify_report.h"
 #include "sim/robot/options.h"
@@ -17,10 +20,11 @@ using model::kTrackParameters;
 double criterion(const identify::Fit& fit, const std::vector<identify::FittedRun>& runs,
                  const model::ModelForm& form) {
   const identify::IdentifySettings settings;
-  double images = 0.0;
-  for (std::size_t i = 0; i < runs.size(); ++i)
-    images += static_cast<double>(fit.runs[i].images) /
-              std::max(1.0, settings.correlated_s * runs[i].images_per_s);
+  const auto independent = [&](const identify::FittedRun& run, const identify::RunFit& of) {
+    return static_cast<double>(of.images) / std::max(1.0, settings.correlated_s * run.images_per_s);
+  };
+  const double images = std::transform_reduce(runs.begin(), runs.end(), fit.runs.begin(), 0.0,
+                                              std::plus<>{}, independent);
   // x, y and yaw of each image.
   return images * (2.0 * std::log(square(fit.rms_m) / 2.0) + std::log(square(fit.rms_rad))) +
          static_cast<double>(form.constants()) * std::log(3.0 * images);

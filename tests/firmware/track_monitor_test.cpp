@@ -38,7 +38,8 @@ TEST(TrackMonitorAlone, ATrackThatBrakesAgainstTheFloorInATurnIsNotReversed) {
   const auto reversed_after_s = [&](float load_duty) {
     TrackMonitor monitor;
     for (int ms = 0; ms < 60'000; ms += 5) {
-      const int counts = static_cast<int>(ms * 1e-3 * 0.008 * double{p.counts_per_metre});
+      const int counts =
+          static_cast<int>(ms * 1e-3 * 0.008 * static_cast<double>(p.counts_per_metre));
       if (monitor.update(duty, counts, 5, load_duty, false, p) != TrackMonitor::kGood)
         return ms * 1e-3;
     }
@@ -59,9 +60,9 @@ TEST(TrackMonitorAlone, AGainLearntAtALowSpeedIsNotThatOfAHigherOne) {
       for (int ms = 0; ms < 60'000; ms += 5) {
         const bool slow = ms / 10'000 % 2 == 0;
         const double mps = slow ? slow_mps : fast_mps;
-        counts += mps * 5e-3 * double{p.counts_per_metre};
-        const double duty =
-            double{p.dead_band} + double{p.feed_forward} * mps - (slow ? 0.03 : 0.0);
+        counts += mps * 5e-3 * static_cast<double>(p.counts_per_metre);
+        const double duty = static_cast<double>(p.dead_band) +
+                            static_cast<double>(p.feed_forward) * mps - (slow ? 0.03 : 0.0);
         ASSERT_EQ(monitor.update(static_cast<std::int16_t>(duty * wire::kFullDuty),
                                  static_cast<std::int32_t>(counts), 5, 0.0f, true, p),
                   TrackMonitor::kGood)
@@ -78,13 +79,13 @@ TEST(TrackMonitorAlone, SmallTurnsOnAStraightTeachNoLowerGain) {
   for (const double mps : {0.06, 0.1, 0.16}) {
     TrackMonitor monitor;
     double counts = 0.0;
-    const double usual = 0.9 * double{p.feed_forward} * mps;
+    const double usual = 0.9 * static_cast<double>(p.feed_forward) * mps;
     for (int ms = 0; ms < 40'000; ms += 5) {
-      counts += mps * 5e-3 * double{p.counts_per_metre};
+      counts += mps * 5e-3 * static_cast<double>(p.counts_per_metre);
       const bool straight = ms < 15'000;
       const double load = straight ? 0.04 : 0.14;
       const double taken = !straight ? 0.16 : ms / 500 % 2 == 0 ? -load : load;
-      const double duty = double{p.dead_band} + usual + taken;
+      const double duty = static_cast<double>(p.dead_band) + usual + taken;
       ASSERT_EQ(monitor.update(static_cast<std::int16_t>(duty * wire::kFullDuty),
                                static_cast<std::int32_t>(counts), 5, static_cast<float>(load),
                                straight, p),
