@@ -12,7 +12,7 @@ namespace {
 // Two outliers in a row hardly agree; two images of a robot that was moved do.
 constexpr double kSameStoryM = 0.03;
 constexpr double kSameStoryRad = 10.0 * kRadPerDeg;
-// So many rejections in a row are no coincidence, however small the innovation is.
+// So many rejections in a row are no coincidence if the last one is not far away.
 constexpr int kRejectionsInARow = 10;
 // Farther from the estimate than this the robot was moved. Worn tracks slide up to 12 mm while they
 // turn on the spot, and the smallest disturbance that the controller has to answer is 20 mm.
@@ -102,13 +102,13 @@ CameraVerdict CameraUpdate::apply(FilterState& state, const CameraSample& seen,
   const bool moved =
       nis_ > kNisTrigger && (magnitude(measured.innovation[0], measured.innovation[1]) > kMovedM ||
                              std::abs(measured.innovation[2]) > kMovedRad);
-  const bool recovers = moved && contradicted(measured.innovation);
-  if (!recovers && rejections_ < kRejectionsInARow) return CameraVerdict::kRejected;
+  if (!(moved ? contradicted(measured.innovation) : rejections_ >= kRejectionsInARow))
+    return CameraVerdict::kRejected;
   contradictions_ = 0;
   rejections_ = 0;
   motion.disturb(state);
   update(state, measured);
-  return recovers ? CameraVerdict::kRecovered : CameraVerdict::kUsed;
+  return moved ? CameraVerdict::kRecovered : CameraVerdict::kUsed;
 }
 
 PoseFilter::PoseFilter(const model::TrackParameters& tracks, const FilterParameters& noise,

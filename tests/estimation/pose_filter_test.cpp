@@ -193,6 +193,19 @@ TEST_F(PoseFilterTest, ASlideIsFollowedAndAPushIsARecovery) {
   }
 }
 
+TEST_F(PoseFilterTest, FalseDetectionsThatDisagreeAreNeverFollowed) {
+  PoseFilter fused = filter();
+  for (int i = 0; i < 600; ++i) {
+    fused.advance(interval(0.0, 0.0));
+    if (i % 6 != 0) continue;
+    const double side = i % 12 == 0 ? 0.3 : -0.3;
+    fused.camera(seen(i < 200 ? Pose{} : Pose{.x_m = side, .y_m = -side}));
+  }
+  EXPECT_NEAR(fused.pose().x_m, 0.0, 1e-3);
+  EXPECT_NEAR(fused.pose().y_m, 0.0, 1e-3);
+  EXPECT_EQ(fused.recoveries(), 0u);
+}
+
 TEST_F(PoseFilterTest, RestTeachesTheGyroBias) {
   PoseFilter fused = filter();
   for (int i = 0; i < 200; ++i) {
