@@ -45,9 +45,11 @@ link::SessionSettings session_settings(const bridge::Parameters& parameters,
     return static_cast<float>(turn_of(tracks, model::Mode::kExtended, shape).wheelbase_m);
   };
   out.counts_per_metre = static_cast<float>(drive.counts_per_metre);
-  out.wheelbase_m = wheelbase_of({});
-  out.wheelbase_tight_m = wheelbase_of({.arc = 1.0});
-  out.wheelbase_spin_m = wheelbase_of({.arc = 1.0, .spin = 1.0});
+  // Of the firmware's three values, the first is the one of medium arcs: wider turns count for
+  // less.
+  out.wheelbase_m = wheelbase_of({.medium = 1.0});
+  out.wheelbase_tight_m = wheelbase_of({.medium = 1.0, .arc = 1.0});
+  out.wheelbase_spin_m = wheelbase_of({.medium = 1.0, .arc = 1.0, .spin = 1.0});
   const bool turn_known = course == nullptr || !course->identifies;
   out.turn_slip_share =
       turn_known ? static_cast<float>(std::min(parameters.control.turn_slip_share, 1.0)) : 1.0F;

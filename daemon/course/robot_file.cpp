@@ -166,6 +166,8 @@ Robot parse_robot(const std::string& text, const std::string& file) {
     shape.fail("com_forward_m", "'shape.com_forward_m' must lie between the axles");
   if (robot.model.wheelbase_spin_m != 0.0 && robot.model.wheelbase_spin_m < 0.05)
     model.fail("wheelbase_spin_m", "'model.wheelbase_spin_m' must be 0 or at least 0.05 m");
+  if (robot.model.wheelbase_medium_m != 0.0 && robot.model.wheelbase_medium_m < 0.05)
+    model.fail("wheelbase_medium_m", "'model.wheelbase_medium_m' must be 0 or at least 0.05 m");
   if (robot.model.wheelbase_tight_m != 0.0 && robot.model.wheelbase_tight_m < 0.05)
     model.fail("wheelbase_tight_m", "'model.wheelbase_tight_m' must be 0 or at least 0.05 m");
   return robot;

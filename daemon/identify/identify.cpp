@@ -145,10 +145,11 @@ std::vector<std::string> calibration_courses(const course::ShapeValues& shape) {
     double radius_m;
     const char* name;
   };
-  constexpr std::array kArcs = {Arc{1.0, "wide"}, Arc{0.5, "arc"}, Arc{0.25, "tight"}};
+  constexpr std::array kArcs = {Arc{2.0, "widest"}, Arc{1.0, "wide"}, Arc{0.5, "arc"},
+                                Arc{0.25, "tight"}};
   // Between a turn that is nearly on the spot and one in which the tracks hardly differ.
-  constexpr double kTightestGauges = 0.9, kWidestGauges = 5.0;
-  // Beyond these no arc is in between, or only one.
+  constexpr double kTightestGauges = 0.9, kWidestGauges = 10.0;
+  // Beyond these fewer than three arcs are in between.
   const double gauge_m = std::clamp(shape.gauge_m, 0.1, 0.55);
   std::vector<std::string> names = {"calibrate-straight"};
   for (const auto& [radius_m, name] : kArcs) {

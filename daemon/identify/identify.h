@@ -59,8 +59,8 @@ ModelFit fit_of_all(const std::vector<FittedRun>& runs, const Prior& base,
 // Which courses calibrate a robot.
 
 /// Bundled courses in driving order: straight, arcs from wide to tight and turns on the spot, both
-/// directions. The two or three arcs are those of 0.9 to 5 gauges, from which wide and tight turns
-/// of a robot of this size can be told apart. Pure.
+/// directions. The three or four arcs are those of 0.9 to 10 gauges, from which wide and tight
+/// turns of a robot of this size can be told apart. Pure.
 std::vector<std::string> calibration_courses(const course::ShapeValues& shape);
 
 }  // namespace tp100::identify

@@ -18,10 +18,10 @@ using course::Line;
 using course::OtherPath;
 using course::Pivot;
 
-// Candidates. Radii in parts of the wheelbase, so that the slower track has 0.1, 0.3, 0.45 and 0.6
-// of the faster one's speed.
-constexpr std::array kRadii = {0.65, 0.95, 1.3, 2.0};
-constexpr std::array kArcDeg = {90.0, 180.0};
+// Candidates. Radii in parts of the wheelbase, so that the slower track has 0.1, 0.3, 0.45, 0.6 and
+// 0.8 of the faster one's speed.
+constexpr std::array kRadii = {0.65, 0.95, 1.3, 2.0, 4.0};
+constexpr std::array kArcDeg = {45.0, 90.0, 180.0};
 constexpr std::array kSpinDeg = {180.0, 360.0};
 constexpr std::array kLengthsM = {0.4, 0.8, 1.2};
 constexpr double kBackM = 0.6;

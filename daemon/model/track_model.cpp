@@ -12,8 +12,9 @@ namespace {
 // Difference of the tracks' speeds relative to the faster one, where friction begins to saturate
 // and where it is saturated.
 constexpr double kWideTurn = 0.45, kTightTurn = 0.65;
-// The same where wheelbase and turning centre begin to drift, half-way, and where the drift ends.
-constexpr double kWideArc = 0.35, kTightArc = 0.6, kSpin = 1.1;
+// The same where the wheelbase begins to drift, in arcs of medium and tight curvature, and where
+// the drift ends. The turning centre begins to drift in medium arcs.
+constexpr double kWideArc = 0.1, kMediumArc = 0.35, kTightArc = 0.65, kSpin = 1.3;
 
 double between(double value, double low, double high) {
   return std::clamp((value - low) / (high - low), 0.0, 1.0);
@@ -44,8 +45,11 @@ TurnShape turn_shape(double left_mps, double right_mps) {
   if (!(faster > 0.0)) return {};
   const double difference = (right_mps - left_mps) / faster;
   const double turn = std::abs(difference);
-  return {std::clamp(difference / kWideTurn, -1.0, 1.0), between(turn, kWideTurn, kTightTurn),
-          between(turn, kWideArc, kTightArc), between(turn, kTightArc, kSpin),
+  return {std::clamp(difference / kWideTurn, -1.0, 1.0),
+          between(turn, kWideTurn, kTightTurn),
+          between(turn, kWideArc, kMediumArc),
+          between(turn, kMediumArc, kTightArc),
+          between(turn, kTightArc, kSpin),
           std::abs(right_mps - left_mps) / (std::abs(left_mps) + std::abs(right_mps))};
 }
 
@@ -86,8 +90,11 @@ Turn turn_of(const TrackParameters& p, Mode mode, const TurnShape& shape) {
   if (mode == Mode::kPaper) return {p.wheelbase_m, 0.0, 0.0, p.slip_angle_turning_rad};
   const double spin_m = p.wheelbase_spin_m == 0.0 ? p.wheelbase_m : p.wheelbase_spin_m;
   const double tight_m = p.wheelbase_tight_m == 0.0 ? spin_m : p.wheelbase_tight_m;
+  const double medium_m = p.wheelbase_medium_m == 0.0 ? p.wheelbase_m : p.wheelbase_medium_m;
+  const double arc_m =
+      std::lerp(std::lerp(p.wheelbase_m, medium_m, shape.medium), tight_m, shape.arc);
   return {
-      std::lerp(std::lerp(p.wheelbase_m, tight_m, shape.arc), spin_m, shape.spin),
+      std::lerp(arc_m, spin_m, shape.spin),
       p.x_icr_m + std::lerp(p.x_icr_tight_shift_m * shape.arc, p.x_icr_spin_shift_m, shape.spin),
       shape.wide * std::lerp(p.turn_slip, p.turn_slip_tight, shape.tight) +
           p.turn_loss * shape.curved,

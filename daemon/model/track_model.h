@@ -74,15 +74,18 @@ double equivalent_wheelbase_m(const WheelbaseGeometry& geometry);
 /// Unevenly creeping tracks lose or gain distance only until friction saturates (`wide`, `tight`).
 /// Friction that acts against sideways sliding cannot drive: a turn to either side costs distance,
 /// the more the tighter the path is (`curved`).
-/// Wheelbase and turning centre drift on as more of the track ends slip, until the slower track
-/// stands still: `arc` and `spin` lead from their values in wide turns over those in tight arcs to
-/// those on the spot.
+/// The wheelbase drifts from wide turns on as more of the track ends slip, until the slower track
+/// runs backwards: `medium`, `arc` and `spin` lead from its value in wide turns over those in arcs
+/// of medium and tight curvature to that on the spot, the turning centre from medium arcs on. The
+/// ratios are those with which four values come nearest to the wheelbases of both emulated bodies,
+/// six bundled and 16 sampled robots each.
 struct TurnShape {
   double wide = 0.0;    ///< -1..1, left positive: grows with the turn until the slower track makes
                         ///< 0.55 of the faster one's speed, then stays
   double tight = 0.0;   ///< 0..1: 0 up to there, 1 from 0.35 of the faster one's speed on to spins
-  double arc = 0.0;     ///< 0..1: 0 up to 0.65 of the faster one's speed, 1 from 0.4 on to spins
-  double spin = 0.0;    ///< 0..1: 0 up to there, 1 from -0.1 of the faster one's speed on to spins
+  double medium = 0.0;  ///< 0..1: 0 up to 0.9 of the faster one's speed, 1 from 0.65 on to spins
+  double arc = 0.0;     ///< 0..1: 0 up to there, 1 from 0.35 of the faster one's speed on to spins
+  double spin = 0.0;    ///< 0..1: 0 up to there, 1 from -0.3 of the faster one's speed on to spins
   double curved = 0.0;  ///< 0..1: difference of the speeds in parts of their sum, as the curvature
                         ///< of the path, 1 from where the slower track stands still on to spins
 };

@@ -39,6 +39,7 @@ struct TrackParameters {
   double slip_angle_turning_rad = 0.0;
   double wheelbase_m = 0.2742;       ///< equivalent wheelbase L
   double x_icr_m = 0.0;              ///< Vy gets -x_icr * yaw rate
+  double wheelbase_medium_m = 0.0;   ///< L in arcs of medium curvature; 0: as wheelbase_m
   double wheelbase_tight_m = 0.0;    ///< L in tight arcs; 0: as on the spot
   double x_icr_tight_shift_m = 0.0;  ///< added to x_icr_m in tight arcs
   double wheelbase_spin_m = 0.0;     ///< L on the spot; 0: as wheelbase_m
@@ -95,16 +96,22 @@ inline constexpr std::array kTrackParameters = {
         "Slip angle while turning; the yaw rate above which it applies is in the configuration",
         10 * kRadPerDeg, 2 * kRadPerDeg, kRadPerDeg},
     ParameterRow{"wheelbase_m", &TrackParameters::wheelbase_m, ParameterOf::kPaper, 0.05, 2,
-                 "Equivalent wheelbase L of eq 5, turning slip included", 0.5, 0.02, 1.0,
+                 "Equivalent wheelbase L of eq 5, turning slip included", 0.5, 0.04, 1.0,
                  &TrackParameters::wheelbase_m},
     ParameterRow{"x_icr_m", &TrackParameters::x_icr_m, ParameterOf::kExtended, -0.2, 0.2,
                  "Distance of the turning centre ahead of the reference point; this times the yaw "
                  "rate is subtracted from the sideways speed",
                  0.1, 0.01},
+    ParameterRow{"wheelbase_medium_m", &TrackParameters::wheelbase_medium_m, ParameterOf::kExtended,
+                 0, 2,
+                 "Equivalent wheelbase in arcs in which the slower track has 0.65 of the faster "
+                 "one's speed; "
+                 "from 0.9 on, wheelbase_m applies. 0: same as in wide turns",
+                 0.15, 0.02, 1.0, &TrackParameters::wheelbase_m},
     ParameterRow{
         "wheelbase_tight_m", &TrackParameters::wheelbase_tight_m, ParameterOf::kExtended, 0, 2,
-        "Equivalent wheelbase in tight arcs, in which the slower track has 0.4 of the faster "
-        "one's speed; from 0.65 on, wheelbase_m applies. 0: same as on the spot",
+        "Equivalent wheelbase in tight arcs, in which the slower track has 0.35 of the faster "
+        "one's speed. 0: same as on the spot",
         0.25, 0.03, 1.0, &TrackParameters::wheelbase_m},
     ParameterRow{"x_icr_tight_shift_m", &TrackParameters::x_icr_tight_shift_m,
                  ParameterOf::kExtended, -0.2, 0.2,

@@ -147,6 +147,8 @@ bool Calibration::accurate() const {
   return within(&TrackParameters::slip_left, kSlipWithin) &&
          within(&TrackParameters::slip_right, kSlipWithin) &&
          within(&TrackParameters::wheelbase_m, share(&TrackParameters::wheelbase_m)) &&
+         within(&TrackParameters::wheelbase_medium_m,
+                share(&TrackParameters::wheelbase_medium_m)) &&
          within(&TrackParameters::wheelbase_tight_m, share(&TrackParameters::wheelbase_tight_m)) &&
          within(&TrackParameters::wheelbase_spin_m, share(&TrackParameters::wheelbase_spin_m));
 }

@@ -125,9 +125,10 @@ class Regression {
   Vector score_ = Vector::Zero(), most_ = Vector::Zero();
 };
 
-/// Wheelbases and turning centres in wide turns, tight arcs and on the spot; loss of distance.
+/// Wheelbases in wide turns, medium and tight arcs and on the spot, turning centres of the last
+/// three, loss of distance.
 struct Turns {
-  Regression<3> wheelbase{};
+  Regression<4> wheelbase{};
   Regression<4> centre{};  // the last one is the slip angle's tangent
   Regression<3> lost{};
 
@@ -136,7 +137,7 @@ struct Turns {
     for_intervals(steps, [&, from = std::size_t{0}](std::size_t to) mutable {
       double difference_m = 0.0, lost_m = 0.0, left_m = 0.0, ahead_m = 0.0;
       double turned_rad = 0.0, took_s = 0.0, travel_m = 0.0;
-      Eigen::Vector3d by_turn = Eigen::Vector3d::Zero();
+      Eigen::Vector4d by_turn = Eigen::Vector4d::Zero();
       Eigen::Vector3d by_travel = Eigen::Vector3d::Zero();
       for (; from <= to; ++from) {
         const Step& step = steps[from];
@@ -152,15 +153,15 @@ struct Turns {
         ahead_m += step.ahead_m;
         turned_rad += step.turned_rad;
         took_s += step.dt_s;
-        by_turn += step.turned_rad * Eigen::Vector3d((1.0 - shape.arc) * (1.0 - shape.spin),
-                                                     shape.arc * (1.0 - shape.spin), shape.spin);
+        by_turn += step.turned_rad * Eigen::Vector4d(1.0 - shape.medium, shape.medium - shape.arc,
+                                                     shape.arc - shape.spin, shape.spin);
         by_travel += mean * Eigen::Vector3d(shape.wide * (1.0 - shape.tight),
                                             shape.wide * shape.tight, shape.curved);
       }
-      wheelbase.add(by_turn, Eigen::Vector3d::Constant(turned_rad), difference_m);
+      wheelbase.add(by_turn, Eigen::Vector4d::Constant(turned_rad), difference_m);
       lost.add(by_travel, Eigen::Vector3d::Constant(travel_m), lost_m);
       if (std::abs(turned_rad) > kTurningRadps * took_s)
-        centre.add({-by_turn[0], -by_turn[1], -by_turn[2], ahead_m},
+        centre.add({-by_turn[0] - by_turn[1], -by_turn[2], -by_turn[3], ahead_m},
                    {turned_rad, turned_rad, turned_rad, ahead_m}, left_m);
     });
   }
@@ -183,10 +184,11 @@ model::TrackParameters effective_motion(const std::vector<CalibrationDrive>& dri
 
   Turns turns;
   for (const Steps& steps : all) turns.add(steps, motion.slip_left, motion.slip_right);
-  const Eigen::Vector3d wheelbase = turns.wheelbase.solution();
+  const Eigen::Vector4d wheelbase = turns.wheelbase.solution();
   motion.wheelbase_m = wheelbase[0];
-  motion.wheelbase_tight_m = wheelbase[1];
-  motion.wheelbase_spin_m = wheelbase[2];
+  motion.wheelbase_medium_m = wheelbase[1];
+  motion.wheelbase_tight_m = wheelbase[2];
+  motion.wheelbase_spin_m = wheelbase[3];
   const Eigen::Vector4d centre = turns.centre.solution();
   motion.x_icr_m = centre[0];
   motion.x_icr_tight_shift_m = centre[1] - centre[0];

@@ -90,7 +90,7 @@ SlipConstants start_of(const SlipForm& form, const RealRobot& robot,
     return std::find(form.free.begin(), form.free.end(), c) != form.free.end();
   };
   if (frees(&SlipConstants::wheelbase_tight_m))
-    start.wheelbase_tight_m = start.wheelbase_spin_m = start.wheelbase_m;
+    start.wheelbase_medium_m = start.wheelbase_tight_m = start.wheelbase_spin_m = start.wheelbase_m;
   if (frees(&SlipConstants::break_away_mps)) start.break_away_mps = kFirstBreakAwayMps;
   return start;
 }

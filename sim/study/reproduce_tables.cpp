@@ -72,6 +72,9 @@ void write_wheelbase(report::HtmlPage& page, const Reproduction& what) {
         format("its exact motion, tracks at %.2f and %.2f m/s", turn.left_mps, turn.right_mps));
   if (eqs) add("L of eqs 1-5, fitted [m]", eqs->wheelbase_m, "calibration drives");
   add("L of the extended model, wide turns [m]", found.wheelbase_m, "calibration drives");
+  add("... medium arcs [m]",
+      found.wheelbase_medium_m > 0.0 ? found.wheelbase_medium_m : found.wheelbase_m,
+      "calibration drives");
   add("... tight arcs [m]",
       found.wheelbase_tight_m > 0.0 ? found.wheelbase_tight_m : found.wheelbase_m,
       "calibration drives");

@@ -50,7 +50,8 @@ TEST(Cycle, ConnectsAndAnswersSamplesWithCommands) {
 
 TEST(Cycle, SendsTheRobotsValuesAsWireParameters) {
   bridge::Parameters parameters;
-  parameters.model.wheelbase_m = 0.31;
+  parameters.model.wheelbase_m = 0.29;
+  parameters.model.wheelbase_medium_m = 0.31;
   parameters.model.wheelbase_spin_m = 0.36;
   parameters.model.gyro_scale = 1.02;
   parameters.drive.battery_cutoff_v = 6.25;
@@ -60,7 +61,7 @@ TEST(Cycle, SendsTheRobotsValuesAsWireParameters) {
   rig.run(100);
   ASSERT_EQ(rig.robot.received.parameters.size(), 1u);
   const wire::Parameters& sent = rig.robot.received.parameters[0];
-  EXPECT_FLOAT_EQ(sent.wheelbase_m, 0.31F);
+  EXPECT_FLOAT_EQ(sent.wheelbase_m, 0.31F) << "of medium arcs";
   EXPECT_FLOAT_EQ(sent.wheelbase_tight_m, 0.36F) << "as on the spot, if it is not given";
   EXPECT_FLOAT_EQ(sent.wheelbase_spin_m, 0.36F);
   EXPECT_FLOAT_EQ(sent.gyro_z_radps_per_lsb,

@@ -95,6 +95,7 @@ TEST_F(OdometryTest, ATwistThatNoIntervalHasShownIsUnknown) {
 TEST_F(OdometryTest, WithoutAGyroItIsTheExtendedModel) {
   // Turns of every shape, each with its own wheelbase.
   tracks_.slip_left = 0.3;
+  tracks_.wheelbase_medium_m = 0.28;
   tracks_.wheelbase_tight_m = 0.30;
   tracks_.wheelbase_spin_m = 0.35;
   Odometry odometry(tracks_, noise_);

@@ -86,6 +86,8 @@ std::vector<RecordedDrive> all_kinds(const Truth& truth, unsigned seed = 1) {
     drives.push_back(drive(truth, "tight right", 0.15, 0.06, 8.0, ++seed));
     drives.push_back(drive(truth, "spin left", -0.1, 0.1, 8.0, ++seed));
     drives.push_back(drive(truth, "spin right", 0.1, -0.1, 8.0, ++seed));
+    drives.push_back(drive(truth, "wide left", 0.123, 0.15, 12.0, ++seed));
+    drives.push_back(drive(truth, "wide right", 0.15, 0.123, 12.0, ++seed));
   }
   return drives;
 }
@@ -104,6 +106,8 @@ void expect_all_found(const Identification& found, const Truth& truth) {
   expect_found(fit, &TrackParameters::slip_left, truth.slip_left, 0.003);
   expect_found(fit, &TrackParameters::slip_right, truth.slip_right, 0.003);
   expect_found(fit, &TrackParameters::wheelbase_m, truth.wheelbase_m, 0.01 * truth.wheelbase_m);
+  expect_found(fit, &TrackParameters::wheelbase_medium_m, truth.wheelbase_m,
+               0.01 * truth.wheelbase_m);
   expect_found(fit, &TrackParameters::wheelbase_tight_m, truth.wheelbase_m,
                0.01 * truth.wheelbase_m);
   expect_found(fit, &TrackParameters::wheelbase_spin_m, truth.wheelbase_m,
@@ -193,23 +197,25 @@ TEST(Identify, FalseDetectionsAndLateStampsDoNotBendIt) {
 
 // As on soft ground: the track speeds of a wide turn oscillate into the range of tight turns.
 TEST(Identify, AnOscillatingYawDoesNotCountAsATightTurn) {
-  constexpr double kStepS = 0.01, kSwingHz = 2.2, kSwingMps = 0.05, kCountsPerMetre = 20000.0;
-  RecordedDrive swinging;
-  double left_m = 0.0, right_m = 0.0;
-  for (int i = 0; i < 1000; ++i) {
-    swinging.samples.push_back({i * kStepS, std::lround(left_m * kCountsPerMetre),
-                                std::lround(right_m * kCountsPerMetre), 0.0});
-    const double swing_mps = kSwingMps * std::sin(2.0 * kPi * kSwingHz * i * kStepS);
-    left_m += (0.088 - swing_mps / 2.0) * kStepS;
-    right_m += (0.122 + swing_mps / 2.0) * kStepS;
-  }
+  constexpr double kStepS = 0.01, kSwingHz = 2.2, kCountsPerMetre = 20000.0;
   TrackParameters tracks = model::ModelForm{}.only({});
   tracks.wheelbase_m = 0.16;
   tracks.wheelbase_tight_m = tracks.wheelbase_spin_m = 0.24;
-  const Pose end =
-      DriveMotion(swinging, kCountsPerMetre).poses(model::kExtendedForm, tracks).back();
-  const double turned_rad = 0.034 * 999 * kStepS / tracks.wheelbase_m;
-  EXPECT_NEAR(end.yaw_rad, turned_rad, 0.05 * turned_rad);
+  const auto turned_rad = [&](double swing_mps) {
+    RecordedDrive drive;
+    double left_m = 0.0, right_m = 0.0;
+    for (int i = 0; i < 1000; ++i) {
+      drive.samples.push_back({i * kStepS, std::lround(left_m * kCountsPerMetre),
+                               std::lround(right_m * kCountsPerMetre), 0.0});
+      const double now_mps = swing_mps * std::sin(2.0 * kPi * kSwingHz * i * kStepS);
+      left_m += (0.088 - now_mps / 2.0) * kStepS;
+      right_m += (0.122 + now_mps / 2.0) * kStepS;
+    }
+    return DriveMotion(drive, kCountsPerMetre).poses(model::kExtendedForm, tracks).back().yaw_rad;
+  };
+  const double steady_rad = turned_rad(0.0);
+  EXPECT_GT(steady_rad, 1.5);
+  EXPECT_NEAR(turned_rad(0.05), steady_rad, 0.05 * steady_rad);
 }
 
 TEST(Identify, ALargerRobotConvergesFromTheSameStart) {
@@ -347,12 +353,14 @@ std::vector<std::string> arcs_of(double gauge_m) {
 }
 
 TEST(CalibrationCourses, HaveWideAndTightArcsForEverySize) {
-  EXPECT_THAT(arcs_of(0.155), ElementsAre("calibrate-arc-left", "calibrate-tight-left"));
-  EXPECT_THAT(arcs_of(0.215),
-              ElementsAre("calibrate-wide-left", "calibrate-arc-left", "calibrate-tight-left"));
-  EXPECT_THAT(arcs_of(0.31), ElementsAre("calibrate-wide-left", "calibrate-arc-left"));
+  const auto wide = "calibrate-wide-left", arc = "calibrate-arc-left",
+             tight = "calibrate-tight-left", widest = "calibrate-widest-left";
+  EXPECT_THAT(arcs_of(0.1), ElementsAre(wide, arc, tight));
+  EXPECT_THAT(arcs_of(0.155), ElementsAre(wide, arc, tight));
+  EXPECT_THAT(arcs_of(0.215), ElementsAre(widest, wide, arc, tight));
+  EXPECT_THAT(arcs_of(0.31), ElementsAre(widest, wide, arc));
   for (double gauge_m = 0.03; gauge_m <= 1.0; gauge_m += 0.005)
-    EXPECT_GE(arcs_of(gauge_m).size(), 2u) << gauge_m;
+    EXPECT_GE(arcs_of(gauge_m).size(), 3u) << gauge_m;
 }
 
 }  // namespace

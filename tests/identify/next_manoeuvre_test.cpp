@@ -37,6 +37,7 @@ TrackParameters robot() {
   tracks.slip_right = 0.15;
   tracks.slip_angle_straight_rad = tracks.slip_angle_turning_rad = 0.01;
   tracks.wheelbase_m = 0.24;
+  tracks.wheelbase_medium_m = 0.245;
   tracks.wheelbase_tight_m = 0.25;
   tracks.wheelbase_spin_m = 0.26;
   tracks.x_icr_m = 0.01;
@@ -169,6 +170,7 @@ TEST(NextManoeuvre, ThePathKeepsToTheFenceFromAnyPlaceNearItsEdge) {
   TrackParameters truth = robot();
   // Its track speeds lag behind the changes of the turn, so that it drives beside the path.
   truth.wheelbase_m = 0.2;
+  truth.wheelbase_medium_m = 0.25;
   truth.wheelbase_tight_m = 0.3;
   truth.wheelbase_spin_m = 0.35;
   truth.turn_slip = truth.turn_slip_tight = 0.1;

@@ -169,7 +169,7 @@ TEST_F(SetupListTest, SaysOfACourseWhatIsToBeShown) {
   EXPECT_EQ(course["outline"][0], Json({{"x_m", 0.0}, {"y_m", 0.0}}));
   EXPECT_EQ(entry(all["robots"], "worn")["in_force"], false);
   EXPECT_EQ(entry(all["courses"], "calibrate-spin-left")["length_m"], 0.0);
-  EXPECT_EQ(all["calibration"].size(), 7u);
+  EXPECT_EQ(all["calibration"].size(), 9u);
   for (const Json& name : all["calibration"])
     EXPECT_EQ(entry(all["courses"], name)["identifies"], true) << name;
 }

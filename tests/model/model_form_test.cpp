@@ -17,7 +17,7 @@ TEST(ModelForm, EachIsFixedOrHasConstants) {
   EXPECT_EQ(kBaselines[baseline("eqs_1_5")].constants(), 5);
   EXPECT_EQ(kBaselines[baseline("icr")].constants(), 4);
   EXPECT_EQ(kBaselines[baseline("gyro")].constants(), 2);
-  EXPECT_EQ(kExtendedForm.constants(), 13);
+  EXPECT_EQ(kExtendedForm.constants(), 14);
   EXPECT_EQ(baseline("none"), kBaselines.size());
 }
 

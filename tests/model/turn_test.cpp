@@ -24,14 +24,17 @@ TEST(Turn, GrowsFromStraightOverWideToTight) {
   }
 }
 
-TEST(Turn, LeadsFromWideArcsOverTightOnesToTheSpot) {
+TEST(Turn, LeadsFromWideArcsOverMediumAndTightOnesToTheSpot) {
+  EXPECT_EQ(turn_shape(0.091, 0.1).medium, 0.0);
+  EXPECT_NEAR(turn_shape(0.0775, 0.1).medium, 0.5, 1e-12);
   EXPECT_EQ(turn_shape(0.066, 0.1).arc, 0.0);
-  EXPECT_NEAR(turn_shape(0.0525, 0.1).arc, 0.5, 1e-12);
-  EXPECT_EQ(turn_shape(0.041, 0.1).spin, 0.0);
-  EXPECT_EQ(turn_shape(0.015, 0.1).arc, 1.0);
-  EXPECT_NEAR(turn_shape(0.015, 0.1).spin, 0.5, 1e-12);
-  EXPECT_NEAR(turn_shape(0.1, 0.015).spin, 0.5, 1e-12);
-  EXPECT_EQ(turn_shape(-0.011, 0.1).spin, 1.0);
+  EXPECT_NEAR(turn_shape(0.05, 0.1).arc, 0.5, 1e-12);
+  EXPECT_EQ(turn_shape(0.05, 0.1).medium, 1.0);
+  EXPECT_EQ(turn_shape(0.036, 0.1).spin, 0.0);
+  EXPECT_EQ(turn_shape(0.0025, 0.1).arc, 1.0);
+  EXPECT_NEAR(turn_shape(0.0025, 0.1).spin, 0.5, 1e-12);
+  EXPECT_NEAR(turn_shape(0.1, 0.0025).spin, 0.5, 1e-12);
+  EXPECT_EQ(turn_shape(-0.031, 0.1).spin, 1.0);
 }
 
 TEST(Turn, CurvesWithThePathUntilTheSlowerTrackStandsStill) {
@@ -67,7 +70,7 @@ TEST(Turn, ARobotThatStandsMakesNone) {
   const TurnShape shape = turn_shape(0.0, 0.0);
   EXPECT_EQ(turn_of(TrackParameters{}, Mode::kExtended, shape).wheelbase_m,
             TrackParameters{}.wheelbase_m);
-  EXPECT_EQ(shape.arc, 0.0);
+  EXPECT_EQ(shape.medium, 0.0);
 }
 
 TEST(Turn, OnlyTheRatioOfTheSpeedsCounts) {
@@ -76,6 +79,7 @@ TEST(Turn, OnlyTheRatioOfTheSpeedsCounts) {
     EXPECT_NEAR(turn_shape(ratio * 0.01, 0.01).tight, shape.tight, 1e-12);
     EXPECT_NEAR(turn_shape(0.2, ratio * 0.2).wide, -shape.wide, 1e-12);
     EXPECT_NEAR(turn_shape(0.2, ratio * 0.2).tight, shape.tight, 1e-12);
+    EXPECT_NEAR(turn_shape(0.2, ratio * 0.2).medium, shape.medium, 1e-12);
     EXPECT_NEAR(turn_shape(0.2, ratio * 0.2).arc, shape.arc, 1e-12);
     EXPECT_NEAR(turn_shape(0.2, ratio * 0.2).spin, shape.spin, 1e-12);
   }
@@ -96,8 +100,9 @@ TEST(Turn, WheelbaseTurningCentreAndSlipGoFromTheirWideToTheirTightValues) {
   TrackParameters p;
   p.wheelbase_m = 0.2;
   p.x_icr_m = 0.01;
-  const TurnShape straight{}, wide{1.0, 0.0, 0.0, 0.0}, between{-1.0, 0.5, 0.5, 0.0},
-      spin{1.0, 1.0, 1.0, 1.0};
+  const TurnShape straight{}, wide{.wide = 1.0}, medium{.wide = 1.0, .medium = 1.0},
+      between{.wide = -1.0, .tight = 0.5, .medium = 1.0, .arc = 0.5},
+      spin{.wide = 1.0, .tight = 1.0, .medium = 1.0, .arc = 1.0, .spin = 1.0};
   EXPECT_EQ(turn_of(p, Mode::kExtended, spin).wheelbase_m, 0.2);
   p.wheelbase_spin_m = 0.3;
   p.x_icr_spin_shift_m = -0.02;
@@ -105,17 +110,26 @@ TEST(Turn, WheelbaseTurningCentreAndSlipGoFromTheirWideToTheirTightValues) {
   p.turn_slip_tight = 0.02;
   EXPECT_EQ(turn_of(p, Mode::kExtended, wide).wheelbase_m, 0.2);
   EXPECT_EQ(turn_of(p, Mode::kExtended, wide).x_icr_m, 0.01);
+  EXPECT_EQ(turn_of(p, Mode::kExtended, medium).wheelbase_m, 0.2);
   EXPECT_NEAR(turn_of(p, Mode::kExtended, between).wheelbase_m, 0.25, 1e-12);
   EXPECT_NEAR(turn_of(p, Mode::kExtended, spin).x_icr_m, -0.01, 1e-12);
   p.wheelbase_tight_m = 0.22;
   p.x_icr_tight_shift_m = 0.006;
-  const TurnShape tight{1.0, 1.0, 1.0, 0.0}, past_it{1.0, 1.0, 1.0, 0.5};
+  const TurnShape tight{.wide = 1.0, .tight = 1.0, .medium = 1.0, .arc = 1.0},
+      past_it{.wide = 1.0, .tight = 1.0, .medium = 1.0, .arc = 1.0, .spin = 0.5};
   EXPECT_NEAR(turn_of(p, Mode::kExtended, between).wheelbase_m, 0.21, 1e-12);
   EXPECT_NEAR(turn_of(p, Mode::kExtended, tight).wheelbase_m, 0.22, 1e-12);
   EXPECT_NEAR(turn_of(p, Mode::kExtended, past_it).wheelbase_m, 0.26, 1e-12);
   EXPECT_NEAR(turn_of(p, Mode::kExtended, between).x_icr_m, 0.013, 1e-12);
   EXPECT_NEAR(turn_of(p, Mode::kExtended, past_it).x_icr_m, 0.01 + (0.006 - 0.02) / 2.0, 1e-12);
+  p.wheelbase_medium_m = 0.21;
+  const TurnShape less{.wide = 1.0, .medium = 0.5};
   EXPECT_EQ(turn_of(p, Mode::kExtended, wide).wheelbase_m, 0.2);
+  EXPECT_NEAR(turn_of(p, Mode::kExtended, less).wheelbase_m, 0.205, 1e-12);
+  EXPECT_NEAR(turn_of(p, Mode::kExtended, medium).wheelbase_m, 0.21, 1e-12);
+  EXPECT_NEAR(turn_of(p, Mode::kExtended, between).wheelbase_m, 0.215, 1e-12);
+  EXPECT_NEAR(turn_of(p, Mode::kExtended, tight).wheelbase_m, 0.22, 1e-12);
+  EXPECT_EQ(turn_of(p, Mode::kExtended, medium).x_icr_m, 0.01);
   EXPECT_EQ(turn_of(p, Mode::kExtended, spin).wheelbase_m, 0.3);
   EXPECT_EQ(turn_of(p, Mode::kExtended, straight).slip, 0.0);
   EXPECT_NEAR(turn_of(p, Mode::kExtended, wide).slip, 0.04, 1e-12);

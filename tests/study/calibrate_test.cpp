@@ -65,6 +65,7 @@ TEST(EffectiveMotion, FindsTheParametersThatAMotionFollows) {
   model::TrackParameters truth;
   truth.slip_angle_turning_rad = 0.01;
   truth.wheelbase_m = 0.24;
+  truth.wheelbase_medium_m = 0.245;
   truth.wheelbase_tight_m = 0.25;
   truth.wheelbase_spin_m = 0.22;
   truth.x_icr_m = 0.01;
@@ -79,11 +80,13 @@ TEST(EffectiveMotion, FindsTheParametersThatAMotionFollows) {
   const double counts = robot.encoder.counts_per_metre;
   const CalibrationDrive straight = follow(truth, counts, {{0.1, 0.1}});
   const CalibrationDrive left =
-      follow(truth, counts, {{0.08, 0.1}, {0.05, 0.1}, {0.03, 0.1}, {0.01, 0.1}, {-0.1, 0.1}});
+      follow(truth, counts,
+             {{0.08, 0.1}, {0.05, 0.1}, {0.03, 0.1}, {0.01, 0.1}, {-0.1, 0.1}});
   const CalibrationDrive right =
       follow(truth, counts, {{0.1, -0.1}, {0.1, 0.02}, {0.1, 0.04}, {0.1, 0.065}});
+  const CalibrationDrive wide = follow(truth, counts, std::vector(8, std::pair{0.085, 0.1}));
 
-  const model::TrackParameters found = effective_motion({straight, left, right}, robot);
+  const model::TrackParameters found = effective_motion({straight, left, right, wide}, robot);
   for (const model::ParameterRow& row : model::kTrackParameters) {
     if (row.of == model::ParameterOf::kGyro) continue;
     EXPECT_NEAR(found.*row.value, truth.*row.value, 5e-4) << row.key;

@@ -187,11 +187,12 @@ const Judged& judged(const CourseStudy& study, const std::string& what) {
 }
 
 TEST(Study, WithoutTheExtensionTheModelBreaksItsLimit) {
-  for (const char* kind : {"1-curve", "1-sharp"}) {
+  for (const auto& [kind, robot] :
+       {std::pair{"1-curve", "large"}, std::pair{"1-sharp", "uniform"}}) {
     SCOPED_TRACE(kind);
     Trial trial = one_run(load_course(kind));
     Options options;
-    options.robot = "uniform";
+    options.robot = robot;
     trial.robot = load(options).robot;
     const CourseStudy with = study(trial, kind, false);
     EXPECT_TRUE(judged(with, "extended model max").holds());

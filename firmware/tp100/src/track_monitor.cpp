@@ -55,8 +55,8 @@ const float kObstacleShare = 0.8f;
 // Difference of the tracks' speeds relative to the faster one, where the wheelbase begins to
 // change, where it is that of tight arcs, and where it is that of the spot.
 const float kWideArc = 0.35f;
-const float kTightArc = 0.6f;
-const float kSpin = 1.1f;
+const float kTightArc = 0.65f;
+const float kSpin = 1.3f;
 // Counts of few samples are coarse: they are low-pass filtered with a time constant of 0.1 s.
 const float kSpeedShare = 0.33f;
 

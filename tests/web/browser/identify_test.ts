@@ -84,7 +84,7 @@ describe.each(kScreens)('the identification at $width x $height', (size) => {
     const bus = new Bus(setting.pair.url, ['/state']);
     await until(() => page.isVisible('[data-course="ahead"]'), 'the courses');
     const courses = await page.locator('.identify-courses > li').evaluateAll((all) => all.map((each) => each.getAttribute('data-course')));
-    expect(courses).toEqual(['calibrate-straight', 'calibrate-arc-left', 'calibrate-arc-right', 'calibrate-tight-left', 'calibrate-tight-right', 'calibrate-spin-left', 'calibrate-spin-right', 'ahead', 'left']);
+    expect(courses).toEqual(['calibrate-straight', 'calibrate-wide-left', 'calibrate-wide-right', 'calibrate-arc-left', 'calibrate-arc-right', 'calibrate-tight-left', 'calibrate-tight-right', 'calibrate-spin-left', 'calibrate-spin-right', 'ahead', 'left']);
     expect(await page.isDisabled('#identify-evaluate')).toBe(true);
 
     // Nothing moves before it is confirmed.
