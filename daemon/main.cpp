@@ -162,8 +162,9 @@ void add_identify(CLI::App& app, Action& action) {
       ->type_name("ROBOT");
   command
       ->add_option("--measured", options.measured,
-                   "CSV of hand measurements: run[,distance_m][,ahead_m][,left_m][,turned_deg]; "
-                   "run counts from 1")
+                   "CSV of hand measurements: run[,distance_m][,ahead_m][,left_m][,turned_deg]"
+                   "[,slope_deg]; run counts from 1, slope_deg is that of a board on which the run "
+                   "was")
       ->type_name("FILE");
   command
       ->add_option("--config", options.config,

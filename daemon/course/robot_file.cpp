@@ -7,6 +7,7 @@
 #include <span>
 #include <sstream>
 
+#include "core/arithmetic.h"
 #include "course/emulated_keys.h"
 #include "text/key.h"
 
@@ -90,6 +91,41 @@ std::span<const text::Key<DriveValues>> drive_keys() {
   return kKeys;
 }
 
+constexpr text::Range kSlopeDeg{-45, 45}, kAddedSlip{-0.5, 0.9};
+
+constexpr const char* kSlopesNote =
+    "Slip that slopes add to that of level ground. Linear in between, held beyond the steepest "
+    "one; downhill the negative of uphill if only uphill is given. Without any, the paper's table "
+    "applies (model.slip_curve of the configuration).";
+
+std::string slope_sections(const model::TrackParameters& model) {
+  std::string text;
+  for (const model::SlopeSlip& row : std::span(model.slope_slips).first(model.slopes))
+    text += (text.empty() ? "\n" + text::toml_comment(kSlopesNote) : "\n") + "[[model.slope]]\n" +
+            "slope_deg = " + text::toml_number(row.slope_rad * kDegPerRad) +
+            "\nadded_left = " + text::toml_number(row.left) +
+            "\nadded_right = " + text::toml_number(row.right) + "\n";
+  return text;
+}
+
+void read_slopes(text::TomlTable& table, model::TrackParameters& model) {
+  double last_deg = -HUGE_VAL;
+  for (text::TomlTable row : table.tables("slope")) {
+    if (model.slopes == model::kMaxSlopes)
+      row.fail("slope_deg", "more than " + std::to_string(model::kMaxSlopes) +
+                                " slopes; leave out some of 'model.slope'");
+    const double slope_deg = row.required_number("slope_deg", kSlopeDeg);
+    if (slope_deg == 0.0)
+      row.fail("slope_deg", "'slope_deg' is 0, where slip_left and slip_right apply; leave it out");
+    if (slope_deg <= last_deg)
+      row.fail("slope_deg", "'slope_deg' is not above that of the slope before; sort them");
+    last_deg = slope_deg;
+    model.slope_slips[model.slopes++] = {slope_deg * kRadPerDeg,
+                                         row.required_number("added_left", kAddedSlip),
+                                         row.required_number("added_right", kAddedSlip)};
+  }
+}
+
 template <class T>
 std::string section(const char* name, std::span<const text::Key<T>> keys, const T& values,
                     const text::Origins& origins = {}) {
@@ -147,6 +183,7 @@ Robot parse_robot(const std::string& text, const std::string& file) {
   text::TomlTable imu = emulated.table("imu");
   text::TomlTable battery = emulated.table("battery");
   text::read_keys(model, model_keys(), robot.model);
+  read_slopes(model, robot.model);
   robot.origins = text::read_origins(text, "model");
   read_baselines(root.table("baselines"), robot);
   text::read_keys(shape, shape_keys(), robot.shape);
@@ -199,7 +236,7 @@ std::string write_robot(const Robot& robot, const std::string& note) {
          "\n# The daemon's model of this robot. It is identified by driving, never copied from "
          "[emulated].\n" +
          section("model", model_keys(), robot.model, robot.origins).substr(1) +
-         baseline_sections(robot) +
+         slope_sections(robot.model) + baseline_sections(robot) +
          "\n# Size and centre of mass, as measured: they determine the robot's attitude on ramps "
          "and steps.\n" +
          section("shape", shape_keys(), robot.shape).substr(1) +

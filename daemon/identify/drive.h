@@ -26,14 +26,17 @@ struct SeenPose {
 
 /// Measurements of the whole drive by tape and protractor; only what was measured.
 struct HandMeasured {
-  std::optional<double> distance_m;  ///< straight line from start to end
-  std::optional<double> ahead_m;     ///< end from start, along the heading at the start
-  std::optional<double> left_m;      ///< end from start, to the left of that heading
-  std::optional<double> turned_rad;  ///< end heading - start heading, whole turns counted
+  std::optional<double> distance_m{};  ///< straight line from start to end
+  std::optional<double> ahead_m{};     ///< end from start, along the heading at the start
+  std::optional<double> left_m{};      ///< end from start, to the left of that heading
+  std::optional<double> turned_rad{};  ///< end heading - start heading, whole turns counted
+  /// Of an even board on which the whole drive was straight up, or down if negative; distance_m is
+  /// along it, a camera's poses do not count. Nothing: level ground.
+  std::optional<double> slope_rad{};
 };
 
-/// One drive on flat ground, from standstill to standstill, without disturbances. Samples and
-/// images ascend in time.
+/// One drive on flat ground, level unless measured otherwise, from standstill to standstill,
+/// without disturbances. Samples and images ascend in time.
 struct RecordedDrive {
   std::string name;  ///< for messages and reports
   std::vector<DriveSample> samples;

@@ -24,6 +24,7 @@ constexpr std::array<std::string_view, 3> kCameraColumns = {"camera_x_m", "camer
 constexpr double kMaxCounts = 9e15;
 constexpr double kMaxMetres = 1e4;
 constexpr double kMaxRadps = 1e3;
+constexpr double kMaxSlopeDeg = 45.0;
 constexpr double kMaxRad = 1e6;
 // Unix time in seconds, even in milliseconds, is fine.
 constexpr double kMaxSeconds = 1e13;
@@ -147,7 +148,8 @@ std::string write_drive(const RecordedDrive& drive) {
 
 void add_measured(std::string_view text, const std::string& file,
                   std::vector<RecordedDrive>& drives) {
-  const std::vector<std::string_view> columns = {"distance_m", "ahead_m", "left_m", "turned_deg"};
+  const std::vector<std::string_view> columns = {"distance_m", "ahead_m", "left_m", "turned_deg",
+                                                 "slope_deg"};
   const text::CsvTable table = text::parse_csv(text, file, {{"run"}, columns, columns});
   for (std::size_t i = 0; i < table.rows(); ++i) {
     const Row row(table, i);
@@ -164,7 +166,11 @@ void add_measured(std::string_view text, const std::string& file,
     take("ahead_m", kMaxMetres, 1.0, measured.ahead_m);
     take("left_m", kMaxMetres, 1.0, measured.left_m);
     take("turned_deg", kMaxRad, kRadPerDeg, measured.turned_rad);
+    take("slope_deg", kMaxSlopeDeg, kRadPerDeg, measured.slope_rad);
     if (measured.distance_m && *measured.distance_m < 0.0) row.fail("distance_m is below 0");
+    if (measured.slope_rad == 0.0) measured.slope_rad.reset();
+    if (measured.slope_rad && !measured.distance_m)
+      row.fail("distance_m is missing; a run on a slope needs the distance along it");
   }
 }
 
@@ -182,9 +188,10 @@ std::string write_measured(const std::vector<RecordedDrive>& drives) {
     cell(m.ahead_m, 1.0);
     cell(m.left_m, 1.0);
     cell(m.turned_rad, kRadPerDeg);
+    cell(m.slope_rad, kRadPerDeg);
     rows += '\n';
   }
-  return rows.empty() ? rows : "run,distance_m,ahead_m,left_m,turned_deg\n" + rows;
+  return rows.empty() ? rows : "run,distance_m,ahead_m,left_m,turned_deg,slope_deg\n" + rows;
 }
 
 RecordedDrive recorded_drive(const record::Recording& recording, std::optional<HostNs> since) {

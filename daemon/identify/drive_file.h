@@ -23,9 +23,9 @@ RecordedDrive parse_drive(std::string_view text, const std::string& file);
 /// The drive as parse_drive reads it back, bit for bit; camera columns only if it has poses.
 std::string write_drive(const RecordedDrive& drive);
 
-/// Reads `run[,distance_m][,ahead_m][,left_m][,turned_deg]`, one row per measured run; `run` counts
-/// the drives from 1, an empty cell was not measured. Adds each row to its drive. Throws SetupError
-/// (file:line). Pure.
+/// Reads `run[,distance_m][,ahead_m][,left_m][,turned_deg][,slope_deg]`, one row per measured run;
+/// `run` counts the drives from 1, an empty cell was not measured. Adds each row to its drive.
+/// Throws SetupError (file:line). Pure.
 void add_measured(std::string_view text, const std::string& file,
                   std::vector<RecordedDrive>& drives);
 

@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
+#include "core/arithmetic.h"
 #include "core/error.h"
 
 namespace tp100::identify {
@@ -81,6 +83,56 @@ std::optional<Fit> baseline_fit(const std::vector<FittedRun>& runs, const Prior&
   return fit;
 }
 
+// Runs on slopes that differ by less are of one slope.
+constexpr double kSameSlopeRad = 0.5 * kRadPerDeg;
+constexpr double kLeastOnSlopeM = 0.1;
+constexpr double kMostTurnedOnSlopeRad = 0.35;
+
+/// What the slope of this run adds to the slip ratios of the level.
+model::SlopeSlip slope_slip_of(const RecordedDrive& drive, const Prior& level) {
+  const DriveMotion motion(drive, level.counts_per_metre);
+  const double distance_m = drive.measured.distance_m.value_or(0.0);
+  if (distance_m < kLeastOnSlopeM || motion.left_m() <= 0.0 || motion.right_m() <= 0.0)
+    throw SetupError(drive.name +
+                     ": on a slope a run must go forward by 0.1 m at least, nose first; leave it "
+                     "out or correct distance_m");
+  const double turned_rad = drive.measured.turned_rad.value_or(0.0);
+  if (std::abs(turned_rad) > kMostTurnedOnSlopeRad)
+    throw SetupError(drive.name +
+                     ": turned by more than 20 deg; on a slope only straight runs "
+                     "count, leave it out");
+  const model::TrackParameters& tracks = level.tracks;
+  const double left_m = motion.left_m() * (1.0 - tracks.slip_left);
+  const double right_m = motion.right_m() * (1.0 - tracks.slip_right);
+  const double half_m =
+      drive.measured.turned_rad ? turned_rad * tracks.wheelbase_m / 2.0 : (right_m - left_m) / 2.0;
+  return {*drive.measured.slope_rad, (left_m - (distance_m - half_m)) / motion.left_m(),
+          (right_m - (distance_m + half_m)) / motion.right_m()};
+}
+
+std::vector<model::SlopeSlip> slope_slips_of(std::vector<RecordedDrive> drives,
+                                             const Prior& level) {
+  std::ranges::stable_sort(drives, {}, [](const auto& drive) { return *drive.measured.slope_rad; });
+  std::vector<model::SlopeSlip> slopes;
+  double runs = 0.0;
+  for (const RecordedDrive& drive : drives) {
+    const model::SlopeSlip one = slope_slip_of(drive, level);
+    if (slopes.empty() || one.slope_rad - slopes.back().slope_rad > kSameSlopeRad) {
+      slopes.push_back(one);
+      runs = 1.0;
+      continue;
+    }
+    model::SlopeSlip& mean = slopes.back();
+    runs += 1.0;
+    mean.left += (one.left - mean.left) / runs;
+    mean.right += (one.right - mean.right) / runs;
+  }
+  if (slopes.size() > model::kMaxSlopes)
+    throw SetupError("identify: runs on more than " + std::to_string(model::kMaxSlopes) +
+                     " slopes; leave out some");
+  return slopes;
+}
+
 }  // namespace
 
 FittedRun fitted_run(const RecordedDrive& drive, const Prior& base) {
@@ -125,8 +177,15 @@ Identification identify(const std::vector<RecordedDrive>& drives, const Prior& b
                         const IdentifySettings& settings) {
   if (drives.empty()) throw SetupError("identify: no runs; give at least one recording");
   std::vector<FittedRun> runs;
-  runs.reserve(drives.size());
-  for (const RecordedDrive& drive : drives) runs.push_back(fitted_run(drive, base));
+  std::vector<RecordedDrive> on_slopes;
+  for (const RecordedDrive& drive : drives) {
+    if (drive.measured.slope_rad)
+      on_slopes.push_back(drive);
+    else
+      runs.push_back(fitted_run(drive, base));
+  }
+  if (runs.empty())
+    throw SetupError("identify: only runs on slopes; give runs on level ground, too");
 
   Identification found;
   found.extended = fit_of_form(runs, base, model::kExtendedForm, settings);
@@ -137,6 +196,11 @@ Identification identify(const std::vector<RecordedDrive>& drives, const Prior& b
   found.prior = base;
   for (const model::ParameterRow& row : kTrackParameters)
     found.prior.tracks.*row.value = found.extended[row.value].value;
+  found.slopes = slope_slips_of(std::move(on_slopes), found.prior);
+  if (!found.slopes.empty()) {
+    std::ranges::copy(found.slopes, found.prior.tracks.slope_slips.begin());
+    found.prior.tracks.slopes = found.slopes.size();
+  }
   return found;
 }
 

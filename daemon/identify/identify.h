@@ -32,14 +32,18 @@ struct Identification {
   Prior prior;     ///< the values of `extended`, to be used
   Fit extended{};  ///< eqs 1-5 with turning centre and tight turns (model/track_model.h)
   Fit before{};    ///< the same form with the assumed values: what the drives say of these
+  /// By the drives on slopes, ascending; of several on one slope the mean. `prior` has them, too.
+  std::vector<model::SlopeSlip> slopes{};
   /// The simpler forms, from the same drives; nothing of a form that the drives do not determine,
   /// or of which nothing is to be fitted.
   model::PerBaseline<std::optional<Fit>> baselines{};
 };
 
-/// Estimates as many parameters as possible, starting from `base`. At least one run, each with
-/// camera poses or hand measurements; otherwise throws SetupError that names the run.
-/// Deterministic; pure.
+/// Estimates as many parameters as possible, starting from `base`. At least one run on level
+/// ground, each with camera poses or hand measurements; otherwise throws SetupError that names the
+/// run. What slopes add to the slip comes from the runs on slopes, each by itself: from the
+/// distance, and from the turn if it was measured; else both tracks slip alike. Deterministic;
+/// pure.
 Identification identify(const std::vector<RecordedDrive>& drives, const Prior& base,
                         const IdentifySettings& settings = {});
 

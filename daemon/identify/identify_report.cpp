@@ -1,5 +1,6 @@
 #include "identify/identify_report.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/arithmetic.h"
@@ -62,8 +63,19 @@ std::string run_lines(const Fit& fit) {
 }
 
 /// As a robot file holds it.
+double to_file(double value) { return std::round(value * 1e5) / 1e5; }
+
+/// The same, of a parameter whose unit in the file is not SI.
 double rounded(const ParameterEstimate& estimate, double si) {
-  return std::round(estimate.value / si * 1e5) / 1e5 * si;
+  return to_file(estimate.value / si) * si;
+}
+
+std::string slope_lines(const std::vector<model::SlopeSlip>& slopes) {
+  std::string text;
+  for (const model::SlopeSlip& slope : slopes)
+    text += format("  %-18s %5.1f deg %+9.4f, %+9.4f\n", text.empty() ? "slip added on" : "",
+                   slope.slope_rad * kDegPerRad, slope.left, slope.right);
+  return text;
 }
 
 /// What the runs cannot determine, one line each.
@@ -112,6 +124,7 @@ std::string identify_report(const Identification& found, const course::Robot& ba
   std::string text =
       format("robot %s, %zu runs\n\n", base.name.c_str(), found.extended.runs.size());
   text += table(found.extended, base);
+  text += slope_lines(found.slopes);
   text += "\n" + run_lines(found.extended) + "\n";
   if (has_images(found.extended)) {
     text += "best-fit residual against the camera, including its noise:\n";
@@ -143,6 +156,14 @@ std::string identify_json(const Identification& found, const course::Robot& base
     json.end_object();
   }
   json.end_array();
+  json.key("slopes").begin_array();
+  for (const model::SlopeSlip& slope : found.slopes)
+    json.begin_object()
+        .field("slope_deg", slope.slope_rad * kDegPerRad)
+        .field("added_left", to_file(slope.left))
+        .field("added_right", to_file(slope.right))
+        .end_object();
+  json.end_array();
   write_errors(json, "errors_before", found.before);
   write_errors(json, "errors_after", found.extended);
   if (driven) {
@@ -166,6 +187,12 @@ course::Robot identified_robot(const Identification& found, const course::Robot&
     robot.origins[std::string(row.key)] =
         format("identify%s: +- %.5f (95 %%), %zu runs", with_date(date).c_str(),
                estimate.half_interval / row.si, found.extended.runs.size());
+  }
+  if (!found.slopes.empty()) {
+    robot.model.slopes = found.slopes.size();
+    std::ranges::transform(found.slopes, robot.model.slope_slips.begin(), [](const auto& slope) {
+      return model::SlopeSlip{slope.slope_rad, to_file(slope.left), to_file(slope.right)};
+    });
   }
   for (std::size_t i = 0; i < model::kBaselines.size(); ++i) {
     robot.baselines[i].reset();

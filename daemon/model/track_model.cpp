@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <span>
 
 #include "core/arithmetic.h"
 
@@ -30,6 +31,32 @@ SlipPair interpolated(double deg) {
   const SlipRow& high = kSlipRows[upper];
   const double share = (deg - low.slope_deg) / (high.slope_deg - low.slope_deg);
   return {std::lerp(low.left, high.left, share), std::lerp(low.right, high.right, share), false};
+}
+
+/// The robot's own slope_slips, at least one.
+SlopeSlip own_slope_slip(const TrackParameters& parameters, double slope_rad) {
+  const std::span rows = std::span(parameters.slope_slips).first(parameters.slopes);
+  const bool one_sided = rows.front().slope_rad * rows.back().slope_rad > 0.0;
+  const bool other_side = one_sided && slope_rad * rows.front().slope_rad < 0.0;
+  const double slope = other_side ? -slope_rad : slope_rad;
+  const SlopeSlip level{};
+  const SlopeSlip *below = nullptr, *above = nullptr;
+  const auto take = [&](const SlopeSlip& row) {
+    if (row.slope_rad <= slope && (below == nullptr || row.slope_rad > below->slope_rad))
+      below = &row;
+    if (row.slope_rad >= slope && (above == nullptr || row.slope_rad < above->slope_rad))
+      above = &row;
+  };
+  take(level);
+  for (const SlopeSlip& row : rows) take(row);
+  if (below == nullptr && above == nullptr) return level;
+  if (below == nullptr) below = above;
+  if (above == nullptr) above = below;
+  const double share =
+      above == below ? 0.0 : (slope - below->slope_rad) / (above->slope_rad - below->slope_rad);
+  const double sign = other_side ? -1.0 : 1.0;
+  return {slope_rad, sign * std::lerp(below->left, above->left, share),
+          sign * std::lerp(below->right, above->right, share)};
 }
 
 }  // namespace
@@ -77,13 +104,19 @@ SlipPair slip_at_slope(double slope_rad, SlipCurve curve) {
   return slip;
 }
 
+SlopeSlip slope_slip(const TrackParameters& parameters, double slope_rad) {
+  if (parameters.slopes > 0) return own_slope_slip(parameters, slope_rad);
+  const SlipPair level = slip_at_slope(0.0, parameters.slip_curve);
+  const SlipPair here = slip_at_slope(slope_rad, parameters.slip_curve);
+  return {slope_rad, here.left - level.left, here.right - level.right};
+}
+
 Slip slip_on(const TrackParameters& parameters, Mode mode, const Incline& incline) {
   Slip slip{parameters.slip_left, parameters.slip_right};
   if (mode == Mode::kPaper || (incline.slope_rad == 0.0 && incline.slip_offset == 0.0)) return slip;
-  const SlipPair level = slip_at_slope(0.0, parameters.slip_curve);
-  const SlipPair here = slip_at_slope(incline.slope_rad, parameters.slip_curve);
-  return {std::min(slip.left + (here.left - level.left) + incline.slip_offset, kMaxSlip),
-          std::min(slip.right + (here.right - level.right) + incline.slip_offset, kMaxSlip)};
+  const SlopeSlip added = slope_slip(parameters, incline.slope_rad);
+  return {std::min(slip.left + added.left + incline.slip_offset, kMaxSlip),
+          std::min(slip.right + added.right + incline.slip_offset, kMaxSlip)};
 }
 
 Turn turn_of(const TrackParameters& p, Mode mode, const TurnShape& shape) {

@@ -28,11 +28,21 @@ constexpr double kWheelbaseWithin = 0.02;
 // Seeds of one calibration's drives lie this far apart, so that no two share their noise.
 constexpr std::uint64_t kSeedStride = 1'000'003;
 
-void write_drives(const std::string& folder, const std::vector<CalibrationDrive>& drives) {
+std::vector<identify::RecordedDrive> all_drives(const Calibration& calibration) {
+  std::vector<identify::RecordedDrive> drives = calibration.on_slopes;
+  for (const CalibrationDrive& drive : calibration.drives) drives.push_back(drive.drive);
+  return drives;
+}
+
+/// Sorted by their names, so that rows of the measured values belong to the files in a list of
+/// them.
+void write_drives(const std::string& folder, std::vector<identify::RecordedDrive> drives) {
   text::make_folder(folder);
-  for (const CalibrationDrive& drive : drives)
-    text::write_file(folder + "/" + drive.drive.name + "-samples.csv",
-                     identify::write_drive(drive.drive));
+  std::ranges::sort(drives, {}, &identify::RecordedDrive::name);
+  for (const identify::RecordedDrive& drive : drives)
+    text::write_file(folder + "/" + drive.name + "-samples.csv", identify::write_drive(drive));
+  const std::string measured = identify::write_measured(drives);
+  if (!measured.empty()) text::write_file(folder + "/measured.csv", measured);
 }
 
 /// Statistics of one parameter over several calibrations.
@@ -111,11 +121,11 @@ std::string calibration_json(const std::string& robot, std::uint64_t seed, const
 Calibration calibrate(const Loaded& loaded, int repeats, std::uint64_t seed) {
   Calibration calibration;
   calibration.drives = calibration_drives(loaded, repeats, seed);
-  std::vector<identify::RecordedDrive> drives;
-  for (const CalibrationDrive& d : calibration.drives) drives.push_back(d.drive);
+  calibration.on_slopes = slope_drives(loaded.robot, seed);
   calibration.found = identify::identify(
-      drives, identify::prior_of(without_model(loaded.robot),
-                                 loaded.configuration.parameters.model.turning_threshold_radps));
+      all_drives(calibration),
+      identify::prior_of(without_model(loaded.robot),
+                         loaded.configuration.parameters.model.turning_threshold_radps));
   calibration.truth = effective_motion(calibration.drives, loaded.robot.emulated);
   return calibration;
 }
@@ -161,7 +171,7 @@ int run_calibrate(const CalibrateCommand& command) {
   for (int run = 0; run < command.runs; ++run) {
     const std::uint64_t seed = command.options.seed + static_cast<std::uint64_t>(run);
     const Calibration calibration = calibrate(loaded, command.repeats, seed);
-    if (!command.out.empty()) write_drives(command.out, calibration.drives);
+    if (!command.out.empty()) write_drives(command.out, all_drives(calibration));
     all_accurate = all_accurate && calibration.accurate();
     for (std::size_t i = 0; i < kCount; ++i) {
       const model::TrackParameter parameter = kTrackParameters[i].value;

@@ -22,6 +22,7 @@ struct Calibration {
   identify::Identification found{};
   model::TrackParameters truth{};
   std::vector<CalibrationDrive> drives;
+  std::vector<identify::RecordedDrive> on_slopes;
 
   /// True if the stated accuracy was met: slip within 0.01, the wheelbases within 2 %.
   bool accurate() const;
@@ -104,6 +105,11 @@ std::span<const SlopeRow> slope_rows();
 /// Measures a drive straight up an even slope, both tracks at `track_mps`, for two seconds after
 /// half a second of running in. Pure.
 SlopeSlip measure_slope(const course::EmulatedBody& values, double slope_rad, double track_mps);
+
+/// Drives straight up and down boards of 8 to 28 deg, at the experiment's speed, for identify: both
+/// encoders, and the distance along the board and the turn as a tape and a protractor measure them.
+/// Without boards that the robot does not climb; of the body `ode` only.
+std::vector<identify::RecordedDrive> slope_drives(const course::Robot& robot, std::uint64_t seed);
 
 struct SlopeCommand {
   std::string robot;  ///< bundled name or file; empty: the reference robot

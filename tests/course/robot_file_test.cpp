@@ -84,6 +84,8 @@ TEST(RobotFile, AWrittenRobotReadsBackTheSame) {
   robot.model.slip_angle_straight_rad = 0.123 * kRadPerDeg;
   robot.baselines[model::kEqsFitted].emplace().slip_right = 0.17;
   robot.drive.invert_left_motor = true;
+  robot.model.slope_slips = {{{-0.3, -0.05, -0.06}, {28 * kRadPerDeg, 0.2, 0.21}}};
+  robot.model.slopes = 2;
   robot.emulated.imu.gyro_noise_radps_rthz = 8.7e-5;
   const std::string text = write_robot(robot, "A note.");
   const Robot again = parse_robot(text, "r.toml");
@@ -94,6 +96,10 @@ TEST(RobotFile, AWrittenRobotReadsBackTheSame) {
   EXPECT_EQ(again.baselines[model::kEqsFitted]->slip_right, 0.17);
   EXPECT_FALSE(again.baselines[model::baseline("icr")]);
   EXPECT_TRUE(again.drive.invert_left_motor);
+  ASSERT_EQ(again.model.slopes, 2u);
+  EXPECT_NEAR(again.model.slope_slips[0].slope_rad, -0.3, 1e-9);
+  EXPECT_EQ(again.model.slope_slips[1].left, 0.2);
+  EXPECT_EQ(again.model.slope_slips[1].right, 0.21);
   EXPECT_EQ(again.emulated.imu.gyro_noise_radps_rthz, 8.7e-5);
   EXPECT_EQ(write_robot(again, "A note."), text);
 }
@@ -125,6 +131,22 @@ TEST(RobotFile, AWheelbaseOnTheSpotIsOffOrPossible) {
   EXPECT_EQ(robot_error("[model]\nwheelbase_spin_m = 0\n"), "");
   EXPECT_EQ(robot_error("[model]\nwheelbase_spin_m = 0.01\n"),
             "r.toml:2:20: 'model.wheelbase_spin_m' must be 0 or at least 0.05 m");
+}
+
+TEST(RobotFile, RefusesSlopesThatAreNoTable) {
+  const auto slope = [](const char* deg) {
+    return "[[model.slope]]\nslope_deg = " + std::string(deg) +
+           "\nadded_left = 0.1\nadded_right = 0.1\n";
+  };
+  EXPECT_EQ(robot_error(slope("-8") + slope("28")), "");
+  EXPECT_THAT(robot_error(slope("0")), HasSubstr("'slope_deg' is 0"));
+  EXPECT_THAT(robot_error(slope("8") + slope("8")), HasSubstr("sort them"));
+  EXPECT_THAT(robot_error(slope("50")), HasSubstr("allowed -45 to 45"));
+  EXPECT_THAT(robot_error("[[model.slope]]\nslope_deg = 8\n"), HasSubstr("added_left"));
+  EXPECT_THAT(robot_error(slope("8") + "added_lft = 1\n"), HasSubstr("unknown key"));
+  std::string nine;
+  for (int deg = 1; deg <= 9; ++deg) nine += slope(std::to_string(deg).c_str());
+  EXPECT_THAT(robot_error(nine), HasSubstr("more than 8 slopes"));
 }
 
 TEST(RobotFile, EveryWrittenKeySaysDefaultAndRange) {

@@ -79,10 +79,14 @@ TEST(DriveFile, HandMeasurementsGoToTheirRun) {
   EXPECT_FALSE(drives[1].measured.distance_m);
   ASSERT_TRUE(drives[2].measured.turned_rad);
   EXPECT_DOUBLE_EQ(*drives[2].measured.turned_rad, -2.0 * kPi);
+  add_measured("run,distance_m,slope_deg\n1,,0\n2,0.8,-16\n", "m.csv", drives);
+  EXPECT_NEAR(drives[1].measured.slope_rad.value(), -16.0 * kRadPerDeg, 1e-12);
+  EXPECT_FALSE(drives[0].measured.slope_rad) << "level";
   std::vector<RecordedDrive> again(3);
   add_measured(write_measured(drives), "w.csv", again);
   EXPECT_EQ(again[0].measured.distance_m, drives[0].measured.distance_m);
   EXPECT_EQ(again[2].measured.turned_rad, drives[2].measured.turned_rad);
+  EXPECT_NEAR(again[1].measured.slope_rad.value(), -16.0 * kRadPerDeg, 1e-12);
   EXPECT_EQ(write_measured(std::vector<RecordedDrive>(2)), "");
   try {
     add_measured("run,left_m\n4,0\n", "m.csv", drives);
@@ -90,6 +94,8 @@ TEST(DriveFile, HandMeasurementsGoToTheirRun) {
   } catch (const SetupError& error) {
     EXPECT_STREQ(error.what(), "m.csv:2: run is 4, but there are runs 1 to 3");
   }
+  EXPECT_THROW(add_measured("run,slope_deg\n3,16\n", "m.csv", drives), SetupError)
+      << "without a distance";
 }
 
 }  // namespace

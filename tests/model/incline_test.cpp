@@ -1,6 +1,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/arithmetic.h"
 #include "model/track_model.h"
 
@@ -42,6 +44,31 @@ TEST(Incline, SlopeAndSurfaceAddTheSameToEveryRobot) {
     EXPECT_NEAR(b.left - a.left, 0.30, 1e-12);
     EXPECT_NEAR(b.right - a.right, 0.40, 1e-12);
   }
+}
+
+TEST(Incline, TheRobotsOwnSlopesReplaceTheTable) {
+  TrackParameters parameters;
+  parameters.slope_slips = {{{8 * kRadPerDeg, 0.02, 0.03}, {28 * kRadPerDeg, 0.20, 0.25}}};
+  parameters.slopes = 2;
+  const auto added = [&](double deg) { return slope_slip(parameters, deg * kRadPerDeg); };
+  EXPECT_NEAR(added(8.0).left, 0.02, 1e-12);
+  EXPECT_NEAR(added(28.0).right, 0.25, 1e-12);
+  EXPECT_NEAR(added(4.0).left, 0.01, 1e-12);
+  EXPECT_NEAR(added(18.0).right, 0.14, 1e-12);
+  EXPECT_NEAR(added(40.0).left, 0.20, 1e-12) << "held";
+  EXPECT_EQ(added(0.0).left, 0.0);
+  EXPECT_NEAR(added(-18.0).right, -0.14, 1e-12) << "nothing of downhill: as uphill, less";
+  EXPECT_EQ(added(std::nan("")).left, 0.0);
+  const Slip slip = slip_on(parameters, Mode::kExtended, inclined(8 * kRadPerDeg));
+  EXPECT_NEAR(slip.left, parameters.slip_left + 0.02, 1e-12);
+  EXPECT_NEAR(slip.right, parameters.slip_right + 0.03, 1e-12);
+
+  parameters.slope_slips = {{{-16 * kRadPerDeg, -0.04, -0.05}, {28 * kRadPerDeg, 0.20, 0.25}}};
+  EXPECT_NEAR(added(-8.0).left, -0.02, 1e-12);
+  EXPECT_NEAR(added(-28.0).right, -0.05, 1e-12);
+  EXPECT_NEAR(added(14.0).left, 0.10, 1e-12);
+  parameters.slopes = 1;
+  EXPECT_NEAR(added(16.0).right, 0.05, 1e-12) << "nothing of uphill";
 }
 
 TEST(Incline, SlipStaysBelowOneOnIce) {

@@ -6,9 +6,11 @@
 #include <utility>
 #include <vector>
 
+#include "core/arithmetic.h"
 #include "model/track_model.h"
 #include "sim/study/commands.h"
 #include "sim/study/constants_study.h"
+#include "sim/study/study.h"
 
 namespace tp100::sim {
 namespace {
@@ -31,6 +33,28 @@ TEST(Calibration, FindsWhatTheBodyReallyDid) {
   EXPECT_TRUE(calibration.found.extended.confused.empty());
   for (std::size_t i = 0; i < model::kBaselines.size(); ++i)
     EXPECT_EQ(calibration.found.baselines[i].has_value(), model::kBaselines[i].fixed == nullptr);
+}
+
+// By tape and protractor on boards, against the body's exact motion at a constant speed.
+TEST(Calibration, FindsTheSlipOnSlopes) {
+  const Loaded large = robot("large");
+  const Calibration calibration = calibrate(large, 1, 3);
+  ASSERT_EQ(calibration.found.slopes.size(), model::kMaxSlopes);
+  const SlopeSlip level = measure_slope(large.robot.emulated.body, 0.0, kSlopeTrackMps);
+  for (const model::SlopeSlip& slope : calibration.found.slopes) {
+    if (slope.slope_rad < 0.0) continue;
+    const SlopeSlip exact =
+        measure_slope(large.robot.emulated.body, slope.slope_rad, kSlopeTrackMps);
+    EXPECT_NEAR(slope.left, exact.left - level.left, 0.02) << slope.slope_rad * kDegPerRad;
+    EXPECT_NEAR(slope.right, exact.right - level.right, 0.02) << slope.slope_rad * kDegPerRad;
+  }
+}
+
+TEST(Calibration, ASlopeThatIsTooSteepIsLeftOut) {
+  const Calibration calibration = calibrate(robot("slippery"), 1, 3);
+  ASSERT_FALSE(calibration.found.slopes.empty());
+  EXPECT_LT(calibration.found.slopes.back().slope_rad, 20 * kRadPerDeg);
+  EXPECT_GT(calibration.found.slopes.back().left, 0.1);
 }
 
 /// A drive that follows the extended model exactly: each pair of ground speeds for some seconds.
@@ -80,8 +104,7 @@ TEST(EffectiveMotion, FindsTheParametersThatAMotionFollows) {
   const double counts = robot.encoder.counts_per_metre;
   const CalibrationDrive straight = follow(truth, counts, {{0.1, 0.1}});
   const CalibrationDrive left =
-      follow(truth, counts,
-             {{0.08, 0.1}, {0.05, 0.1}, {0.03, 0.1}, {0.01, 0.1}, {-0.1, 0.1}});
+      follow(truth, counts, {{0.08, 0.1}, {0.05, 0.1}, {0.03, 0.1}, {0.01, 0.1}, {-0.1, 0.1}});
   const CalibrationDrive right =
       follow(truth, counts, {{0.1, -0.1}, {0.1, 0.02}, {0.1, 0.04}, {0.1, 0.065}});
   const CalibrationDrive wide = follow(truth, counts, std::vector(8, std::pair{0.085, 0.1}));
