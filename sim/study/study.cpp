@@ -87,7 +87,7 @@ constexpr std::array kLimits = {
 };
 // On a floor sampled by each seed, fitted constants are wrong by the variation of slip and tension,
 // with or without the extension.
-constexpr FormLimits kUneven = {0.03, 0.08};
+constexpr FormLimits kUneven = {0.03, 0.085};
 constexpr double kUnevenTracking = 1.35;  // times the limit on an even floor
 constexpr double kUnevenOdometryDegPerMin = 3.0;
 // With real obstacles: tracks slip on them, which encoders do not show, and eqs 1-5 do not model
