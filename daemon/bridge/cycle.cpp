@@ -45,8 +45,8 @@ link::SessionSettings session_settings(const bridge::Parameters& parameters,
     return static_cast<float>(turn_of(tracks, model::Mode::kExtended, shape).wheelbase_m);
   };
   out.counts_per_metre = static_cast<float>(drive.counts_per_metre);
-  // Of the firmware's three values, the first is the one of medium arcs: wider turns count for
-  // less.
+  // The firmware has three wheelbases. In turns wider than medium arcs it uses the first one: its
+  // allowance for slip by distance exceeds the difference there.
   out.wheelbase_m = wheelbase_of({.medium = 1.0});
   out.wheelbase_tight_m = wheelbase_of({.medium = 1.0, .arc = 1.0});
   out.wheelbase_spin_m = wheelbase_of({.medium = 1.0, .arc = 1.0, .spin = 1.0});

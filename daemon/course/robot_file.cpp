@@ -91,7 +91,7 @@ std::span<const text::Key<DriveValues>> drive_keys() {
   return kKeys;
 }
 
-constexpr text::Range kSlopeDeg{-45, 45}, kAddedSlip{-0.5, 0.9};
+constexpr text::Range kSlopeDeg{-model::kSteepestDeg, model::kSteepestDeg}, kAddedSlip{-0.5, 0.9};
 
 constexpr const char* kSlopesNote =
     "Slip that slopes add to that of level ground. Linear in between, held beyond the steepest "
@@ -100,7 +100,7 @@ constexpr const char* kSlopesNote =
 
 std::string slope_sections(const model::TrackParameters& model) {
   std::string text;
-  for (const model::SlopeSlip& row : std::span(model.slope_slips).first(model.slopes))
+  for (const model::AddedSlip& row : std::span(model.added_slips).first(model.slopes))
     text += (text.empty() ? "\n" + text::toml_comment(kSlopesNote) : "\n") + "[[model.slope]]\n" +
             "slope_deg = " + text::toml_number(row.slope_rad * kDegPerRad) +
             "\nadded_left = " + text::toml_number(row.left) +
@@ -120,7 +120,7 @@ void read_slopes(text::TomlTable& table, model::TrackParameters& model) {
     if (slope_deg <= last_deg)
       row.fail("slope_deg", "'slope_deg' is not above that of the slope before; sort them");
     last_deg = slope_deg;
-    model.slope_slips[model.slopes++] = {slope_deg * kRadPerDeg,
+    model.added_slips[model.slopes++] = {slope_deg * kRadPerDeg,
                                          row.required_number("added_left", kAddedSlip),
                                          row.required_number("added_right", kAddedSlip)};
   }
@@ -201,12 +201,10 @@ Robot parse_robot(const std::string& text, const std::string& file) {
     body.fail("shoe_width_m", "'emulated.body.shoe_width_m' must be below 'emulated.body.gauge_m'");
   if (std::abs(robot.shape.com_forward_m) >= robot.shape.axle_spacing_m / 2.0)
     shape.fail("com_forward_m", "'shape.com_forward_m' must lie between the axles");
-  if (robot.model.wheelbase_spin_m != 0.0 && robot.model.wheelbase_spin_m < 0.05)
-    model.fail("wheelbase_spin_m", "'model.wheelbase_spin_m' must be 0 or at least 0.05 m");
-  if (robot.model.wheelbase_medium_m != 0.0 && robot.model.wheelbase_medium_m < 0.05)
-    model.fail("wheelbase_medium_m", "'model.wheelbase_medium_m' must be 0 or at least 0.05 m");
-  if (robot.model.wheelbase_tight_m != 0.0 && robot.model.wheelbase_tight_m < 0.05)
-    model.fail("wheelbase_tight_m", "'model.wheelbase_tight_m' must be 0 or at least 0.05 m");
+  for (const model::ParameterRow& row : model::kTrackParameters)
+    if (row.relative_to != nullptr && robot.model.*row.value != 0.0 &&
+        robot.model.*row.value < 0.05)
+      model.fail(row.key, "'model." + std::string(row.key) + "' must be 0 or at least 0.05 m");
   return robot;
 }
 

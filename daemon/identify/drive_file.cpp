@@ -7,6 +7,7 @@
 
 #include "core/arithmetic.h"
 #include "core/error.h"
+#include "model/track_parameters.h"
 #include "text/csv_reader.h"
 #include "text/format.h"
 #include "text/toml_document.h"
@@ -24,7 +25,6 @@ constexpr std::array<std::string_view, 3> kCameraColumns = {"camera_x_m", "camer
 constexpr double kMaxCounts = 9e15;
 constexpr double kMaxMetres = 1e4;
 constexpr double kMaxRadps = 1e3;
-constexpr double kMaxSlopeDeg = 45.0;
 constexpr double kMaxRad = 1e6;
 // Unix time in seconds, even in milliseconds, is fine.
 constexpr double kMaxSeconds = 1e13;
@@ -166,7 +166,7 @@ void add_measured(std::string_view text, const std::string& file,
     take("ahead_m", kMaxMetres, 1.0, measured.ahead_m);
     take("left_m", kMaxMetres, 1.0, measured.left_m);
     take("turned_deg", kMaxRad, kRadPerDeg, measured.turned_rad);
-    take("slope_deg", kMaxSlopeDeg, kRadPerDeg, measured.slope_rad);
+    take("slope_deg", model::kSteepestDeg, kRadPerDeg, measured.slope_rad);
     if (measured.distance_m && *measured.distance_m < 0.0) row.fail("distance_m is below 0");
     if (measured.slope_rad == 0.0) measured.slope_rad.reset();
     if (measured.slope_rad && !measured.distance_m)

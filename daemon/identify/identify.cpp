@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <utility>
 
 #include "core/arithmetic.h"
 #include "core/error.h"
@@ -89,7 +88,7 @@ constexpr double kLeastOnSlopeM = 0.1;
 constexpr double kMostTurnedOnSlopeRad = 0.35;
 
 /// What the slope of this run adds to the slip ratios of the level.
-model::SlopeSlip slope_slip_of(const RecordedDrive& drive, const Prior& level) {
+model::AddedSlip added_slip_of(const RecordedDrive& drive, const Prior& level) {
   const DriveMotion motion(drive, level.counts_per_metre);
   const double distance_m = drive.measured.distance_m.value_or(0.0);
   if (distance_m < kLeastOnSlopeM || motion.left_m() <= 0.0 || motion.right_m() <= 0.0)
@@ -110,19 +109,21 @@ model::SlopeSlip slope_slip_of(const RecordedDrive& drive, const Prior& level) {
           (right_m - (distance_m + half_m)) / motion.right_m()};
 }
 
-std::vector<model::SlopeSlip> slope_slips_of(std::vector<RecordedDrive> drives,
+/// Of the drives on slopes, ascending; of several on one slope the mean.
+std::vector<model::AddedSlip> added_slips_of(const std::vector<RecordedDrive>& drives,
                                              const Prior& level) {
-  std::ranges::stable_sort(drives, {}, [](const auto& drive) { return *drive.measured.slope_rad; });
-  std::vector<model::SlopeSlip> slopes;
+  std::vector<model::AddedSlip> all, slopes;
+  for (const RecordedDrive& drive : drives)
+    if (drive.measured.slope_rad) all.push_back(added_slip_of(drive, level));
+  std::ranges::stable_sort(all, {}, &model::AddedSlip::slope_rad);
   double runs = 0.0;
-  for (const RecordedDrive& drive : drives) {
-    const model::SlopeSlip one = slope_slip_of(drive, level);
+  for (const model::AddedSlip& one : all) {
     if (slopes.empty() || one.slope_rad - slopes.back().slope_rad > kSameSlopeRad) {
       slopes.push_back(one);
       runs = 1.0;
       continue;
     }
-    model::SlopeSlip& mean = slopes.back();
+    model::AddedSlip& mean = slopes.back();
     runs += 1.0;
     mean.left += (one.left - mean.left) / runs;
     mean.right += (one.right - mean.right) / runs;
@@ -177,13 +178,8 @@ Identification identify(const std::vector<RecordedDrive>& drives, const Prior& b
                         const IdentifySettings& settings) {
   if (drives.empty()) throw SetupError("identify: no runs; give at least one recording");
   std::vector<FittedRun> runs;
-  std::vector<RecordedDrive> on_slopes;
-  for (const RecordedDrive& drive : drives) {
-    if (drive.measured.slope_rad)
-      on_slopes.push_back(drive);
-    else
-      runs.push_back(fitted_run(drive, base));
-  }
+  for (const RecordedDrive& drive : drives)
+    if (!drive.measured.slope_rad) runs.push_back(fitted_run(drive, base));
   if (runs.empty())
     throw SetupError("identify: only runs on slopes; give runs on level ground, too");
 
@@ -196,9 +192,9 @@ Identification identify(const std::vector<RecordedDrive>& drives, const Prior& b
   found.prior = base;
   for (const model::ParameterRow& row : kTrackParameters)
     found.prior.tracks.*row.value = found.extended[row.value].value;
-  found.slopes = slope_slips_of(std::move(on_slopes), found.prior);
+  found.slopes = added_slips_of(drives, found.prior);
   if (!found.slopes.empty()) {
-    std::ranges::copy(found.slopes, found.prior.tracks.slope_slips.begin());
+    std::ranges::copy(found.slopes, found.prior.tracks.added_slips.begin());
     found.prior.tracks.slopes = found.slopes.size();
   }
   return found;

@@ -33,7 +33,7 @@ struct Identification {
   Fit extended{};  ///< eqs 1-5 with turning centre and tight turns (model/track_model.h)
   Fit before{};    ///< the same form with the assumed values: what the drives say of these
   /// By the drives on slopes, ascending; of several on one slope the mean. `prior` has them, too.
-  std::vector<model::SlopeSlip> slopes{};
+  std::vector<model::AddedSlip> slopes{};
   /// The simpler forms, from the same drives; nothing of a form that the drives do not determine,
   /// or of which nothing is to be fitted.
   model::PerBaseline<std::optional<Fit>> baselines{};

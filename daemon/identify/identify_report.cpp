@@ -70,9 +70,9 @@ double rounded(const ParameterEstimate& estimate, double si) {
   return to_file(estimate.value / si) * si;
 }
 
-std::string slope_lines(const std::vector<model::SlopeSlip>& slopes) {
+std::string slope_lines(const std::vector<model::AddedSlip>& slopes) {
   std::string text;
-  for (const model::SlopeSlip& slope : slopes)
+  for (const model::AddedSlip& slope : slopes)
     text += format("  %-18s %5.1f deg %+9.4f, %+9.4f\n", text.empty() ? "slip added on" : "",
                    slope.slope_rad * kDegPerRad, slope.left, slope.right);
   return text;
@@ -157,7 +157,7 @@ std::string identify_json(const Identification& found, const course::Robot& base
   }
   json.end_array();
   json.key("slopes").begin_array();
-  for (const model::SlopeSlip& slope : found.slopes)
+  for (const model::AddedSlip& slope : found.slopes)
     json.begin_object()
         .field("slope_deg", slope.slope_rad * kDegPerRad)
         .field("added_left", to_file(slope.left))
@@ -190,8 +190,8 @@ course::Robot identified_robot(const Identification& found, const course::Robot&
   }
   if (!found.slopes.empty()) {
     robot.model.slopes = found.slopes.size();
-    std::ranges::transform(found.slopes, robot.model.slope_slips.begin(), [](const auto& slope) {
-      return model::SlopeSlip{slope.slope_rad, to_file(slope.left), to_file(slope.right)};
+    std::ranges::transform(found.slopes, robot.model.added_slips.begin(), [](const auto& slope) {
+      return model::AddedSlip{slope.slope_rad, to_file(slope.left), to_file(slope.right)};
     });
   }
   for (std::size_t i = 0; i < model::kBaselines.size(); ++i) {

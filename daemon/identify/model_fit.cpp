@@ -267,9 +267,11 @@ bool ModelFit::improve(double& damping, double& moved) {
       for (std::size_t j = 0; j < FittedRun::kOwn; ++j)
         runs_[r].own[j] = own[r][j] + own_step[static_cast<Eigen::Index>(j)];
     }
-    const bool possible =
-        values_.tracks.wheelbase_m > 0.01 && values_.tracks.wheelbase_medium_m >= 0.0 &&
-        values_.tracks.wheelbase_tight_m >= 0.0 && values_.tracks.wheelbase_spin_m >= 0.0;
+    const auto possible_wheelbase = [&](const model::ParameterRow& row) {
+      return row.relative_to == nullptr || values_.tracks.*row.value >= 0.0;
+    };
+    const bool possible = values_.tracks.wheelbase_m > 0.01 &&
+                          std::ranges::all_of(kTrackParameters, possible_wheelbase);
     if (possible && cost() <= before) {
       damping = std::max(damping / 10.0, 1e-9);
       return true;

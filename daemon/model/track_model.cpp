@@ -33,22 +33,22 @@ SlipPair interpolated(double deg) {
   return {std::lerp(low.left, high.left, share), std::lerp(low.right, high.right, share), false};
 }
 
-/// The robot's own slope_slips, at least one.
-SlopeSlip own_slope_slip(const TrackParameters& parameters, double slope_rad) {
-  const std::span rows = std::span(parameters.slope_slips).first(parameters.slopes);
+/// The robot's own added_slips, at least one.
+AddedSlip own_added_slip(const TrackParameters& parameters, double slope_rad) {
+  const std::span rows = std::span(parameters.added_slips).first(parameters.slopes);
   const bool one_sided = rows.front().slope_rad * rows.back().slope_rad > 0.0;
   const bool other_side = one_sided && slope_rad * rows.front().slope_rad < 0.0;
   const double slope = other_side ? -slope_rad : slope_rad;
-  const SlopeSlip level{};
-  const SlopeSlip *below = nullptr, *above = nullptr;
-  const auto take = [&](const SlopeSlip& row) {
+  const AddedSlip level{};
+  const AddedSlip *below = nullptr, *above = nullptr;
+  const auto take = [&](const AddedSlip& row) {
     if (row.slope_rad <= slope && (below == nullptr || row.slope_rad > below->slope_rad))
       below = &row;
     if (row.slope_rad >= slope && (above == nullptr || row.slope_rad < above->slope_rad))
       above = &row;
   };
   take(level);
-  for (const SlopeSlip& row : rows) take(row);
+  for (const AddedSlip& row : rows) take(row);
   if (below == nullptr && above == nullptr) return level;
   if (below == nullptr) below = above;
   if (above == nullptr) above = below;
@@ -104,8 +104,8 @@ SlipPair slip_at_slope(double slope_rad, SlipCurve curve) {
   return slip;
 }
 
-SlopeSlip slope_slip(const TrackParameters& parameters, double slope_rad) {
-  if (parameters.slopes > 0) return own_slope_slip(parameters, slope_rad);
+AddedSlip added_slip(const TrackParameters& parameters, double slope_rad) {
+  if (parameters.slopes > 0) return own_added_slip(parameters, slope_rad);
   const SlipPair level = slip_at_slope(0.0, parameters.slip_curve);
   const SlipPair here = slip_at_slope(slope_rad, parameters.slip_curve);
   return {slope_rad, here.left - level.left, here.right - level.right};
@@ -114,7 +114,7 @@ SlopeSlip slope_slip(const TrackParameters& parameters, double slope_rad) {
 Slip slip_on(const TrackParameters& parameters, Mode mode, const Incline& incline) {
   Slip slip{parameters.slip_left, parameters.slip_right};
   if (mode == Mode::kPaper || (incline.slope_rad == 0.0 && incline.slip_offset == 0.0)) return slip;
-  const SlopeSlip added = slope_slip(parameters, incline.slope_rad);
+  const AddedSlip added = added_slip(parameters, incline.slope_rad);
   return {std::min(slip.left + added.left + incline.slip_offset, kMaxSlip),
           std::min(slip.right + added.right + incline.slip_offset, kMaxSlip)};
 }

@@ -131,11 +131,11 @@ Turn turn_of(const TrackParameters& parameters, Mode mode, const TurnShape& shap
 /// one. Pure.
 double slip_angle_rad(const TrackParameters& parameters, const Turn& turn, double yaw_rate_radps);
 
-/// What a slope adds to the slip ratios of level ground. With slope_slips: linear between them and
+/// What a slope adds to the slip ratios of level ground. With added_slips: linear between them and
 /// the level, held beyond the steepest, and downhill the negative of uphill if all of them are
 /// uphill, or the other way round. Without: the paper's table relative to its level value. NaN: 0.
 /// Pure.
-SlopeSlip slope_slip(const TrackParameters& parameters, double slope_rad);
+AddedSlip added_slip(const TrackParameters& parameters, double slope_rad);
 
 /// Slip ratios on an incline: those of the parameters in `kPaper`; else shifted by surface and
 /// slope, so that the parameters stay those of the flat floor.

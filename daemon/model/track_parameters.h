@@ -31,12 +31,13 @@ inline constexpr std::array<EnumName<SlipCurve>, 4> kSlipCurveNames = {{
 }};
 
 /// What a slope adds to the slip ratios of level ground.
-struct SlopeSlip {
+struct AddedSlip {
   double slope_rad = 0.0;  ///< climb angle, nose-up positive
   double left = 0.0, right = 0.0;
 };
-/// Slopes on which a robot's slip can be given.
+/// Slopes on which a robot's slip can be given, and the steepest one.
 inline constexpr std::size_t kMaxSlopes = 8;
+inline constexpr double kSteepestDeg = 45.0;
 
 /// Parameters of eqs 1-5 and ours, and the scale of the gyro that measures the same motion. The
 /// defaults are the paper's (tarpaulin; wheelbase as printed), with ours switched off.
@@ -60,12 +61,12 @@ struct TrackParameters {
 
   /// The robot's own slip on slopes, ascending, none of them level; `slopes` of them are given.
   /// With none, slip_curve applies.
-  std::array<SlopeSlip, kMaxSlopes> slope_slips{};
+  std::array<AddedSlip, kMaxSlopes> added_slips{};
   std::size_t slopes = 0;
 
   // Not of the robot: the configuration sets these.
   double turning_threshold_radps = 0.05;  ///< |yaw rate of eq 5| above it takes the turning angle
-  SlipCurve slip_curve = SlipCurve::kTableDownhill;  ///< extended only, without slope_slips
+  SlipCurve slip_curve = SlipCurve::kTableDownhill;  ///< extended only, without added_slips
 };
 
 /// A parameter as a member of TrackParameters.

@@ -151,16 +151,13 @@ bool Calibration::accurate() const {
     const identify::ParameterEstimate& estimate = found.extended[parameter];
     return estimate.found && std::abs(estimate.value - truth.*parameter) <= most;
   };
-  const auto share = [this](model::TrackParameter parameter) {
-    return kWheelbaseWithin * truth.*parameter;
+  // wheelbase_m is relative to itself, the other wheelbases are relative to it.
+  const auto wheelbase_within = [&](const model::ParameterRow& row) {
+    return row.relative_to == nullptr || within(row.value, kWheelbaseWithin * truth.*row.value);
   };
   return within(&TrackParameters::slip_left, kSlipWithin) &&
          within(&TrackParameters::slip_right, kSlipWithin) &&
-         within(&TrackParameters::wheelbase_m, share(&TrackParameters::wheelbase_m)) &&
-         within(&TrackParameters::wheelbase_medium_m,
-                share(&TrackParameters::wheelbase_medium_m)) &&
-         within(&TrackParameters::wheelbase_tight_m, share(&TrackParameters::wheelbase_tight_m)) &&
-         within(&TrackParameters::wheelbase_spin_m, share(&TrackParameters::wheelbase_spin_m));
+         std::ranges::all_of(kTrackParameters, wheelbase_within);
 }
 
 int run_calibrate(const CalibrateCommand& command) {

@@ -71,16 +71,14 @@ void write_wheelbase(report::HtmlPage& page, const Reproduction& what) {
     add("L of the emulated body, " + turn.name + " [m]", turn.wheelbase_m,
         format("its exact motion, tracks at %.2f and %.2f m/s", turn.left_mps, turn.right_mps));
   if (eqs) add("L of eqs 1-5, fitted [m]", eqs->wheelbase_m, "calibration drives");
-  add("L of the extended model, wide turns [m]", found.wheelbase_m, "calibration drives");
-  add("... medium arcs [m]",
-      found.wheelbase_medium_m > 0.0 ? found.wheelbase_medium_m : found.wheelbase_m,
-      "calibration drives");
-  add("... tight arcs [m]",
-      found.wheelbase_tight_m > 0.0 ? found.wheelbase_tight_m : found.wheelbase_m,
-      "calibration drives");
-  add("... on the spot [m]",
-      found.wheelbase_spin_m > 0.0 ? found.wheelbase_spin_m : found.wheelbase_m,
-      "calibration drives");
+  const auto of_turns = [&](const std::string& turns, const model::TurnShape& shape) {
+    add(turns + " [m]", turn_of(found, model::Mode::kExtended, shape).wheelbase_m,
+        "calibration drives");
+  };
+  of_turns("L of the extended model, wide turns", {});
+  of_turns("... medium arcs", {.medium = 1.0});
+  of_turns("... tight arcs", {.medium = 1.0, .arc = 1.0});
+  of_turns("... on the spot", {.medium = 1.0, .arc = 1.0, .spin = 1.0});
   page.table(rows,
              "Eq 7, L = 2 ((b/2 - gamma dy)^2 + (a/2 - dx)^2) / (b/2 - gamma dy), and the "
              "wheelbase with which the emulated body turns. Its load distribution was chosen so "

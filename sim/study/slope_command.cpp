@@ -46,16 +46,21 @@ course::Terrain slope_of(double slope_rad, double length_m) {
   return terrain;
 }
 
-/// Of the whole robot, nose first, on a board of this slope; nothing if it does not get anywhere.
+/// On a ramp, `along_m` from its foot; its nose points up, or down if the slope is negative.
+Pose standing(double slope_rad, double along_m) {
+  const double steep_rad = std::abs(slope_rad);
+  return {.x_m = along_m * std::cos(steep_rad),
+          .z_m = along_m * std::sin(steep_rad),
+          .pitch_rad = -slope_rad,
+          .yaw_rad = slope_rad < 0.0 ? kPi : 0.0};
+}
+
+/// A run straight up a board, or down if the slope is negative, with what a person measures of it;
+/// nothing if the robot slips by more than three quarters or does not stay on the board.
 std::optional<identify::RecordedDrive> on_board(const course::Emulated& robot, double slope_rad) {
-  const double size_m = 2.0 * robot.body.length_m, steep_rad = std::abs(slope_rad);
-  const double middle_m = size_m + kSlopeTrackMps * kOnBoardS;
-  OdeBody body(robot.body,
-               {.x_m = middle_m * std::cos(steep_rad),
-                .z_m = middle_m * std::sin(steep_rad),
-                .pitch_rad = -slope_rad,
-                .yaw_rad = slope_rad > 0.0 ? 0.0 : kPi},
-               false, slope_of(steep_rad, 2.0 * middle_m));
+  const double middle_m = 2.0 * robot.body.length_m + kSlopeTrackMps * kOnBoardS;
+  OdeBody body(robot.body, standing(slope_rad, middle_m), false,
+               slope_of(std::abs(slope_rad), 2.0 * middle_m));
   identify::RecordedDrive drive;
   double track_m = 0.0;
   const auto steps = static_cast<int>(std::lround((2.0 * kHeldS + kOnBoardS) / kPhysicsStepS));
@@ -164,11 +169,7 @@ SlopeSlip measure_slope(const course::EmulatedBody& values, double slope_rad, do
   const double start_m = 2.0 * values.length_m;
   const double distance_m = std::abs(track_mps) * (kRunInS + kMeasureS);
   const course::Terrain terrain = slope_of(slope_rad, 2.0 * start_m + 4.0 * distance_m);
-  OdeBody body(values,
-               {.x_m = start_m * std::cos(slope_rad),
-                .z_m = start_m * std::sin(slope_rad),
-                .pitch_rad = -slope_rad},
-               false, terrain);
+  OdeBody body(values, standing(slope_rad, start_m), false, terrain);
   const MeanMotion motion = mean_motion(body, {track_mps, track_mps}, kRunInS, kMeasureS);
   const double half_mps = motion.yaw_rate_radps * values.gauge_m / 2.0;
   SlopeSlip slip{slope_rad, 1.0 - (motion.forward_mps - half_mps) / track_mps,

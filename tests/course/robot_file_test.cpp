@@ -84,7 +84,7 @@ TEST(RobotFile, AWrittenRobotReadsBackTheSame) {
   robot.model.slip_angle_straight_rad = 0.123 * kRadPerDeg;
   robot.baselines[model::kEqsFitted].emplace().slip_right = 0.17;
   robot.drive.invert_left_motor = true;
-  robot.model.slope_slips = {{{-0.3, -0.05, -0.06}, {28 * kRadPerDeg, 0.2, 0.21}}};
+  robot.model.added_slips = {{{-0.3, -0.05, -0.06}, {28 * kRadPerDeg, 0.2, 0.21}}};
   robot.model.slopes = 2;
   robot.emulated.imu.gyro_noise_radps_rthz = 8.7e-5;
   const std::string text = write_robot(robot, "A note.");
@@ -97,9 +97,9 @@ TEST(RobotFile, AWrittenRobotReadsBackTheSame) {
   EXPECT_FALSE(again.baselines[model::baseline("icr")]);
   EXPECT_TRUE(again.drive.invert_left_motor);
   ASSERT_EQ(again.model.slopes, 2u);
-  EXPECT_NEAR(again.model.slope_slips[0].slope_rad, -0.3, 1e-9);
-  EXPECT_EQ(again.model.slope_slips[1].left, 0.2);
-  EXPECT_EQ(again.model.slope_slips[1].right, 0.21);
+  EXPECT_NEAR(again.model.added_slips[0].slope_rad, -0.3, 1e-9);
+  EXPECT_EQ(again.model.added_slips[1].left, 0.2);
+  EXPECT_EQ(again.model.added_slips[1].right, 0.21);
   EXPECT_EQ(again.emulated.imu.gyro_noise_radps_rthz, 8.7e-5);
   EXPECT_EQ(write_robot(again, "A note."), text);
 }

@@ -286,7 +286,7 @@ TEST(Identify, RunsOnSlopesShowWhatTheseAddToTheSlip) {
   course::Robot base;
   const course::Robot robot = identified_robot(found, base, "");
   EXPECT_EQ(robot.model.slopes, 2u);
-  EXPECT_NEAR(robot.model.slope_slips[1].right, 0.20, 0.003);
+  EXPECT_NEAR(robot.model.added_slips[1].right, 0.20, 0.003);
   EXPECT_THAT(identify_report(found, base), HasSubstr("28.0 deg"));
   const auto json = nlohmann::json::parse(identify_json(found, base, robot));
   EXPECT_NEAR(json["slopes"][0]["slope_deg"], -16.0, 1e-9);

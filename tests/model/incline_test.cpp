@@ -48,9 +48,9 @@ TEST(Incline, SlopeAndSurfaceAddTheSameToEveryRobot) {
 
 TEST(Incline, TheRobotsOwnSlopesReplaceTheTable) {
   TrackParameters parameters;
-  parameters.slope_slips = {{{8 * kRadPerDeg, 0.02, 0.03}, {28 * kRadPerDeg, 0.20, 0.25}}};
+  parameters.added_slips = {{{8 * kRadPerDeg, 0.02, 0.03}, {28 * kRadPerDeg, 0.20, 0.25}}};
   parameters.slopes = 2;
-  const auto added = [&](double deg) { return slope_slip(parameters, deg * kRadPerDeg); };
+  const auto added = [&](double deg) { return added_slip(parameters, deg * kRadPerDeg); };
   EXPECT_NEAR(added(8.0).left, 0.02, 1e-12);
   EXPECT_NEAR(added(28.0).right, 0.25, 1e-12);
   EXPECT_NEAR(added(4.0).left, 0.01, 1e-12);
@@ -63,7 +63,7 @@ TEST(Incline, TheRobotsOwnSlopesReplaceTheTable) {
   EXPECT_NEAR(slip.left, parameters.slip_left + 0.02, 1e-12);
   EXPECT_NEAR(slip.right, parameters.slip_right + 0.03, 1e-12);
 
-  parameters.slope_slips = {{{-16 * kRadPerDeg, -0.04, -0.05}, {28 * kRadPerDeg, 0.20, 0.25}}};
+  parameters.added_slips = {{{-16 * kRadPerDeg, -0.04, -0.05}, {28 * kRadPerDeg, 0.20, 0.25}}};
   EXPECT_NEAR(added(-8.0).left, -0.02, 1e-12);
   EXPECT_NEAR(added(-28.0).right, -0.05, 1e-12);
   EXPECT_NEAR(added(14.0).left, 0.10, 1e-12);

@@ -41,7 +41,7 @@ TEST(Calibration, FindsTheSlipOnSlopes) {
   const Calibration calibration = calibrate(large, 1, 3);
   ASSERT_EQ(calibration.found.slopes.size(), model::kMaxSlopes);
   const SlopeSlip level = measure_slope(large.robot.emulated.body, 0.0, kSlopeTrackMps);
-  for (const model::SlopeSlip& slope : calibration.found.slopes) {
+  for (const model::AddedSlip& slope : calibration.found.slopes) {
     if (slope.slope_rad < 0.0) continue;
     const SlopeSlip exact =
         measure_slope(large.robot.emulated.body, slope.slope_rad, kSlopeTrackMps);
