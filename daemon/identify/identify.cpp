@@ -87,24 +87,29 @@ constexpr double kSameSlopeRad = 0.5 * kRadPerDeg;
 constexpr double kLeastOnSlopeM = 0.1;
 constexpr double kMostTurnedOnSlopeRad = 0.35;
 
-/// What the slope of this run adds to the slip ratios of the level.
-model::AddedSlip added_slip_of(const RecordedDrive& drive, const Prior& level) {
-  const DriveMotion motion(drive, level.counts_per_metre);
-  const double distance_m = drive.measured.distance_m.value_or(0.0);
-  if (distance_m < kLeastOnSlopeM || motion.left_m() <= 0.0 || motion.right_m() <= 0.0)
+void require_straight_run(const RecordedDrive& drive, const Prior& base) {
+  const DriveMotion motion(drive, base.counts_per_metre);
+  if (drive.measured.distance_m.value_or(0.0) < kLeastOnSlopeM || motion.left_m() <= 0.0 ||
+      motion.right_m() <= 0.0)
     throw SetupError(drive.name +
                      ": on a slope a run must go forward by 0.1 m at least, nose first; leave it "
                      "out or correct distance_m");
-  const double turned_rad = drive.measured.turned_rad.value_or(0.0);
-  if (std::abs(turned_rad) > kMostTurnedOnSlopeRad)
+  if (std::abs(drive.measured.turned_rad.value_or(0.0)) > kMostTurnedOnSlopeRad)
     throw SetupError(drive.name +
                      ": turned by more than 20 deg; on a slope only straight runs "
                      "count, leave it out");
+}
+
+/// What the slope of this straight run adds to the slip ratios of the level.
+model::AddedSlip added_slip_of(const RecordedDrive& drive, const Prior& level) {
+  const DriveMotion motion(drive, level.counts_per_metre);
   const model::TrackParameters& tracks = level.tracks;
+  const double distance_m = *drive.measured.distance_m;
   const double left_m = motion.left_m() * (1.0 - tracks.slip_left);
   const double right_m = motion.right_m() * (1.0 - tracks.slip_right);
-  const double half_m =
-      drive.measured.turned_rad ? turned_rad * tracks.wheelbase_m / 2.0 : (right_m - left_m) / 2.0;
+  const double half_m = drive.measured.turned_rad
+                            ? *drive.measured.turned_rad * tracks.wheelbase_m / 2.0
+                            : (right_m - left_m) / 2.0;
   return {*drive.measured.slope_rad, (left_m - (distance_m - half_m)) / motion.left_m(),
           (right_m - (distance_m + half_m)) / motion.right_m()};
 }
@@ -178,8 +183,12 @@ Identification identify(const std::vector<RecordedDrive>& drives, const Prior& b
                         const IdentifySettings& settings) {
   if (drives.empty()) throw SetupError("identify: no runs; give at least one recording");
   std::vector<FittedRun> runs;
-  for (const RecordedDrive& drive : drives)
-    if (!drive.measured.slope_rad) runs.push_back(fitted_run(drive, base));
+  for (const RecordedDrive& drive : drives) {
+    if (drive.measured.slope_rad)
+      require_straight_run(drive, base);
+    else
+      runs.push_back(fitted_run(drive, base));
+  }
   if (runs.empty())
     throw SetupError("identify: only runs on slopes; give runs on level ground, too");
 

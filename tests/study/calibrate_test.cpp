@@ -24,7 +24,9 @@ Loaded robot(const std::string& name) {
 // The short form of `tp100-sim calibrate --runs 50`, with a robot that turns about a point ahead of
 // it. The intervals are 95 % intervals for a given noise.
 TEST(Calibration, FindsWhatTheBodyReallyDid) {
-  const Calibration calibration = calibrate(robot("front-heavy"), 1, 7);
+  const Loaded front_heavy = robot("front-heavy");
+  const course::EmulatedBody& body = front_heavy.robot.emulated.body;
+  const Calibration calibration = calibrate(front_heavy, 1, 7);
   EXPECT_TRUE(calibration.accurate());
   std::size_t held = 0;
   for (const model::ParameterRow& row : model::kTrackParameters)
@@ -33,28 +35,23 @@ TEST(Calibration, FindsWhatTheBodyReallyDid) {
   EXPECT_TRUE(calibration.found.extended.confused.empty());
   for (std::size_t i = 0; i < model::kBaselines.size(); ++i)
     EXPECT_EQ(calibration.found.baselines[i].has_value(), model::kBaselines[i].fixed == nullptr);
-}
 
-// By tape and protractor on boards, against the body's exact motion at a constant speed.
-TEST(Calibration, FindsTheSlipOnSlopes) {
-  const Loaded large = robot("large");
-  const Calibration calibration = calibrate(large, 1, 3);
+  // The slip on slopes, by tape and protractor on boards: against the body's exact motion.
   ASSERT_EQ(calibration.found.slopes.size(), model::kMaxSlopes);
-  const SlopeSlip level = measure_slope(large.robot.emulated.body, 0.0, kSlopeTrackMps);
+  const SlopeSlip level = measure_slope(body, 0.0, kSlopeTrackMps);
   for (const model::AddedSlip& slope : calibration.found.slopes) {
     if (slope.slope_rad < 0.0) continue;
-    const SlopeSlip exact =
-        measure_slope(large.robot.emulated.body, slope.slope_rad, kSlopeTrackMps);
+    const SlopeSlip exact = measure_slope(body, slope.slope_rad, kSlopeTrackMps);
     EXPECT_NEAR(slope.left, exact.left - level.left, 0.02) << slope.slope_rad * kDegPerRad;
     EXPECT_NEAR(slope.right, exact.right - level.right, 0.02) << slope.slope_rad * kDegPerRad;
   }
 }
 
-TEST(Calibration, ASlopeThatIsTooSteepIsLeftOut) {
-  const Calibration calibration = calibrate(robot("slippery"), 1, 3);
-  ASSERT_FALSE(calibration.found.slopes.empty());
-  EXPECT_LT(calibration.found.slopes.back().slope_rad, 20 * kRadPerDeg);
-  EXPECT_GT(calibration.found.slopes.back().left, 0.1);
+TEST(SlopeDrives, ASlopeThatIsTooSteepIsLeftOut) {
+  const std::vector<identify::RecordedDrive> drives = slope_drives(robot("slippery").robot, 3);
+  ASSERT_FALSE(drives.empty());
+  for (const identify::RecordedDrive& drive : drives)
+    EXPECT_LT(*drive.measured.slope_rad, 20.0 * kRadPerDeg);
 }
 
 /// A drive that follows the extended model exactly: each pair of ground speeds for some seconds.
@@ -125,7 +122,7 @@ TEST(EffectiveMotion, FindsTheParametersThatAMotionFollows) {
 
 // Tracks that are evenly loaded turn on the spot with another wheelbase, and a turn costs no
 // distance on the ODE body.
-TEST(Calibration, TheCriterionTellsConstantsThatPayFromOthers) {
+TEST(NightlyConstants, TheCriterionTellsThoseThatPayFromOthers) {
   const std::vector<CourseStudy> studies = study_constants({"uniform"}, "ode", 5);
   ASSERT_EQ(studies.size(), 2u) << "the robot, and the largest of all robots";
   const auto of = [&](const std::string& what) {
