@@ -1,6 +1,6 @@
 // Result of an identification: every parameter and the errors before and after, and the new robot file to save.
 import { degrees, fixed } from '../state/format.ts';
-import { decimals, fileName, type Errors, type FoundParameter, type Identified } from '../state/identify.ts';
+import { decimals, fileName, type Errors, type FoundParameter, type Identified, type SlopeSlip } from '../state/identify.ts';
 import { nameOf, type SetupList } from '../state/setup.ts';
 import { h, setText } from './dom.ts';
 import { reason, type Call } from '../state/service.ts';
@@ -43,6 +43,7 @@ export class FoundRobot {
     this.element.replaceChildren(
       h('h3', {}, `Robot ${found.robot}: ${changed.length} of ${found.parameters.length} parameters change`),
       h('table', {}, h('thead', {}, h('tr', {}, ...head)), h('tbody', {}, ...found.parameters.map(row))),
+      ...found.slopes.map((slope) => h('p', { class: 'identify-slope' }, added(slope))),
       h('p', { class: 'identify-errors' }, errors('Errors with the file in use', found.errors_before)),
       h('p', { class: 'identify-errors' }, errors('Errors with the new file', found.errors_after)),
       h('ul', { class: 'identify-warnings' }, ...found.warnings.map((line) => h('li', {}, line))),
@@ -112,6 +113,10 @@ function row({ name, before, found, value, half_interval }: FoundParameter): HTM
     h('td', {}, changes ? h('ins', {}, fixed(value, digits)) : fixed(value, digits)),
     h('td', {}, `\u00b1 ${fixed(half_interval, digits)}`),
   );
+}
+
+function added({ slope_deg, added_left, added_right }: SlopeSlip): string {
+  return `A slope of ${fixed(slope_deg, 1)}\u00b0 adds ${fixed(added_left, 3)} to the slip ratio of the left track and ${fixed(added_right, 3)} to that of the right one.`;
 }
 
 /** Errors against the camera, or those of the worst drive against the measurements by hand. */

@@ -165,7 +165,11 @@ export class IdentifyPanel {
       });
       return h('label', {}, `${label} `, element);
     };
-    const fields = [input('distance_m', 'distance [m]'), input('turned_deg', 'turned, left positive [deg]')];
+    const fields = [
+      input('distance_m', 'distance [m]'),
+      input('turned_deg', 'turned, left positive [deg]'),
+      input('slope_deg', 'straight up a slope of [deg]'),
+    ];
     return h('li', { 'data-run': run.run }, h('label', {}, box, ` ${run.run}`), h('span', { class: 'identify-measured' }, 'by hand: ', ...fields));
   }
 

@@ -6,11 +6,14 @@ import type { CourseEntry, SetupList } from './setup.ts';
 /** Tag of a run that is a calibration drive. Its name is that of the course, another tag that of the robot. */
 const kTag = 'identify';
 
-/** Measured at the end of a drive: straight distance from its start, and angle including whole turns, left positive. */
-export interface Measured {
-  distance_m?: number;
-  turned_deg?: number;
-}
+/**
+ * What a person can measure of a drive: the straight distance from its start to its end, the angle it turned by, including
+ * whole turns, left positive, and the slope of the board that it went straight up (negative: down). Columns of
+ * `tp100d identify --measured`.
+ */
+const kMeasured = ['distance_m', 'turned_deg', 'slope_deg'] as const;
+
+export type Measured = Partial<Record<(typeof kMeasured)[number], number>>;
 
 export interface ErrorsOfRun {
   name: string;
@@ -42,9 +45,17 @@ export interface FoundParameter {
   half_interval?: number;
 }
 
+/** What a slope adds to the slip ratios of level ground. */
+export interface SlopeSlip {
+  slope_deg: number;
+  added_left: number;
+  added_right: number;
+}
+
 export interface Found {
   robot: string;
   parameters: FoundParameter[];
+  slopes: SlopeSlip[];
   errors_before: Errors;
   errors_after: Errors;
   condition: number;
@@ -83,26 +94,26 @@ export function drivesOf(runs: readonly RunEntry[], course: string, robot: strin
 }
 
 /** The measurements as the note of a run holds them. */
-export function noteOf({ distance_m, turned_deg }: Measured): string {
-  return [...(distance_m === undefined ? [] : [`distance_m = ${distance_m}`]), ...(turned_deg === undefined ? [] : [`turned_deg = ${turned_deg}`])].join('\n');
+export function noteOf(measured: Measured): string {
+  return kMeasured.flatMap((name) => (measured[name] === undefined ? [] : [`${name} = ${measured[name]}`])).join('\n');
 }
 
 export function measuredIn(note: string): Measured {
-  const number = (name: string): number | undefined => {
+  const measured: Measured = {};
+  for (const name of kMeasured) {
     const text = new RegExp(`^${name} = (\\S+)$`, 'm').exec(note)?.[1];
-    return text === undefined || !Number.isFinite(Number(text)) ? undefined : Number(text);
-  };
-  const [distance_m, turned_deg] = [number('distance_m'), number('turned_deg')];
-  return { ...(distance_m === undefined ? {} : { distance_m }), ...(turned_deg === undefined ? {} : { turned_deg }) };
+    if (text !== undefined && Number.isFinite(Number(text))) measured[name] = Number(text);
+  }
+  return measured;
 }
 
 /** The runs' measurements in this order, in the format of `tp100d identify --measured`; empty if there are none. */
 export function measuredTable(drives: readonly RunEntry[]): string {
   const rows = drives.flatMap(({ note }, i) => {
-    const { distance_m, turned_deg } = measuredIn(note);
-    return distance_m === undefined && turned_deg === undefined ? [] : [`${i + 1},${distance_m ?? ''},${turned_deg ?? ''}\n`];
+    const measured = measuredIn(note);
+    return Object.keys(measured).length === 0 ? [] : [`${i + 1},${kMeasured.map((name) => measured[name] ?? '').join(',')}\n`];
   });
-  return rows.length === 0 ? '' : `run,distance_m,turned_deg\n${rows.join('')}`;
+  return rows.length === 0 ? '' : `run,${kMeasured.join(',')}\n${rows.join('')}`;
 }
 
 /** Number of decimals that are meaningful with this interval, at most those of the file. */

@@ -122,6 +122,15 @@ describe.each(kScreens)('the identification at $width x $height', (size) => {
     expect(await page.isVisible('#stop')).toBe(true);
     await picture(page, `identify-${size.width}`);
 
+    // One of the drives was straight up a board.
+    await write(page, 'ahead', 'slope_deg', '10');
+    await page.click('#identify-evaluate');
+    await message(page, /2 drives are evaluated/);
+    await until(async () => /^A slope of 10.0° adds 0\.\d+ to/.test((await page.textContent('.identify-slope')) ?? ''), 'what the slope adds');
+    await write(page, 'ahead', 'slope_deg', '');
+    await page.click('#identify-evaluate');
+    await until(async () => (await page.locator('.identify-slope').count()) === 0 && (await page.isVisible('.identify-found')), 'level ground again');
+
     await page.fill('#identify-name', 'end-loaded');
     expect(await page.isDisabled('#identify-save')).toBe(true);
     await page.fill('#identify-name', 'mine');

@@ -23,14 +23,14 @@ describe('the drives of an identification', () => {
   });
 
   it('keep what was measured by hand in their notes', () => {
-    for (const measured of [{}, { distance_m: 1.5 }, { turned_deg: -360.5 }, { distance_m: 0, turned_deg: 0 }]) expect(measuredIn(noteOf(measured))).toEqual(measured);
+    for (const measured of [{}, { distance_m: 1.5 }, { turned_deg: -360.5 }, { distance_m: 0, turned_deg: 0 }, { distance_m: 0.5, slope_deg: -16 }]) expect(measuredIn(noteOf(measured))).toEqual(measured);
     expect(measuredIn('a wet floor\ndistance_m = 1.25\n')).toEqual({ distance_m: 1.25 });
     expect(measuredIn('distance_m = much')).toEqual({});
   });
 
   it('are a table of measurements by their number', () => {
-    const drives = [entry('1', { note: 'distance_m = 1.5' }), entry('2'), entry('3', { note: noteOf({ distance_m: 0.5, turned_deg: 90 }) })];
-    expect(measuredTable(drives)).toBe('run,distance_m,turned_deg\n1,1.5,\n3,0.5,90\n');
+    const drives = [entry('1', { note: 'distance_m = 1.5' }), entry('2'), entry('3', { note: noteOf({ distance_m: 0.5, turned_deg: 90, slope_deg: 20 }) })];
+    expect(measuredTable(drives)).toBe('run,distance_m,turned_deg,slope_deg\n1,1.5,,\n3,0.5,90,20\n');
     expect(measuredTable([entry('1')])).toBe('');
   });
 
