@@ -1,6 +1,3 @@
-// Tests identify on drives of a simulated robot. Eqs 1-5 are integrated here in small steps,
-// without the closed form or any code of the model under test; noise, outliers and delay are added.
-
 #include "identify/identify.h"
 
 #include <gmock/gmock.h>
@@ -8,12 +5,12 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <random>
 
 #include "core/arithmetic.h"
 #include "core/error.h"
 #include "identify/drive_motion.h"
 #include "identify/identify_report.h"
+#include "simulated_drives.h"
 
 namespace tp100::identify {
 namespace {
@@ -21,105 +18,6 @@ namespace {
 using model::TrackParameters;
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-struct Truth {
-  double slip_left = 0.13, slip_right = 0.17, wheelbase_m = 0.23, x_icr_m = 0.012;
-  double gyro_scale = 1.02, slip_angle_rad = 0.02, late_s = 0.0;
-  double noise_m = 0.0015, noise_rad = 0.4 * kRadPerDeg, outliers = 0.0;
-  double counts_per_metre = 20000.0;
-};
-
-/// A drive that consists of standstill, constant track speeds and standstill again.
-RecordedDrive drive(const Truth& truth, const std::string& name, double left_mps, double right_mps,
-                    double duration_s, unsigned seed) {
-  constexpr double kStandstillS = 1.0, kStepS = 5e-4;
-  constexpr int kStepsPerSample = 20, kStepsPerImage = 60;
-  // Half-way between two samples, so that the sum of the rates is the angle.
-  constexpr double kBeginsS = kStandstillS + kStepS * kStepsPerSample / 2;
-  std::mt19937 random(seed);
-  std::normal_distribution<double> normal;
-  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-  const double bias = 0.02 * normal(random);
-  RecordedDrive drive;
-  drive.name = name;
-  double x = 0.3 * uniform(random), y = 0.3 * uniform(random), yaw = 3.0 * uniform(random);
-  double left_m = 0.0, right_m = 0.0;
-  const auto steps = static_cast<int>((2.0 * kStandstillS + duration_s) / kStepS);
-  for (int i = 0; i < steps; ++i) {
-    const double t = i * kStepS;
-    const bool moves = t >= kBeginsS && t < kBeginsS + duration_s;
-    const double left = moves ? left_mps : 0.0, right = moves ? right_mps : 0.0;
-    const double l = left * (1.0 - truth.slip_left), r = right * (1.0 - truth.slip_right);
-    const double rate = (r - l) / truth.wheelbase_m, vx = (l + r) / 2.0;
-    const double vy = vx * std::tan(truth.slip_angle_rad) - truth.x_icr_m * rate;
-    if (i % kStepsPerSample == 0)
-      drive.samples.push_back({t, std::lround(left_m * truth.counts_per_metre),
-                               std::lround(right_m * truth.counts_per_metre),
-                               rate / truth.gyro_scale + bias + 7e-4 * normal(random)});
-    if (i % kStepsPerImage == 0) {
-      SeenPose seen{t + truth.late_s, x + truth.noise_m * normal(random),
-                    y + truth.noise_m * normal(random),
-                    wrap_angle(yaw + truth.noise_rad * normal(random))};
-      if (std::abs(uniform(random)) < truth.outliers) {
-        seen.x_m += 0.3 * uniform(random);
-        seen.yaw_rad = kPi * uniform(random);
-      }
-      drive.camera.push_back(seen);
-    }
-    const double middle = yaw + rate * kStepS / 2.0;
-    x += (vx * std::cos(middle) - vy * std::sin(middle)) * kStepS;
-    y += (vx * std::sin(middle) + vy * std::cos(middle)) * kStepS;
-    yaw += rate * kStepS;
-    left_m += left * kStepS;
-    right_m += right * kStepS;
-  }
-  return drive;
-}
-
-std::vector<RecordedDrive> all_kinds(const Truth& truth, unsigned seed = 1) {
-  std::vector<RecordedDrive> drives;
-  for (int repeat = 0; repeat < 2; ++repeat) {
-    drives.push_back(drive(truth, "straight", 0.117, 0.123, 12.0, ++seed));
-    drives.push_back(drive(truth, "arc left", 0.09, 0.15, 10.0, ++seed));
-    drives.push_back(drive(truth, "arc right", 0.15, 0.09, 10.0, ++seed));
-    drives.push_back(drive(truth, "tight left", 0.06, 0.15, 8.0, ++seed));
-    drives.push_back(drive(truth, "tight right", 0.15, 0.06, 8.0, ++seed));
-    drives.push_back(drive(truth, "spin left", -0.1, 0.1, 8.0, ++seed));
-    drives.push_back(drive(truth, "spin right", 0.1, -0.1, 8.0, ++seed));
-    drives.push_back(drive(truth, "wide left", 0.123, 0.15, 12.0, ++seed));
-    drives.push_back(drive(truth, "wide right", 0.15, 0.123, 12.0, ++seed));
-  }
-  return drives;
-}
-
-Prior unknown() { return {.counts_per_metre = Truth{}.counts_per_metre}; }
-
-void expect_found(const Fit& fit, model::TrackParameter parameter, double truth, double within) {
-  SCOPED_TRACE(model::kTrackParameters[model::row_of(parameter)].key);
-  EXPECT_TRUE(fit[parameter].found);
-  EXPECT_NEAR(fit[parameter].value, truth, within);
-  EXPECT_NEAR(fit[parameter].value, truth, 1.5 * fit[parameter].half_interval);
-}
-
-void expect_all_found(const Identification& found, const Truth& truth) {
-  const Fit& fit = found.extended;
-  expect_found(fit, &TrackParameters::slip_left, truth.slip_left, 0.003);
-  expect_found(fit, &TrackParameters::slip_right, truth.slip_right, 0.003);
-  expect_found(fit, &TrackParameters::wheelbase_m, truth.wheelbase_m, 0.01 * truth.wheelbase_m);
-  expect_found(fit, &TrackParameters::wheelbase_medium_m, truth.wheelbase_m,
-               0.01 * truth.wheelbase_m);
-  expect_found(fit, &TrackParameters::wheelbase_tight_m, truth.wheelbase_m,
-               0.01 * truth.wheelbase_m);
-  expect_found(fit, &TrackParameters::wheelbase_spin_m, truth.wheelbase_m,
-               0.01 * truth.wheelbase_m);
-  expect_found(fit, &TrackParameters::x_icr_m, truth.x_icr_m, 0.002);
-  expect_found(fit, &TrackParameters::gyro_scale, truth.gyro_scale, 0.004);
-  expect_found(fit, &TrackParameters::slip_angle_straight_rad, truth.slip_angle_rad,
-               0.3 * kRadPerDeg);
-  expect_found(fit, &TrackParameters::slip_angle_turning_rad, truth.slip_angle_rad,
-               0.3 * kRadPerDeg);
-  EXPECT_TRUE(fit.confused.empty());
-}
 
 TEST(Identify, FindsARobotOfWhichNothingIsKnown) {
   const Truth truth;
@@ -229,8 +127,6 @@ TEST(Identify, TapeAndProtractorAreEnough) {
   std::vector<RecordedDrive> drives = all_kinds(truth);
   for (RecordedDrive& d : drives) {
     // The measured values come from the first and the last camera pose of the drive.
-    Truth exact = truth;
-    exact.noise_m = exact.noise_rad = 0.0;
     const SeenPose a = d.camera.front(), b = d.camera.back();
     const double dx = b.x_m - a.x_m, dy = b.y_m - a.y_m;
     d.measured.ahead_m = std::cos(a.yaw_rad) * dx + std::sin(a.yaw_rad) * dy;
@@ -252,87 +148,12 @@ TEST(Identify, TapeAndProtractorAreEnough) {
   expect_found(fit, &TrackParameters::gyro_scale, truth.gyro_scale, 0.01);
 }
 
-/// Straight up a board, on which both tracks slip more.
-RecordedDrive on_board(const Truth& truth, double slope_deg, double added_left,
-                       double added_right) {
-  Truth slipping = truth;
-  slipping.slip_left += added_left;
-  slipping.slip_right += added_right;
-  RecordedDrive board = drive(slipping, "board", 0.1, 0.1, 8.0, 3);
-  const double left_m = 0.8 * (1.0 - slipping.slip_left),
-               right_m = 0.8 * (1.0 - slipping.slip_right);
-  const double turned_rad = (right_m - left_m) / truth.wheelbase_m;
-  board.measured = {.distance_m = (left_m + right_m) / 2.0,
-                    .turned_rad = turned_rad,
-                    .slope_rad = slope_deg * kRadPerDeg};
-  return board;
-}
-
-TEST(Identify, RunsOnSlopesShowWhatTheseAddToTheSlip) {
-  const Truth truth;
-  std::vector<RecordedDrive> drives = all_kinds(truth);
-  drives.insert(drives.begin(), on_board(truth, 28.0, 0.21, 0.19));
-  drives.push_back(on_board(truth, 28.2, 0.23, 0.21));
-  drives.push_back(on_board(truth, -16.0, -0.05, -0.05));
-  const Identification found = identify(drives, unknown());
-  expect_all_found(found, truth);
-  ASSERT_EQ(found.slopes.size(), 2u);
-  EXPECT_NEAR(found.slopes[0].slope_rad, -16.0 * kRadPerDeg, 1e-12);
-  EXPECT_NEAR(found.slopes[0].left, -0.05, 0.003);
-  EXPECT_NEAR(found.slopes[1].left, 0.22, 0.003) << "mean of both runs";
-  EXPECT_NEAR(found.slopes[1].right, 0.20, 0.003);
-  EXPECT_EQ(found.prior.tracks.slopes, 2u);
-
-  course::Robot base;
-  const course::Robot robot = identified_robot(found, base, "");
-  EXPECT_EQ(robot.model.slopes, 2u);
-  EXPECT_NEAR(robot.model.added_slips[1].right, 0.20, 0.003);
-  EXPECT_THAT(identify_report(found, base), HasSubstr("28.0 deg"));
-  const auto json = nlohmann::json::parse(identify_json(found, base, robot));
-  EXPECT_NEAR(json["slopes"][0]["slope_deg"], -16.0, 1e-9);
-  EXPECT_NEAR(json["slopes"][0]["added_left"], -0.05, 0.003);
-
-  // Without runs on slopes what is known of them stays.
-  const Identification level =
-      identify(all_kinds(truth), {.tracks = robot.model, .counts_per_metre = 20000.0});
-  EXPECT_EQ(identified_robot(level, robot, "").model.slopes, 2u);
-}
-
-TEST(Identify, WithoutAMeasuredTurnBothTracksSlipAlikeOnASlope) {
-  const Truth truth;
-  std::vector<RecordedDrive> drives = all_kinds(truth);
-  drives.push_back(on_board(truth, 20.0, 0.1, 0.1));
-  drives.back().measured.turned_rad.reset();
-  const Identification found = identify(drives, unknown());
-  ASSERT_EQ(found.slopes.size(), 1u);
-  EXPECT_NEAR(found.slopes[0].left, 0.1, 0.003);
-  EXPECT_NEAR(found.slopes[0].right, 0.1, 0.003);
-}
-
-TEST(Identify, RefusesRunsOnSlopesThatSayNothing) {
-  const Truth truth;
-  const auto told = [&](std::vector<RecordedDrive> drives) -> std::string {
-    try {
-      identify(drives, unknown());
-    } catch (const SetupError& error) {
-      return error.what();
-    }
-    return {};
-  };
-  EXPECT_THAT(told({on_board(truth, 20.0, 0.1, 0.1)}), HasSubstr("runs on level ground"));
-  std::vector<RecordedDrive> drives = all_kinds(truth);
-  drives.push_back(on_board(truth, 20.0, 0.1, 0.1));
-  drives.back().measured.turned_rad = 0.5;
-  EXPECT_THAT(told(drives), HasSubstr("board: turned by more than 20 deg"));
-  drives.back().measured = {.distance_m = 0.02, .slope_rad = 0.3};
-  EXPECT_THAT(told(drives), HasSubstr("board: on a slope a run must go forward"));
-}
-
 TEST(Identify, SaysWhatStraightRunsDoNotShow) {
   const Truth truth;
   const Prior before = unknown();
-  const Identification found = identify(
-      {drive(truth, "a", 0.117, 0.123, 12.0, 1), drive(truth, "b", 0.117, 0.123, 12.0, 2)}, before);
+  const Identification found = identify({simulated_drive(truth, "a", 0.117, 0.123, 12.0, 1),
+                                         simulated_drive(truth, "b", 0.117, 0.123, 12.0, 2)},
+                                        before);
   EXPECT_FALSE(found.extended[&TrackParameters::x_icr_m].found);
   EXPECT_FALSE(found.extended[&TrackParameters::wheelbase_spin_m].found);
   EXPECT_EQ(found.prior.tracks.wheelbase_spin_m, before.tracks.wheelbase_spin_m);
@@ -346,7 +167,7 @@ TEST(Identify, IsReportedAsJsonToo) {
   base.name = "mine";
   base.drive.counts_per_metre = truth.counts_per_metre;
   const Identification found =
-      identify({drive(truth, "a", 0.117, 0.123, 12.0, 1)}, prior_of(base, 0.1));
+      identify({simulated_drive(truth, "a", 0.117, 0.123, 12.0, 1)}, prior_of(base, 0.1));
   const course::Robot robot = identified_robot(found, base, "2026-01-02");
   const auto json = nlohmann::json::parse(identify_json(found, base, robot));
   EXPECT_EQ(json["robot"], "mine");
@@ -372,18 +193,18 @@ TEST(Identify, IsReportedAsJsonToo) {
 
 TEST(Identify, NamesThePairThatTurnsToOneSideMix) {
   const Truth truth;
-  const Fit fit =
-      identify({drive(truth, "a", 0.09, 0.15, 10.0, 1), drive(truth, "b", 0.09, 0.15, 10.0, 2),
-                drive(truth, "c", 0.09, 0.15, 10.0, 3)},
-               unknown())
-          .extended;
+  const Fit fit = identify({simulated_drive(truth, "a", 0.09, 0.15, 10.0, 1),
+                            simulated_drive(truth, "b", 0.09, 0.15, 10.0, 2),
+                            simulated_drive(truth, "c", 0.09, 0.15, 10.0, 3)},
+                           unknown())
+                      .extended;
   EXPECT_FALSE(fit.confused.empty());
   // The condition is below 10 with drives of all kinds.
   EXPECT_GT(fit.condition, 20.0);
 }
 
 TEST(Identify, RefusesARunWithoutAnythingToCompare) {
-  RecordedDrive blind = drive(Truth{}, "blind", 0.1, 0.1, 2.0, 1);
+  RecordedDrive blind = simulated_drive(Truth{}, "blind", 0.1, 0.1, 2.0, 1);
   blind.camera.clear();
   try {
     identify({blind}, unknown());
@@ -391,7 +212,8 @@ TEST(Identify, RefusesARunWithoutAnythingToCompare) {
   } catch (const SetupError& error) {
     EXPECT_THAT(error.what(), HasSubstr("blind: neither camera poses nor hand measurements"));
   }
-  EXPECT_THROW(identify({drive(Truth{}, "still", 0.0, 0.0, 2.0, 1)}, unknown()), SetupError);
+  EXPECT_THROW(identify({simulated_drive(Truth{}, "still", 0.0, 0.0, 2.0, 1)}, unknown()),
+               SetupError);
   EXPECT_THROW(identify({}, unknown()), SetupError);
 }
 
