@@ -1,6 +1,6 @@
 // Result of an identification: every parameter and the errors before and after, and the new robot file to save.
 import { degrees, fixed } from '../state/format.ts';
-import { decimals, fileName, type Errors, type FoundParameter, type Identified, type SlopeSlip } from '../state/identify.ts';
+import { decimals, fileName, type Errors, type FoundParameter, type Identified, type AddedSlip } from '../state/identify.ts';
 import { nameOf, type SetupList } from '../state/setup.ts';
 import { h, setText } from './dom.ts';
 import { reason, type Call } from '../state/service.ts';
@@ -115,7 +115,7 @@ function row({ name, before, found, value, half_interval }: FoundParameter): HTM
   );
 }
 
-function added({ slope_deg, added_left, added_right }: SlopeSlip): string {
+function added({ slope_deg, added_left, added_right }: AddedSlip): string {
   return `A slope of ${fixed(slope_deg, 1)}\u00b0 adds ${fixed(added_left, 3)} to the slip ratio of the left track and ${fixed(added_right, 3)} to that of the right one.`;
 }
 

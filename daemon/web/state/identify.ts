@@ -46,7 +46,7 @@ export interface FoundParameter {
 }
 
 /** What a slope adds to the slip ratios of level ground. */
-export interface SlopeSlip {
+export interface AddedSlip {
   slope_deg: number;
   added_left: number;
   added_right: number;
@@ -55,7 +55,7 @@ export interface SlopeSlip {
 export interface Found {
   robot: string;
   parameters: FoundParameter[];
-  slopes: SlopeSlip[];
+  slopes: AddedSlip[];
   errors_before: Errors;
   errors_after: Errors;
   condition: number;
