@@ -91,7 +91,8 @@ std::span<const text::Key<DriveValues>> drive_keys() {
   return kKeys;
 }
 
-constexpr text::Range kSlopeDeg{-model::kSteepestDeg, model::kSteepestDeg}, kAddedSlip{-0.5, 0.9};
+constexpr text::Range kSlopeDeg{-model::kSteepestDeg, model::kSteepestDeg},
+    kAddedSlip{model::kLeastAddedSlip, model::kMostAddedSlip};
 
 constexpr const char* kSlopesNote =
     "Slip that slopes add to that of level ground. Linear in between, held beyond the steepest "

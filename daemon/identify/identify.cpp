@@ -7,6 +7,7 @@
 
 #include "core/arithmetic.h"
 #include "core/error.h"
+#include "text/format.h"
 
 namespace tp100::identify {
 namespace {
@@ -100,6 +101,29 @@ void require_straight_run(const RecordedDrive& drive, const Prior& base) {
                      "count, leave it out");
 }
 
+/// Slopes of the drives, ascending, each from the first of those that are alike.
+std::vector<double> slopes_of(const std::vector<RecordedDrive>& drives) {
+  std::vector<double> all, slopes;
+  for (const RecordedDrive& drive : drives)
+    if (drive.measured.slope_rad) all.push_back(*drive.measured.slope_rad);
+  std::ranges::sort(all);
+  for (const double slope_rad : all)
+    if (slopes.empty() || slope_rad - slopes.back() > kSameSlopeRad) slopes.push_back(slope_rad);
+  if (slopes.size() > model::kMaxSlopes)
+    throw SetupError("identify: runs on more than " + std::to_string(model::kMaxSlopes) +
+                     " slopes; leave out some");
+  return slopes;
+}
+
+double possible_slip(const RecordedDrive& drive, const char* track, double added) {
+  if (!(added >= model::kLeastAddedSlip && added <= model::kMostAddedSlip))
+    throw SetupError(text::format(
+        "%s: its slope would add %.2f to the slip of the %s track, outside %.1f to %.1f; correct "
+        "distance_m or turned_deg, or leave the run out",
+        drive.name.c_str(), added, track, model::kLeastAddedSlip, model::kMostAddedSlip));
+  return added;
+}
+
 /// What the slope of this straight run adds to the slip ratios of the level.
 model::AddedSlip added_slip_of(const RecordedDrive& drive, const Prior& level) {
   const DriveMotion motion(drive, level.counts_per_metre);
@@ -110,33 +134,31 @@ model::AddedSlip added_slip_of(const RecordedDrive& drive, const Prior& level) {
   const double half_m = drive.measured.turned_rad
                             ? *drive.measured.turned_rad * tracks.wheelbase_m / 2.0
                             : (right_m - left_m) / 2.0;
-  return {*drive.measured.slope_rad, (left_m - (distance_m - half_m)) / motion.left_m(),
-          (right_m - (distance_m + half_m)) / motion.right_m()};
+  return {*drive.measured.slope_rad,
+          possible_slip(drive, "left", (left_m - (distance_m - half_m)) / motion.left_m()),
+          possible_slip(drive, "right", (right_m - (distance_m + half_m)) / motion.right_m())};
 }
 
-/// Of the drives on slopes, ascending; of several on one slope the mean.
+/// Of the drives on these slopes; of several on one slope the mean.
 std::vector<model::AddedSlip> added_slips_of(const std::vector<RecordedDrive>& drives,
+                                             const std::vector<double>& slopes,
                                              const Prior& level) {
-  std::vector<model::AddedSlip> all, slopes;
-  for (const RecordedDrive& drive : drives)
-    if (drive.measured.slope_rad) all.push_back(added_slip_of(drive, level));
-  std::ranges::stable_sort(all, {}, &model::AddedSlip::slope_rad);
-  double runs = 0.0;
-  for (const model::AddedSlip& one : all) {
-    if (slopes.empty() || one.slope_rad - slopes.back().slope_rad > kSameSlopeRad) {
-      slopes.push_back(one);
-      runs = 1.0;
-      continue;
+  std::vector<model::AddedSlip> means;
+  for (const double slope_rad : slopes) {
+    model::AddedSlip sum{.slope_rad = slope_rad};
+    double runs = 0.0;
+    for (const RecordedDrive& drive : drives) {
+      if (!drive.measured.slope_rad) continue;
+      const double above_rad = *drive.measured.slope_rad - slope_rad;
+      if (above_rad < 0.0 || above_rad > kSameSlopeRad) continue;
+      const model::AddedSlip one = added_slip_of(drive, level);
+      sum.left += one.left;
+      sum.right += one.right;
+      runs += 1.0;
     }
-    model::AddedSlip& mean = slopes.back();
-    runs += 1.0;
-    mean.left += (one.left - mean.left) / runs;
-    mean.right += (one.right - mean.right) / runs;
+    means.push_back({slope_rad, sum.left / runs, sum.right / runs});
   }
-  if (slopes.size() > model::kMaxSlopes)
-    throw SetupError("identify: runs on more than " + std::to_string(model::kMaxSlopes) +
-                     " slopes; leave out some");
-  return slopes;
+  return means;
 }
 
 }  // namespace
@@ -191,6 +213,7 @@ Identification identify(const std::vector<RecordedDrive>& drives, const Prior& b
   }
   if (runs.empty())
     throw SetupError("identify: only runs on slopes; give runs on level ground, too");
+  const std::vector<double> slopes = slopes_of(drives);
 
   Identification found;
   found.extended = fit_of_form(runs, base, model::kExtendedForm, settings);
@@ -201,7 +224,7 @@ Identification identify(const std::vector<RecordedDrive>& drives, const Prior& b
   found.prior = base;
   for (const model::ParameterRow& row : kTrackParameters)
     found.prior.tracks.*row.value = found.extended[row.value].value;
-  found.slopes = added_slips_of(drives, found.prior);
+  found.slopes = added_slips_of(drives, slopes, found.prior);
   if (!found.slopes.empty()) {
     std::ranges::copy(found.slopes, found.prior.tracks.added_slips.begin());
     found.prior.tracks.slopes = found.slopes.size();

@@ -35,9 +35,10 @@ struct AddedSlip {
   double slope_rad = 0.0;  ///< climb angle, nose-up positive
   double left = 0.0, right = 0.0;
 };
-/// Slopes on which a robot's slip can be given, and the steepest one.
+/// Slopes on which a robot's slip can be given, the steepest one, and what it may add.
 inline constexpr std::size_t kMaxSlopes = 8;
 inline constexpr double kSteepestDeg = 45.0;
+inline constexpr double kLeastAddedSlip = -0.5, kMostAddedSlip = 0.9;
 
 /// Parameters of eqs 1-5 and ours, and the scale of the gyro that measures the same motion. The
 /// defaults are the paper's (tarpaulin; wheelbase as printed), with ours switched off.

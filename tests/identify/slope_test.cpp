@@ -88,6 +88,16 @@ TEST(IdentifySlopes, RefusesRunsOnSlopesThatSayNothing) {
   EXPECT_THAT(told(drives), HasSubstr("board: turned by more than 20 deg"));
   drives.back().measured = {.distance_m = 0.02, .slope_rad = 0.3};
   EXPECT_THAT(told(drives), HasSubstr("board: on a slope a run must go forward"));
+  drives.back() = on_board(truth, 20.0, 0.1, 0.1);
+  drives.back().measured.distance_m = 3.0 * *drives.back().measured.distance_m;
+  EXPECT_THAT(told(drives), HasSubstr("board: its slope would add -"));
+  const double turned_rad = 0.33, half_m = turned_rad * truth.wheelbase_m / 2.0;
+  drives.back().measured.turned_rad = turned_rad;
+  drives.back().measured.distance_m = 0.8 * (1.0 - truth.slip_right + 0.52) - half_m;
+  EXPECT_THAT(told(drives), HasSubstr("to the slip of the right track, outside -0.5 to 0.9"));
+  drives.pop_back();
+  for (int i = 0; i < 9; ++i) drives.push_back(on_board(truth, 3.0 * (i + 1), 0.1, 0.1));
+  EXPECT_THAT(told(drives), HasSubstr("runs on more than 8 slopes"));
 }
 
 }  // namespace
