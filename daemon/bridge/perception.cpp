@@ -58,6 +58,7 @@ Perception::Perception(const Parameters& parameters, const course::Course* cours
       obstacle_class_(parameters.shape.axle_spacing_m),
       terrain_contacts_(parameters, course),
       track_model_(make_model(parameters)),
+      model_covariance_(parameters.model, filter_noise(parameters)),
       odometry_(parameters.model, filter_noise(parameters)),
       filter_(parameters.model, filter_noise(parameters), parameters.estimation.camera,
               camera_place(parameters, course)) {}
@@ -65,12 +66,14 @@ Perception::Perception(const Parameters& parameters, const course::Course* cours
 void Perception::restart() {
   intervals_.restart();
   standstill_.restart();
+  model_covariance_.interrupt();
   odometry_.interrupt();
   filter_.interrupt();
 }
 
 void Perception::begin(const Pose& start, HostNs now) {
   track_model_.reset(start);
+  model_covariance_.begin();
   odometry_.begin(start);
   filter_.begin(start, now);
   terrain_contacts_.restart();
@@ -87,6 +90,7 @@ void Perception::carry(CarriedState& state) const {
   state.has_sample = has_sample_;
   state.continues = intervals_.has_last();
   state.model = track_model_.pose();
+  state.model_covariance = model_covariance_.carried();
   state.odometry = odometry_.carried();
   const Transform2d& transform = terrain_contacts_.transform();
   state.virtual_x_m = transform.x_m;
@@ -103,6 +107,7 @@ void Perception::level(const std::optional<Pose>& at, HostNs now, CarriedState& 
   state.model.z_m = state.model.roll_rad = state.model.pitch_rad = 0.0;
   if (!at) return;
   state.model = {.x_m = at->x_m, .y_m = at->y_m, .yaw_rad = at->yaw_rad};
+  state.model_covariance = model_covariance_.carried_from_start();
   state.odometry = odometry_.carried_from(state.model);
   state.filter = filter_.carried_from(state.model, now);
 }
@@ -118,6 +123,7 @@ void Perception::resume(const CarriedState& state) {
   traction_estimator_.restart();
   track_model_ = make_model(parameters_);
   track_model_.reset(state.model);
+  model_covariance_.resume(state.model_covariance);
   odometry_.resume(state.odometry);
   filter_.resume(state.filter);
   sample_ = state.sample;
@@ -135,11 +141,13 @@ void Perception::take(const Sample& next, bool running) {
   interval_ = *step;
   update_attitude(running);
   update_terrain_contacts();
-  const double dt_s = interval_.dt_s;
-  track_model_.advance(interval_.tracks.left_mps, interval_.tracks.right_mps, dt_s,
+  const Pose before = track_model_.pose();
+  track_model_.advance(interval_.tracks.left_mps, interval_.tracks.right_mps, interval_.dt_s,
                        terrain_contacts_.incline(PoseSource::kModel));
   const double rate = heading_rate_radps();
   update_estimates(rate);
+  model_covariance_.advance(before, track_model_.pose(), odometry_.motion(),
+                            odometry_.state().mean[estimation::kBias]);
   update_traction(running);
   update_speeds(rate);
 }
@@ -151,13 +159,13 @@ void Perception::take(const CameraSample& seen) {
 Estimate Perception::estimate(PoseSource source) const {
   switch (source) {
     case PoseSource::kModel:
-      return {track_model_.pose(), track_model_.twist()};
+      return {track_model_.pose(), track_model_.twist(), model_covariance_.pose()};
     case PoseSource::kOdometry:
-      return {odometry_.pose(), odometry_.twist()};
+      return {odometry_.pose(), odometry_.twist(), odometry_.pose_covariance()};
     case PoseSource::kFused:
       break;
   }
-  return {filter_.pose(), filter_.twist()};
+  return {filter_.pose(), filter_.twist(), filter_.pose_covariance()};
 }
 
 PerSource<Estimate> Perception::estimates() const {
@@ -260,7 +268,6 @@ void Perception::write(Snapshot& snapshot, HostNs now) const {
   snapshot.has_sample = has_sample_;
   snapshot.age_us = (now - sample_.measured_ns) / kNsPerUs;
   snapshot.estimates = estimates();
-  snapshot.odometry_pose_covariance = odometry_.pose_covariance();
   snapshot.odometry_twist_covariance = odometry_.twist_covariance();
   snapshot.filter = filter_.figures(now);
   terrain_contacts_.set_attitude(snapshot.estimates);

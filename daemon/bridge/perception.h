@@ -12,6 +12,7 @@
 #include "core/step_record.h"
 #include "course/course.h"
 #include "estimation/attitude.h"
+#include "estimation/model_covariance.h"
 #include "estimation/motion.h"
 #include "estimation/odometry.h"
 #include "estimation/pose_filter.h"
@@ -110,7 +111,8 @@ class Perception {
   const Sample& sample() const { return sample_; }
   bool has_sample() const { return has_sample_; }
 
-  Pose steering_pose() const { return estimate(parameters_.steering).pose; }
+  Estimate steering_estimate() const { return estimate(parameters_.steering); }
+  Pose steering_pose() const { return steering_estimate().pose; }
   /// The steering pose in the course's world, which differs where ramps and blocks are virtual.
   Pose world_pose() const { return terrain_contacts_.world(steering_pose()); }
   const Speeds& speeds() const { return speeds_; }
@@ -127,9 +129,6 @@ class Perception {
   bool immobilised() const { return traction_estimator_.state() == Traction::kImmobilised; }
   /// How often the camera contradicted the filter so much that the filter was reset.
   std::uint32_t contradictions() const { return filter_.recoveries(); }
-
-  /// Figures of the fused estimate.
-  FilterFigures filter_figures(HostNs now) const { return filter_.figures(now); }
 
   /// Writes samples, poses, terrain and attitude at host time `now`.
   void write(Snapshot& snapshot, HostNs now) const;
@@ -155,6 +154,7 @@ class Perception {
   TerrainContacts terrain_contacts_;
   TractionEstimator traction_estimator_;
   model::TrackModel track_model_;
+  estimation::ModelCovariance model_covariance_;
   estimation::Odometry odometry_;
   estimation::PoseFilter filter_;
 

@@ -265,14 +265,14 @@ void Step::State::aim(double desired_yaw_rad, double yaw_rate_radps, double spee
 
 void Step::State::drive_by_hand(HostNs now, double dt_s) {
   const Pose pose = perception.world_pose();
-  const FilterFigures figures = perception.filter_figures(now);
-  const control::HandCommand wanted = hand_drive.update(
-      {.pose = pose,
-       .measured_yaw_rate_radps = perception.speeds().steering.yaw_rate_radps,
-       .position_sd_m = std::sqrt(std::max(figures.covariance.xx, figures.covariance.yy)),
-       .limits = drive_of(parameters, 0.0).limits,
-       .braking_mps2 = parameters.drive.max_track_mps2},
-      parameters.control, now, std::min(dt_s, kLongestSeenS));
+  const PlanarCovariance covariance = perception.steering_estimate().covariance;
+  const control::HandCommand wanted =
+      hand_drive.update({.pose = pose,
+                         .measured_yaw_rate_radps = perception.speeds().steering.yaw_rate_radps,
+                         .position_sd_m = std::sqrt(std::max(covariance.xx, covariance.yy)),
+                         .limits = drive_of(parameters, 0.0).limits,
+                         .braking_mps2 = parameters.drive.max_track_mps2},
+                        parameters.control, now, std::min(dt_s, kLongestSeenS));
   aim(wanted.desired_yaw_rad, wanted.yaw_rate_radps, wanted.speed_mps);
   at_fence = wanted.at_fence;
   // After the robot was driven away from where its run ended, the run cannot be continued.

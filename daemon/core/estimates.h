@@ -75,18 +75,6 @@ constexpr PerSource<T> same_for_all(const T& value) {
   (std::make_index_sequence<kPoseSources.size()>{});
 }
 
-/// One estimate of the robot's motion.
-struct Estimate {
-  Pose pose{};
-  Twist twist{};
-};
-
-constexpr PerSource<Pose> poses_of(const PerSource<Estimate>& estimates) {
-  PerSource<Pose> poses;
-  for (const PoseSource source : kPoseSources) poses[source] = estimates[source].pose;
-  return poses;
-}
-
 /// Covariance of x [m], y [m] and yaw [rad], or of their rates: the upper triangle of a symmetric,
 /// positive semidefinite matrix.
 struct PlanarCovariance {
@@ -101,11 +89,23 @@ struct PlanarCovariance {
 /// Stands for the variance of what is not estimated, as usual in ROS.
 inline constexpr double kUnknownVariance = 1e6;
 
-/// Results of the filter of the fused estimate besides its pose and twist.
+/// One estimate of the robot's motion.
+struct Estimate {
+  Pose pose{};
+  Twist twist{};
+  PlanarCovariance covariance{};  ///< of the pose, in the world frame; of the fused pose with the
+                                  ///< error common to all images
+};
+
+constexpr PerSource<Pose> poses_of(const PerSource<Estimate>& estimates) {
+  PerSource<Pose> poses;
+  for (const PoseSource source : kPoseSources) poses[source] = estimates[source].pose;
+  return poses;
+}
+
+/// Results of the filter of the fused estimate besides its pose, twist and covariance.
 struct FilterFigures {
-  PlanarCovariance covariance{};  ///< of the pose, in the world frame, with the error common to all
-                                  ///< images
-  double slip_left = 0.0;         ///< estimated
+  double slip_left = 0.0;  ///< estimated
   double slip_right = 0.0;
   double gyro_bias_radps = 0.0;
   double nis = 0.0;       ///< normalized innovation squared of the last camera sample, 3 DoF

@@ -27,6 +27,13 @@ struct CarriedEstimate {
   std::array<double, 8> slip_walk{};    ///< log-likelihoods, see estimation::SlipWalk
 };
 
+/// State of the covariance of the model's pose, see estimation/model_covariance.h.
+struct CarriedModelCovariance {
+  std::array<double, 25> errors{};  ///< of x, y, yaw, common slip and wheelbase (relative)
+  double slip_density_m = 0.0;      ///< of the floor, see estimation::FloorSlip
+  double seen_m = 0.0;              ///< length of floor behind it
+};
+
 /// State of the pose filter.
 struct CarriedFilter {
   CarriedEstimate estimate{};
@@ -63,6 +70,7 @@ struct CarriedState {
   bool has_sample = false;  ///< it is of this session
   bool continues = false;   ///< the next sample ends an interval that begins with it
   Pose model{};             ///< the model's pose
+  CarriedModelCovariance model_covariance{};
   CarriedEstimate odometry{};
   double virtual_x_m = 0.0;  ///< transform from the robot's floor into the course's world
   double virtual_y_m = 0.0;
@@ -80,9 +88,8 @@ struct Snapshot {
   bool has_sample = false;
   std::int64_t age_us = 0;  ///< now - when the newest sample was measured
   PerSource<Estimate> estimates{};
-  PlanarCovariance odometry_pose_covariance{};   ///< of odometry's pose, in the world frame
-  PlanarCovariance odometry_twist_covariance{};  ///< of its twist, in the body frame: mean over the
-                                                 ///< last sample interval
+  PlanarCovariance odometry_twist_covariance{};  ///< in the body frame: mean over the last sample
+                                                 ///< interval
   FilterFigures filter{};                        ///< of the fused estimate
   /// The steering pose in the course's world. Where ramps and blocks are virtual, the robot on them
   /// is slower than the one on the floor: x and y lag behind. An external world may own this pose.

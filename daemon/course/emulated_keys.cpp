@@ -61,7 +61,7 @@ std::span<const text::Key<EmulatedBody>> body_keys() {
 
 std::span<const text::Key<EmulatedVariation>> variation_keys() {
   using T = EmulatedVariation;
-  static const std::array<text::Key<T>, 10> kKeys = {{
+  static const std::array<text::Key<T>, 11> kKeys = {{
       {"friction_sd",
        &T::friction_sd,
        {0, 0.3},
@@ -103,6 +103,10 @@ std::span<const text::Key<EmulatedVariation>> variation_keys() {
        &T::gyro_scale_sd,
        {0, 0.03},
        "Standard deviation of the gyro's scale error from run to run"},
+      {"gyro_drift_sd_radps_per_degc",
+       &T::gyro_drift_sd_radps_per_degc,
+       {0, 0.02},
+       "Standard deviation of the change of its bias with temperature"},
   }};
   return kKeys;
 }

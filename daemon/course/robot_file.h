@@ -82,7 +82,8 @@ struct EmulatedVariation {
   double battery_sd_v = 0.2;    ///< below full_v at the start
   double placed_sd_m = 0.0;     ///< of x and of y, where a person puts it down; 0: at the start
   double placed_sd_rad = 0.0;
-  double gyro_scale_sd = 0.0;  ///< of the gyro's scale, from run to run
+  double gyro_scale_sd = 0.0;                 ///< of the gyro's scale, from run to run
+  double gyro_drift_sd_radps_per_degc = 0.0;  ///< of its drift with temperature [rad/s per K]
 };
 
 /// The ground under the tracks by the contact law `shear`, which reads neither creep nor track

@@ -18,6 +18,8 @@
 #include <Eigen/LU>
 #include <cstdint>
 
+#include "core/estimates.h"
+
 namespace tp100::estimation {
 
 enum StateIndex : Eigen::Index {
@@ -34,6 +36,17 @@ enum StateIndex : Eigen::Index {
 
 using StateVector = Eigen::Matrix<double, kStates, 1>;
 using StateMatrix = Eigen::Matrix<double, kStates, kStates>;
+
+/// The covariance of the pose, which is the first three of `covariance`'s errors.
+template <int N>
+PlanarCovariance pose_part(const Eigen::Matrix<double, N, N>& covariance) {
+  return {.xx = covariance(kX, kX),
+          .xy = covariance(kX, kY),
+          .x_yaw = covariance(kX, kYaw),
+          .yy = covariance(kY, kY),
+          .y_yaw = covariance(kY, kYaw),
+          .yaw_yaw = covariance(kYaw, kYaw)};
+}
 
 /// Mean and covariance; yaw unwrapped. No allocation.
 struct FilterState {

@@ -20,6 +20,7 @@ constexpr double kMovingMps = 0.002;
 // A body that tips over an edge moves sideways to its tracks. Slower rates are noise of the pitch.
 constexpr double kTiltSdMRtrad = 0.01;
 constexpr double kTippingRadps = 0.1;
+constexpr double kLevelGroundRad = 1.0 * kRadPerDeg;
 
 /// Shares of the expected distance that the tracks cover.
 struct Shares {
@@ -41,23 +42,10 @@ void forget_place(FilterState& state, double sd_m, double sd_rad) {
   p(kYaw, kYaw) += square(sd_rad);
 }
 
-/// Variance of the position at an interval's end, along and across its direction, beside the part
-/// that bias and slip explain.
-struct ShiftVariance {
-  double along_m2, across_m2;
-};
-ShiftVariance shift_variance(const FilterParameters& noise, const Twist& twist,
-                             const Motion& motion) {
-  const double distance_m = std::abs(twist.vx_mps) * motion.dt_s;
-  const double by_turning =
-      square(noise.turn_sd_m_rtrad) * std::abs(twist.yaw_rate_radps * motion.dt_s);
-  return {square(motion.ground.hold_slip ? noise.obstacle_sd_m_rtm : noise.along_sd_m_rtm) *
-                  distance_m +
-              by_turning +
-              square(kTiltSdMRtrad) * std::max(motion.ground.tilt_radps - kTippingRadps, 0.0) *
-                  motion.dt_s,
-          square(noise.across_sd_m_rtm) * distance_m + by_turning};
+double both_mps(const Motion& motion) {
+  return std::abs(motion.tracks.left_mps) + std::abs(motion.tracks.right_mps);
 }
+bool tracks_move(const Motion& motion) { return both_mps(motion) > 2.0 * kMovingMps; }
 
 using PoseRows = Eigen::Matrix<double, kYaw + 1, kStates>;
 
@@ -78,6 +66,27 @@ StateMatrix propagated(const StateMatrix& p, const PoseRows& pose, double warmin
 }
 
 }  // namespace
+
+double kept_slip(const FilterParameters& noise, const Motion& motion) {
+  return motion.ground.hold_slip || !tracks_move(motion) ? 1.0
+                                                         : std::exp(-motion.dt_s / noise.slip_s);
+}
+
+bool shows_slip(const Ground& ground) {
+  return !ground.hold_slip && std::abs(ground.pitch_rad) < kLevelGroundRad &&
+         std::abs(ground.roll_rad) < kLevelGroundRad;
+}
+
+ShiftVariance shift_variance(const FilterParameters& noise, double distance_m, double turn_rad,
+                             const Motion& motion) {
+  const double by_turning = square(noise.turn_sd_m_rtrad) * std::abs(turn_rad);
+  return {square(motion.ground.hold_slip ? noise.obstacle_sd_m_rtm : noise.along_sd_m_rtm) *
+                  std::abs(distance_m) +
+              by_turning +
+              square(kTiltSdMRtrad) * std::max(motion.ground.tilt_radps - kTippingRadps, 0.0) *
+                  motion.dt_s,
+          square(noise.across_sd_m_rtm) * std::abs(distance_m) + by_turning};
+}
 
 FilterState MotionModel::prior() const {
   FilterState state;
@@ -155,7 +164,8 @@ PlanarCovariance MotionModel::twist_covariance(const FilterState& state,
   // Derivatives of the sideways speed by these two, as in twist().
   const double of_speed = std::tan(model::slip_angle_rad(tracks_, turn, twist.yaw_rate_radps));
   const double of_rate = -turn.x_icr_m;
-  const auto [along, across] = shift_variance(noise_, twist, motion);
+  const auto [along, across] =
+      shift_variance(noise_, twist.vx_mps * dt, twist.yaw_rate_radps * dt, motion);
   return {.xx = by(0, 0) + along / square(dt),
           .xy = of_speed * by(0, 0) + of_rate * by(0, 1),
           .x_yaw = by(0, 1),
@@ -203,10 +213,8 @@ void MotionModel::predict(FilterState& state, const Motion& motion) const {
   const double x_by_rate = dt * (-dy / 2.0 + shape.x_icr_m * s);
   const double y_by_rate = dt * (dx / 2.0 - shape.x_icr_m * c);
 
-  const double both_mps = std::abs(motion.tracks.left_mps) + std::abs(motion.tracks.right_mps);
-  const bool moves = both_mps > 2.0 * kMovingMps;
-  const bool held = motion.ground.hold_slip || !moves;
-  const double kept = held ? 1.0 : std::exp(-dt / noise_.slip_s);
+  const bool moves = tracks_move(motion);
+  const double kept = kept_slip(noise_, motion);
 
   // Rows of the pose in the Jacobian.
   PoseRows f = PoseRows::Identity();
@@ -232,7 +240,7 @@ void MotionModel::predict(FilterState& state, const Motion& motion) const {
     by_rate(kTurnGain, (ground.right_mps - ground.left_mps) / shape.wheelbase_m);
   }
 
-  const auto [along, across] = shift_variance(noise_, twist, motion);
+  const auto [along, across] = shift_variance(noise_, twist.vx_mps * dt, turn, motion);
   const double rate = std::abs(twist.yaw_rate_radps);
   const double yaw =
       motion.gyro ? (square(noise_.gyro_sd_rad_rts) +
@@ -257,8 +265,9 @@ void MotionModel::predict(FilterState& state, const Motion& motion) const {
   p(kYaw, kYaw) += yaw;
   p(kBias, kBias) += square(noise_.bias_walk_radps_rts) * dt;
   p(kCommonSlip, kCommonSlip) += square(noise_.slip_sd) * (1.0 - kept * kept);
-  if (!held)
-    p(kSlipDifference, kSlipDifference) += square(motion.slip_walk_rtm) * both_mps / 2.0 * dt;
+  if (moves && !motion.ground.hold_slip)
+    p(kSlipDifference, kSlipDifference) +=
+        square(motion.slip_walk_rtm) * both_mps(motion) / 2.0 * dt;
 }
 
 void MotionModel::measure(FilterState& state, const Motion& motion) const {

@@ -25,6 +25,9 @@ struct Ground {
                             ///< distance is less certain
 };
 
+/// Level and without an obstacle: tracks against gyro show the slip difference.
+bool shows_slip(const Ground& ground);
+
 /// Tracks against gyro: mean yaw rates over a window of several intervals.
 struct Residual {
   double left_radps = 0.0;  ///< speed of the track with the expected slip, over the wheelbase of
@@ -55,6 +58,18 @@ struct Motion {
   bool disturbed = false;      ///< the robot was turned from outside
   RestRate rest{};             ///< of a robot at rest; standard deviation 0: it is not at rest
 };
+
+/// Share of the common slip that is left at the interval's end: it returns to 0 while the tracks
+/// move on level ground.
+double kept_slip(const FilterParameters& noise, const Motion& motion);
+
+/// Variance of the position at an interval's end, along and across its direction, beside the part
+/// that bias and slip explain. Distance and turn of either sign.
+struct ShiftVariance {
+  double along_m2, across_m2;
+};
+ShiftVariance shift_variance(const FilterParameters& noise, double distance_m, double turn_rad,
+                             const Motion& motion);
 
 /// Propagates a state over a motion. Pure; no allocation.
 class MotionModel {

@@ -18,7 +18,6 @@ constexpr double kWarmingDegc = 1.0;
 constexpr double kSameTurnRadps = 0.05;
 // Least sum of the tracks' speeds over the wheelbase of a robot that drives: some mm/s each.
 constexpr double kDrivesRadps = 0.05;
-constexpr double kLevelGroundRad = 1.0 * kRadPerDeg;
 
 static_assert(std::tuple_size_v<decltype(CarriedEstimate::mean)> == kStates &&
               std::tuple_size_v<decltype(CarriedEstimate::covariance)> == kStates * kStates);
@@ -112,11 +111,7 @@ void Odometry::resume(const CarriedEstimate& carried) {
 }
 
 void Odometry::compare_tracks_with_gyro() {
-  // On slopes and obstacles the tracks do not reveal the turn.
-  const Ground& ground = motion_.ground;
-  const bool level =
-      std::abs(ground.pitch_rad) < kLevelGroundRad && std::abs(ground.roll_rad) < kLevelGroundRad;
-  if (!motion_.gyro || ground.hold_slip || !level) {
+  if (!motion_.gyro || !shows_slip(motion_.ground)) {
     residual_window_ = disturbance_window_ = Window{};
     last_residual_ = Residual{};
     return;
@@ -209,15 +204,7 @@ Pose Odometry::pose() const {
           .yaw_rad = state_.mean[kYaw]};
 }
 
-PlanarCovariance Odometry::pose_covariance() const {
-  const StateMatrix& p = state_.covariance;
-  return {.xx = p(kX, kX),
-          .xy = p(kX, kY),
-          .x_yaw = p(kX, kYaw),
-          .yy = p(kY, kY),
-          .y_yaw = p(kY, kYaw),
-          .yaw_yaw = p(kYaw, kYaw)};
-}
+PlanarCovariance Odometry::pose_covariance() const { return pose_part(state_.covariance); }
 
 PlanarCovariance Odometry::twist_covariance() const {
   if (motion_.dt_s > 0.0) return model_.twist_covariance(state_, motion_);

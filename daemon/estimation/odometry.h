@@ -83,6 +83,8 @@ class Odometry {
   /// z, roll and pitch are the ground's.
   Pose pose() const;
   const Twist& twist() const { return twist_; }
+  /// The last interval, as it was taken.
+  const Motion& motion() const { return motion_; }
   /// In the world frame.
   PlanarCovariance pose_covariance() const;
   /// In the body frame; kUnknownVariance before the first interval.

@@ -27,6 +27,8 @@ struct FilterParameters {
   double slip_difference_sd = 0.01;  ///< slip difference of a robot on a floor
   double turn_gain_sd = 0.03;        ///< yaw rate by tracks over that by the wheelbase, at one turn
                                      ///< ratio; and its change per root of the turn ratio
+  double wheelbase_sd = 0.007;       ///< relative error of an identified wheelbase that nothing
+                                     ///< corrects
   double residual_window_s = 3.0;    ///< tracks and gyro are compared over this long
   double residual_sd_radps = 1.5e-4;  ///< of yaw rate by tracks against gyro, driving straight
   double residual_share = 0.01;       ///< ... and per yaw rate: the wheelbase's error appears in

@@ -269,14 +269,17 @@ double PoseFilter::camera_age_s(HostNs now) const {
   return camera_known_ ? to_s(now - camera_ns_) : std::numeric_limits<double>::infinity();
 }
 
-FilterFigures PoseFilter::figures(HostNs now) const {
+PlanarCovariance PoseFilter::pose_covariance() const {
   const double shared_m2 = camera_known_ ? square(shared_sd_m_) : 0.0;
   PlanarCovariance covariance = odometry_.pose_covariance();
   covariance.xx += shared_m2;
   covariance.yy += shared_m2;
+  return covariance;
+}
+
+FilterFigures PoseFilter::figures(HostNs now) const {
   const model::Slip slip = odometry_.slip();
-  return {.covariance = covariance,
-          .slip_left = slip.left,
+  return {.slip_left = slip.left,
           .slip_right = slip.right,
           .gyro_bias_radps = state().mean[kBias],
           .nis = camera_.nis(),

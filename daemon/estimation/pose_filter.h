@@ -147,12 +147,14 @@ class PoseFilter {
   /// State at the end of the newest interval. z, roll and pitch are the ground's.
   Pose pose() const;
   const Twist& twist() const { return odometry_.twist(); }
+  /// In the world frame, with the error common to all images.
+  PlanarCovariance pose_covariance() const;
   /// Age of the last camera sample used; infinite before the first. [s]
   double camera_age_s(HostNs now) const;
   const FilterState& state() const { return odometry_.state(); }
   /// How often the camera contradicted the estimate and was accepted since the run began.
   std::uint32_t recoveries() const { return recoveries_; }
-  /// Everything to publish at host time `now`.
+  /// Everything else to publish at host time `now`.
   FilterFigures figures(HostNs now) const;
 
  private:

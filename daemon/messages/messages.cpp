@@ -25,13 +25,13 @@ void write_motion(text::JsonWriter& json, const Estimate& estimate) {
   write_pose(json, estimate.pose);
   json.field("vx_mps", estimate.twist.vx_mps)
       .field("vy_mps", estimate.twist.vy_mps)
-      .field("yaw_rate_radps", estimate.twist.yaw_rate_radps);
+      .field("yaw_rate_radps", estimate.twist.yaw_rate_radps)
+      .field("sd_x_m", std::sqrt(estimate.covariance.xx))
+      .field("sd_y_m", std::sqrt(estimate.covariance.yy))
+      .field("sd_yaw_rad", std::sqrt(estimate.covariance.yaw_yaw));
 }
 
 void write_filter(text::JsonWriter& json, const FilterFigures& filter) {
-  json.field("sd_x_m", std::sqrt(filter.covariance.xx))
-      .field("sd_y_m", std::sqrt(filter.covariance.yy))
-      .field("sd_yaw_rad", std::sqrt(filter.covariance.yaw_yaw));
   if (filter.camera_age_us >= 0) json.field("camera_age_us", filter.camera_age_us);
   json.field("camera_used", filter.camera_used)
       .field("camera_rejected", filter.camera_rejected)

@@ -138,9 +138,8 @@ void visit_fields(Visitor& v, T& covariance) {
 
 template <class Visitor, MaybeConst<FilterFigures> T>
 void visit_fields(Visitor& v, T& filter) {
-  auto& [covariance, slip_left, slip_right, gyro_bias, nis, nis_mean, nis_count, camera_age,
-         camera_used, camera_rejected, recoveries] = filter;
-  v("covariance", covariance);
+  auto& [slip_left, slip_right, gyro_bias, nis, nis_mean, nis_count, camera_age, camera_used,
+         camera_rejected, recoveries] = filter;
   v("slip_left", slip_left);
   v("slip_right", slip_right);
   v("gyro_bias_radps", gyro_bias);
@@ -166,11 +165,11 @@ void visit_fields(Visitor& v, T& terrain_contact) {
 
 template <class Visitor, MaybeConst<Snapshot> T>
 void visit_fields(Visitor& v, T& snapshot) {
-  auto& [now, sample, has_sample, age, estimates, odometry_pose, odometry_twist, filter, world,
-         terrain_contact, left, right, slip_left, slip_right, gyro_bias, imu_roll, imu_pitch,
-         imu_slope, imu_obstacle, command, commanded_left, commanded_right, cross_track,
-         heading_error, progress, recovering, steering, run_state, start_refusal, drive_refusal,
-         at_fence, pause_left, faults] = snapshot;
+  auto& [now, sample, has_sample, age, estimates, odometry_twist, filter, world, terrain_contact,
+         left, right, slip_left, slip_right, gyro_bias, imu_roll, imu_pitch, imu_slope,
+         imu_obstacle, command, commanded_left, commanded_right, cross_track, heading_error,
+         progress, recovering, steering, run_state, start_refusal, drive_refusal, at_fence,
+         pause_left, faults] = snapshot;
   v("now_ns", now);
   v("sample", sample);
   v("has_sample", has_sample);
@@ -179,8 +178,8 @@ void visit_fields(Visitor& v, T& snapshot) {
     const char* const name = to_string(source).data();
     v(name, estimates[source].pose);
     v(name, estimates[source].twist);
+    v(name, estimates[source].covariance);
   }
-  v("odometry_pose_covariance", odometry_pose);
   v("odometry_twist_covariance", odometry_twist);
   v("filter", filter);
   v("world", world);
@@ -218,6 +217,14 @@ void visit_fields(Visitor& v, T& estimate) {
   v("slip_walk", slip_walk);
 }
 
+template <class Visitor, MaybeConst<CarriedModelCovariance> T>
+void visit_fields(Visitor& v, T& covariance) {
+  auto& [errors, slip_density, seen] = covariance;
+  v("errors", errors);
+  v("slip_density_m", slip_density);
+  v("seen_m", seen);
+}
+
 template <class Visitor, MaybeConst<CarriedFilter> T>
 void visit_fields(Visitor& v, T& filter) {
   auto& [estimate, branch, camera, last_seen, camera_known, nis, nis_sum, nis_count, used, rejected,
@@ -248,8 +255,8 @@ void visit_fields(Visitor& v, T& attitude) {
 template <class Visitor, MaybeConst<CarriedState> T>
 void visit_fields(Visitor& v, T& carried) {
   auto& [session_number, run_state, faults, parameters, cross_track, progress, sample, has_sample,
-         continues, model, odometry, virtual_x, virtual_y, virtual_turn, filter, attitude,
-         gyro_bias, gyro_bias_known] = carried;
+         continues, model, model_covariance, odometry, virtual_x, virtual_y, virtual_turn, filter,
+         attitude, gyro_bias, gyro_bias_known] = carried;
   v("session_number", session_number);
   v("run_state", run_state, RunState::kAborted);
   v("faults", faults);
@@ -260,6 +267,7 @@ void visit_fields(Visitor& v, T& carried) {
   v("has_sample", has_sample);
   v("continues", continues);
   v("model", model);
+  v("model_covariance", model_covariance);
   v("odometry", odometry);
   v("virtual_x_m", virtual_x);
   v("virtual_y_m", virtual_y);

@@ -347,21 +347,35 @@ std::vector<Pose> baseline_poses(const RunResult& run, const model::ModelForm& f
   return poses;
 }
 
-Coverage coverage(const std::vector<TrajectoryPoint>& points) {
+Coverage coverage(std::span<const TrajectoryPoint> points, PoseSource source) {
   constexpr double kDeviations = 2.0;
   double position = 0.0, yaw = 0.0;
   const auto within = [](double error, double sd) {
     return std::abs(error) <= kDeviations * sd ? 1.0 : 0.0;
   };
   for (const TrajectoryPoint& point : points) {
-    const Pose& fused = point.estimates[PoseSource::kFused];
-    position += 0.5 * (within(fused.x_m - point.truth.x_m, point.fused_sd.x_m) +
-                       within(fused.y_m - point.truth.y_m, point.fused_sd.y_m));
-    yaw += within(wrap_angle(fused.yaw_rad - point.truth.yaw_rad), point.fused_sd.yaw_rad);
+    const Pose& pose = point.estimates[source];
+    const PoseSd& sd = point.sd[source];
+    position += 0.5 * (within(pose.x_m - point.truth.x_m, sd.x_m) +
+                       within(pose.y_m - point.truth.y_m, sd.y_m));
+    yaw += within(wrap_angle(pose.yaw_rad - point.truth.yaw_rad), sd.yaw_rad);
   }
-  const auto count = static_cast<double>(std::max<std::size_t>(points.size(), 1));
+  const auto count = static_cast<double>(points.size());
   return {position / count, yaw / count};
 }
+
+namespace {
+
+/// The points before the first disturbance.
+std::span<const TrajectoryPoint> undisturbed(const RunResult& run) {
+  if (run.disturbances.empty()) return run.points;
+  const double end_s = run.disturbances.front().begin_s;
+  const auto end = std::ranges::find_if(
+      run.points, [end_s](const TrajectoryPoint& point) { return point.t_s >= end_s; });
+  return {run.points.begin(), end};
+}
+
+}  // namespace
 
 RunFigures figures(const RunResult& run, const course::Course& course) {
   const course::Path path(course);
@@ -374,6 +388,11 @@ RunFigures figures(const RunResult& run, const course::Course& course) {
     result.estimates[source] = blind_to_disturbances(source)
                                    ? pose_errors_between(run.points, run.disturbances, estimate)
                                    : pose_errors(run.points, estimate);
+    const std::span<const TrajectoryPoint> judged =
+        blind_to_disturbances(source) ? undisturbed(run) : run.points;
+    // On a stand the truth is an estimate itself.
+    if (run.setup != "stand" && !judged.empty())
+      result.within_2_sd[source] = coverage(judged, source);
   }
   for (std::size_t i = 0; i < model::kBaselines.size(); ++i) {
     // On a stand the truth is an estimate itself.
@@ -389,7 +408,6 @@ RunFigures figures(const RunResult& run, const course::Course& course) {
   // In other set-ups the obstacles are not on the floor.
   result.slope =
       slope_figures(run.points, run.setup == "terrain" ? course.terrain : course::Terrain{});
-  if (run.setup != "stand") result.within_2_sd = coverage(run.points);
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "course/course.h"
@@ -83,13 +84,14 @@ struct TrackingErrors {
   int false_alarms = 0;  ///< disturbances that the controller detected although there was none
 };
 
-/// Share of the instants at which the true pose lay within two of the filter's standard deviations
-/// of the fused pose: 0.95 if these are right and errors are normal.
+/// Share of the instants at which the true pose lay within two standard deviations of an estimated
+/// one, by its covariance: 0.95 if that is right and errors are normal.
 struct Coverage {
   double position = 0.0;  ///< x and y, each counted by itself
   double yaw = 0.0;
 };
-Coverage coverage(const std::vector<TrajectoryPoint>& points);
+/// `points` is not empty.
+Coverage coverage(std::span<const TrajectoryPoint> points, PoseSource source);
 
 /// All figures of one run.
 struct RunFigures {
@@ -101,7 +103,9 @@ struct RunFigures {
   model::PerBaseline<std::optional<PoseErrors>> baselines{};
   TrackingErrors tracking{};
   SlopeFigures slope{};
-  std::optional<Coverage> within_2_sd{};  ///< nothing on a stand
+  /// Nothing on a stand, or if the run has no such estimate. Of a source that is blind to
+  /// disturbances: up to the first one.
+  PerSource<std::optional<Coverage>> within_2_sd{};
 };
 
 /// Selects the pose of a point to evaluate.

@@ -166,7 +166,7 @@ void Reader::point(const StepRecord& record) {
   if (samples_++ % run_.every != 0) return;
   TrajectoryPoint point{.t_s = t_s(sample.measured_ns),
                         .estimates = poses_of(snapshot.estimates),
-                        .fused_sd = pose_sd(snapshot.filter),
+                        .sd = sd_of(snapshot.estimates),
                         .progress_m = snapshot.progress_m,
                         .recovering = snapshot.recovering,
                         .imu_pitch_rad = snapshot.imu_pitch_rad,

@@ -92,31 +92,46 @@ Figure yaw_figure(const RecordedRun& run) {
   return {"yaw", svg(chart), "Yaw, counted on beyond a full turn."};
 }
 
-Figure error_figure(const RecordedRun& run) {
-  Chart chart{.title = run.has_truth ? "Distance from the truth" : "Distance from odometry",
-              .x_label = "time [s]",
-              .y_label = "distance [cm]"};
+/// How far each estimate is from the truth; without one, from odometry.
+std::vector<ChartSeries> error_series(const RecordedRun& run) {
+  std::vector<ChartSeries> series;
   for (const PoseSource source : estimates_of(run)) {
     if (!run.has_truth && source == PoseSource::kOdometry) continue;
-    chart.series.push_back(
+    series.push_back(
         over_time(run, series_of(source), [&](const TrajectoryPoint& p, const RunMoment&) {
           return distance_cm(p.estimates[source],
                              run.has_truth ? p.truth : p.estimates[PoseSource::kOdometry]);
         }));
   }
-  if (run.has_truth && run.result.has_estimate(PoseSource::kFused))
-    chart.series.push_back(
-        over_time(run, empty_series("fused, 2 sd", colour_of(PoseSource::kFused), true),
-                  [](const TrajectoryPoint& p, const RunMoment&) {
-                    return 2.0 * kCmPerM * magnitude(p.fused_sd.x_m, p.fused_sd.y_m);
-                  }));
+  return series;
+}
+
+Figure error_figure(const RecordedRun& run) {
+  const Chart chart{.title = run.has_truth ? "Distance from the truth" : "Distance from odometry",
+                    .x_label = "time [s]",
+                    .y_label = "distance [cm]",
+                    .series = error_series(run)};
   return {
       "error", svg(chart),
       run.has_truth
-          ? "How far each estimate was from the truth, from start to end, disturbances included. "
-            "Dashed: two standard deviations of the fused position, as its filter has them."
+          ? "How far each estimate was from the truth, from start to end, disturbances included."
           : "The truth is not known: how far the estimates were from each other, which is no "
             "error."};
+}
+
+Figure uncertainty_figure(const RecordedRun& run) {
+  Chart chart{.title = "Uncertainty", .x_label = "time [s]", .y_label = "distance [cm]"};
+  if (run.has_truth) chart.series = error_series(run);
+  for (const PoseSource source : estimates_of(run))
+    chart.series.push_back(over_time(
+        run, empty_series(std::string(to_string(source)) + ", 2 sd", colour_of(source), true),
+        [&](const TrajectoryPoint& p, const RunMoment&) {
+          return 2.0 * kCmPerM * magnitude(p.sd[source].x_m, p.sd[source].y_m);
+        }));
+  return {
+      "uncertainty", svg(chart),
+      std::string("Dashed: two standard deviations of each position, by its own covariance.") +
+          (run.has_truth ? " Lines: its distance from the truth, as in the figure before." : "")};
 }
 
 Figure tracking_figure(const RecordedRun& run) {
@@ -197,8 +212,9 @@ std::vector<std::pair<double, double>> path_line(const course::Course& course) {
 }
 
 std::vector<Figure> figures_of(const RecordedRun& run) {
-  std::vector<Figure> figures = {path_figure(run),     yaw_figure(run),  error_figure(run),
-                                 tracking_figure(run), slip_figure(run), jitter_figure(run)};
+  std::vector<Figure> figures = {path_figure(run),        yaw_figure(run),      error_figure(run),
+                                 uncertainty_figure(run), tracking_figure(run), slip_figure(run),
+                                 jitter_figure(run)};
   std::erase_if(figures, [&](const Figure& figure) {
     return (figure.name == "tracking" && run.run_context.course == nullptr) ||
            (figure.name == "jitter" && !in_real_time(run));

@@ -55,11 +55,11 @@ Facts summary(const RecordedRun& run, const std::optional<RunFigures>& judged) {
     facts.emplace_back("largest position errors", largest_errors(*judged));
     facts.emplace_back("farthest from the path",
                        decimals(judged->tracking.max_cross_track_m * kCmPerM, 2) + " cm");
-    if (judged->within_2_sd)
-      facts.emplace_back(
-          std::string("true pose within 2 sd of ") + (run.result.has_camera ? "fused" : "odometry"),
-          decimals(100.0 * judged->within_2_sd->position, 0) + " % of x and y, " +
-              decimals(100.0 * judged->within_2_sd->yaw, 0) + " % of yaw");
+    for (const PoseSource source : kPoseSources)
+      if (const auto& within = judged->within_2_sd[source])
+        facts.emplace_back("true pose within 2 sd of " + std::string(to_string(source)),
+                           decimals(100.0 * within->position, 0) + " % of x and y, " +
+                               decimals(100.0 * within->yaw, 0) + " % of yaw");
   }
   facts.emplace_back("recording", plain(run.path));
   facts.emplace_back("steps", Cell(count(run.steps) + ", " + count(run.missing_steps) + " missing",

@@ -99,7 +99,11 @@ std::string result_json(const RunResult& run, const RunFigures& figures) {
   for (const PoseSource source : kPoseSources) {
     if (!run.has_estimate(source)) continue;
     const std::optional<PoseErrors>& errors = figures.estimates[source];
-    json[to_string(source)] = errors && !run.points.empty() ? json_of(*errors) : Json();
+    Json& of_source = json[to_string(source)];
+    if (!errors || run.points.empty()) continue;
+    of_source = json_of(*errors);
+    if (const std::optional<Coverage>& within = figures.within_2_sd[source])
+      of_source["within_2_sd"] = {{"position", within->position}, {"yaw", within->yaw}};
   }
   json["baselines"] = Json::object();
   for (std::size_t i = 0; i < model::kBaselines.size(); ++i)
@@ -107,9 +111,6 @@ std::string result_json(const RunResult& run, const RunFigures& figures) {
       json["baselines"][model::kBaselines[i].key] = json_of(*figures.baselines[i]);
   json["tracking"] = json_of(figures.tracking);
   json["slope"] = json_of(figures.slope);
-  if (figures.within_2_sd)
-    json["within_2_sd"] = {{"position", figures.within_2_sd->position},
-                           {"yaw", figures.within_2_sd->yaw}};
   if (run.points.empty())
     for (const char* name : {"baselines", "tracking", "slope"}) json[name] = nullptr;
   if (run.has_camera) json["camera"] = json_of(run.camera);
@@ -164,6 +165,16 @@ std::string recovery_rows(const TrackingErrors& tracking) {
   return text;
 }
 
+std::string coverage_row(const PerSource<std::optional<Coverage>>& within) {
+  std::string text;
+  for (const PoseSource source : kPoseSources)
+    if (within[source])
+      text += (text.empty() ? "" : ", ") + std::string(to_string(source)) +
+              format(" %.0f and %.0f %%", 100.0 * within[source]->position,
+                     100.0 * within[source]->yaw);
+  return text.empty() ? text : "true pose within 2 sd, x and y, and yaw: " + text + "\n";
+}
+
 std::string camera_row(const CameraFigures& camera) {
   return "camera: " + text::counted(camera.used, "sample") +
          format(" used, %u refused; normalized innovation squared %.2f of %.0f\n", camera.rejected,
@@ -215,10 +226,7 @@ std::string result_table(const RunResult& run, const RunFigures& figures) {
       tracking.max_cross_track_m * kCmPerM, tracking.rms_cross_track_m * kCmPerM,
       tracking.max_yaw_error_rad * kDegPerRad);
   text += recovery_rows(tracking);
-  if (figures.within_2_sd)
-    text += format("true pose within 2 sd of %s: %.0f %% of x and y, %.0f %% of yaw\n",
-                   run.has_camera ? "the fused pose" : "odometry",
-                   100.0 * figures.within_2_sd->position, 100.0 * figures.within_2_sd->yaw);
+  text += coverage_row(figures.within_2_sd);
   if (run.has_camera) text += camera_row(run.camera);
   text += slope_rows(figures.slope);
   text += "link: " + text::counted(run.link.samples, "sample") +

@@ -19,14 +19,19 @@
 
 namespace tp100::report {
 
-/// Standard deviations of a pose, by the filter that estimates it.
+/// Standard deviations of a pose, by its estimator.
 struct PoseSd {
   double x_m = 0.0, y_m = 0.0, yaw_rad = 0.0;
 };
 
-inline PoseSd pose_sd(const FilterFigures& filter) {
-  return {std::sqrt(filter.covariance.xx), std::sqrt(filter.covariance.yy),
-          std::sqrt(filter.covariance.yaw_yaw)};
+inline PerSource<PoseSd> sd_of(const PerSource<Estimate>& estimates) {
+  PerSource<PoseSd> sd;
+  for (const PoseSource source : kPoseSources) {
+    const PlanarCovariance& covariance = estimates[source].covariance;
+    sd[source] = {std::sqrt(covariance.xx), std::sqrt(covariance.yy),
+                  std::sqrt(covariance.yaw_yaw)};
+  }
+  return sd;
 }
 
 /// One instant of a run; all poses belong to the same time. World frame; yaw may exceed [-pi, pi].
@@ -36,7 +41,7 @@ struct TrajectoryPoint {
   Pose world{};  ///< in the course's world, compared with the path; behind `truth` by the distance
                  ///< that virtual obstacles cost
   PerSource<Pose> estimates{};  ///< valid where RunResult::has_estimate()
-  PoseSd fused_sd{};            ///< of the fused pose, which is odometry's without a camera
+  PerSource<PoseSd> sd{};       ///< of these
   /// Along the path, as estimated by the controller; distinguishes crossing segments.
   double progress_m = 0.0;
   bool recovering = false;     ///< the controller detected a disturbance and has not recovered yet

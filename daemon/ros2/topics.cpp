@@ -74,7 +74,7 @@ nav_msgs::Odometry odometry_of(const std_msgs::Header& header, const Snapshot& s
   const Estimate& estimate = snapshot.estimates[PoseSource::kOdometry];
   nav_msgs::Odometry odometry{.header = header, .child_frame_id = kBaseLink};
   odometry.pose.pose = pose_of(estimate.pose);
-  odometry.pose.covariance = covariance_of(snapshot.odometry_pose_covariance);
+  odometry.pose.covariance = covariance_of(estimate.covariance);
   odometry.twist.twist.linear = {.x = estimate.twist.vx_mps, .y = estimate.twist.vy_mps};
   odometry.twist.twist.angular.z = estimate.twist.yaw_rate_radps;
   odometry.twist.covariance = covariance_of(snapshot.odometry_twist_covariance);
@@ -295,8 +295,9 @@ void TopicMessages::take(const StepRecord& record, const Send& send) {
     send(Topic::kFusedPose,
          serialized(geometry_msgs::PoseWithCovarianceStamped{
              .header = map,
-             .pose = {.pose = pose_of(snapshot.estimates[PoseSource::kFused].pose),
-                      .covariance = covariance_of(snapshot.filter.covariance)}}));
+             .pose = {
+                 .pose = pose_of(snapshot.estimates[PoseSource::kFused].pose),
+                 .covariance = covariance_of(snapshot.estimates[PoseSource::kFused].covariance)}}));
     send(Topic::kJointStates, serialized(joints_of(base, snapshot, run_context.robot)));
     if (now >= battery_due_ns_) {
       battery_due_ns_ = now + kSlowPeriodNs;

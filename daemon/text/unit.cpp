@@ -6,13 +6,14 @@
 namespace tp100::text {
 
 std::string_view unit_of(std::string_view key) {
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 35> kUnits = {{
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 36> kUnits = {{
       {"_radps_rts", "rad/s/sqrt(s)"},
       {"_radps_rthz", "rad/s/sqrt(Hz)"},
       {"_mps2_rthz", "m/s^2/sqrt(Hz)"},
       {"_radps_per_lsb", "rad/s"},
       {"_mps_per_v", "m/s/V"},
       {"_bias_per_degc", "rad/s/K"},
+      {"_radps_per_degc", "rad/s/K"},
       {"counts_per_metre", "1/m"},
       {"_amps_per_n", "A/N"},
       {"amps_per_n", "A/N"},

@@ -57,6 +57,7 @@ enum Stream : std::uint64_t {
   kPlacedY,
   kPlacedYaw,
   kGyroScale,
+  kGyroDrift,
 };
 
 constexpr double kLeastFriction = 0.1;  // as share of the mean
@@ -103,6 +104,7 @@ course::Emulated sampled(const course::Emulated& values, std::uint64_t seed) {
   robot.body.com_left_m += sample(variation.payload_sd_m, kLeft);
   robot.battery.full_v -= std::abs(sample(variation.battery_sd_v, kBattery));
   robot.imu.gyro_scale_error += sample(variation.gyro_scale_sd, kGyroScale);
+  robot.imu.gyro_bias_per_degc += sample(variation.gyro_drift_sd_radps_per_degc, kGyroDrift);
   return robot;
 }
 

@@ -217,7 +217,7 @@ void Lockstep::record(const Snapshot& snapshot) {
                             .truth = truth,
                             .world = behind_.of(truth),
                             .estimates = poses_of(snapshot.estimates),
-                            .fused_sd = report::pose_sd(snapshot.filter),
+                            .sd = report::sd_of(snapshot.estimates),
                             .progress_m = snapshot.progress_m,
                             .recovering = snapshot.recovering,
                             .imu_pitch_rad = snapshot.imu_pitch_rad,

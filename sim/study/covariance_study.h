@@ -15,11 +15,19 @@ namespace tp100::sim {
 /// filter assumes. `uneven`: on a floor sampled from the seed, else on an even one.
 course::Robot placed_by_hand(course::Robot robot, bool uneven);
 
-/// Drives every bundled robot on 1-sharp and 2, with and without an overhead camera, on even and
-/// uneven ground. `body`: ode or shear; on shear each robot is identified first and its file is
-/// written to `folder`. Returns one study per ground and sensors, over all robots, courses and
-/// seeds together: the shares within two standard deviations must be 90 to 99 %.
-std::vector<CourseStudy> study_covariance(const std::string& body, const std::string& folder,
-                                          std::uint64_t first_seed, int runs);
+/// The bundled robots on a body, ode or shear. On shear each is identified there, and its file
+/// written to `folder`. Throws SetupError.
+std::vector<course::Robot> robots_on(const std::string& body, const std::string& folder);
+
+struct CovarianceStudy {
+  bool uneven = false;
+  bool camera = false;  ///< judges the fused pose; without: model and odometry
+  std::uint64_t first_seed = 1;
+  int runs = 1;  ///< of each robot, course and direction
+};
+
+/// Drives robots of one body on 1-sharp and 2. One study over all robots, courses and seeds
+/// together: the shares within two standard deviations must be 90 to 99 %.
+CourseStudy study_covariance(const std::vector<course::Robot>& robots, const CovarianceStudy& what);
 
 }  // namespace tp100::sim

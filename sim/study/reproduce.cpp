@@ -245,8 +245,13 @@ int run_reproduce(const ReproduceCommand& command) {
   if (wanted("held-out")) drive_held_out(command, what);
   if (wanted("real")) study_real_robots(what);
   if (wanted("avr")) drive_image(command, what);
-  if (command.part == "covariance")
-    what.studies = study_covariance(command.body, command.out, command.seed, command.runs);
+  if (command.part == "covariance") {
+    const std::vector<course::Robot> robots = robots_on(command.body, command.out);
+    for (const bool uneven : {false, true})
+      for (const bool camera : {false, true})
+        what.studies.push_back(
+            study_covariance(robots, {uneven, camera, command.seed, command.runs}));
+  }
   if (command.part == "constants")
     what.studies = study_constants(course::bundled_names(course::Bundled::kRobots), command.body,
                                    command.seed);

@@ -14,7 +14,8 @@ class CameraStepTest : public StepTest {
   /// Runs one period with a camera that sees the robot shifted by `aside_m`, 60 ms late, in every
   /// sixth step. Returns the number of heap calls of the step.
   std::uint64_t tick_seen(Step& step, KinematicRobot& robot, double aside_m,
-                          std::span<const OperatorRequest> requests = {}) {
+                          std::span<const OperatorRequest> requests = {},
+                          std::span<const VelocityInput> velocities = {}) {
     now_ += kStepPeriod;
     samples_[0] = robot.sample(now_);
     if (++ticks_ % 6 == 0) {
@@ -32,6 +33,7 @@ class CameraStepTest : public StepTest {
     out_ = &step({.samples = samples_,
                   .requests = requests,
                   .camera = arrived_,
+                  .velocities = velocities,
                   .session = SessionState::kReady,
                   .clock = clock,
                   .session_number = 1,
@@ -64,7 +66,7 @@ TEST_F(CameraStepTest, TheFusedPoseFollowsTheCameraAndAllocatesNothing) {
   EXPECT_GT(snapshot().filter.camera_used, 300u);
   EXPECT_EQ(snapshot().filter.camera_rejected, 0u);
   EXPECT_LT(snapshot().filter.camera_age_us, 120'000);
-  EXPECT_LT(snapshot().filter.covariance.xx, 4e-6);
+  EXPECT_LT(snapshot().estimates[PoseSource::kFused].covariance.xx, 4e-6);
 }
 
 TEST_F(CameraStepTest, WhoIsMovedIsFoundByTheCameraAndByNobodyElse) {
@@ -76,6 +78,31 @@ TEST_F(CameraStepTest, WhoIsMovedIsFoundByTheCameraAndByNobodyElse) {
   EXPECT_EQ(snapshot().estimates[PoseSource::kOdometry].pose.y_m, 0.0);
   EXPECT_EQ(snapshot().estimates[PoseSource::kModel].pose.y_m, 0.0);
   EXPECT_EQ(snapshot().filter.recoveries, 1u);
+}
+
+// Odometry is off by centimetres where the camera knows the fused pose to millimetres.
+TEST_F(CameraStepTest, TheFenceAllowsForTheUncertaintyOfThePoseThatSteers) {
+  auto course = std::make_shared<course::Course>(*course_);
+  course->fence = {-1.0, 0.6, -1.0, 1.0};
+  const auto left_to_fence_m = [&](PoseSource source) {
+    parameters_.steering = source;
+    Step step(parameters_, course);
+    KinematicRobot robot(parameters_);
+    for (int i = 0; i < 300; ++i) tick_seen(step, robot, 0.0);
+    const OperatorRequest request = OperatorRequest::kDrive;
+    tick_seen(step, robot, 0.0, std::span(&request, 1));
+    for (int i = 0; i < 2400; ++i) {
+      const VelocityInput ahead{.at_ns = now_, .speed_mps = 0.1};
+      tick_seen(step, robot, 0.0, {}, std::span(&ahead, 1));
+    }
+    EXPECT_TRUE(snapshot().at_fence) << to_string(source);
+    under_way_.clear();
+    return course->fence.max_x_m - snapshot().world.x_m;
+  };
+  const double fused_m = left_to_fence_m(PoseSource::kFused);
+  EXPECT_GT(fused_m, 0.01);
+  EXPECT_GT(left_to_fence_m(PoseSource::kOdometry), fused_m + 0.01);
+  EXPECT_GT(left_to_fence_m(PoseSource::kModel), fused_m + 0.01);
 }
 
 TEST_F(CameraStepTest, OnAStandTheCameraIsNotLookedAt) {

@@ -117,7 +117,8 @@ TEST(Channels, MessagesHaveNoFieldThatTheirSchemaDoesNotName) {
   // Neither a sample, a course, a truth, a robot nor a finite number.
   StepRecord nothing;
   nothing.snapshot.cross_track_m = nothing.snapshot.estimates[PoseSource::kModel].pose.x_m =
-      nothing.snapshot.filter.covariance.xx = std::numeric_limits<double>::quiet_NaN();
+      nothing.snapshot.estimates[PoseSource::kFused].covariance.xx =
+          std::numeric_limits<double>::quiet_NaN();
   const Messages without({}, {});
   const std::map<std::string, std::string> least = {
       {"/estimate", without.estimate(nothing, std::nullopt)},

@@ -45,7 +45,7 @@ TEST_F(MessagesTest, WithoutASampleTheAgeIsUnknown) {
 }
 
 TEST_F(MessagesTest, NumbersThatAreNoneStayOutOfTheJson) {
-  record_.snapshot.filter.covariance.xx = -1.0;
+  record_.snapshot.estimates[PoseSource::kFused].covariance.xx = -1.0;
   record_.snapshot.estimates[PoseSource::kModel].pose.x_m = std::numeric_limits<double>::infinity();
   const Json json = Json::parse(messages_.estimate(record_, std::nullopt));
   EXPECT_FALSE(json["fused"].contains("sd_x_m"));
@@ -63,6 +63,24 @@ TEST_F(MessagesTest, CommandedTrackSpeedsAreThoseOfTheStepAndNoneWithoutACommand
   record_.command_valid = false;
   EXPECT_FALSE(tracks().contains("left_commanded_mps"));
   EXPECT_FALSE(tracks().contains("right_commanded_mps"));
+}
+
+TEST_F(MessagesTest, EveryEstimateHasItsStandardDeviations) {
+  double sd = 0.01;
+  for (const PoseSource source : kPoseSources) {
+    record_.snapshot.estimates[source].covariance = {
+        .xx = square(sd), .yy = square(2.0 * sd), .yaw_yaw = square(3.0 * sd)};
+    sd *= 2.0;
+  }
+  const Json json = Json::parse(messages_.estimate(record_, std::nullopt));
+  sd = 0.01;
+  for (const PoseSource source : kPoseSources) {
+    const Json& estimate = json[to_string(source)];
+    EXPECT_NEAR(estimate["sd_x_m"], sd, 1e-12) << to_string(source);
+    EXPECT_NEAR(estimate["sd_y_m"], 2.0 * sd, 1e-12) << to_string(source);
+    EXPECT_NEAR(estimate["sd_yaw_rad"], 3.0 * sd, 1e-12) << to_string(source);
+    sd *= 2.0;
+  }
 }
 
 TEST_F(MessagesTest, TheReferenceIsThePathAtTheProgress) {

@@ -244,9 +244,8 @@ for (const { what, options, robot = 'end-loaded', status = 0 } of runs)
     const camera = options.includes('--camera');
     let spread = 0, correlated = 0, turning = 0;
     for (const { logTime, value } of messages('/odom')) {
-      const { fused } = estimates.get(logTime);
-      // Without a camera it is that of the fused estimate. With one, only the fused pose is corrected.
-      if (!camera) nearDeviations(value.pose.covariance, fused, '/odom');
+      const { odometry, fused } = estimates.get(logTime);
+      nearDeviations(value.pose.covariance, odometry, '/odom');
       const [x, y, yaw] = planarVariances(value.pose.covariance);
       spread = Math.max(spread, Math.sqrt(x + y) / Math.hypot(fused.sd_x_m, fused.sd_y_m));
       correlated = Math.max(correlated, Math.abs(value.pose.covariance[11]) / Math.sqrt(y * yaw));

@@ -45,7 +45,7 @@ TEST(LargestDifference, IsTheLargestOfAllRecordsByUnit) {
   EXPECT_EQ(largest.other, 0.0);
   add([](Snapshot& s) { s.estimates[PoseSource::kFused].pose.yaw_rad += 2.0 * kPi + 0x1p-30; });
   EXPECT_NEAR(largest.angle_rad, 0x1p-30, 1e-14);
-  add([](Snapshot& s) { s.filter.covariance.xx += 0x1p-20; });
+  add([](Snapshot& s) { s.estimates[PoseSource::kFused].covariance.xx += 0x1p-20; });
   EXPECT_NEAR(largest.other, 0x1p-20, 1e-14);
   EXPECT_TRUE(largest.within(0x1p-19));
   EXPECT_FALSE(largest.within(0x1p-21));

@@ -38,7 +38,7 @@ course::Course straight(double length_m) {
 TEST(Coverage, IsTheShareWithinTwoStandardDeviations) {
   std::vector<TrajectoryPoint> points(4);
   for (TrajectoryPoint& one : points) {
-    one.fused_sd = {.x_m = 0.01, .y_m = 0.02, .yaw_rad = 0.1};
+    one.sd[PoseSource::kFused] = {.x_m = 0.01, .y_m = 0.02, .yaw_rad = 0.1};
     one.truth.yaw_rad = kPi;
   }
   points[0].truth.x_m = 0.019;
@@ -49,8 +49,27 @@ TEST(Coverage, IsTheShareWithinTwoStandardDeviations) {
   points[0].estimates[PoseSource::kFused].yaw_rad = -kPi - 0.19;
   for (std::size_t i = 1; i < points.size(); ++i)
     points[i].estimates[PoseSource::kFused].yaw_rad = kPi + 0.21;
-  EXPECT_EQ(coverage(points).position, 0.75);
-  EXPECT_EQ(coverage(points).yaw, 0.25);
+  EXPECT_EQ(coverage(points, PoseSource::kFused).position, 0.75);
+  EXPECT_EQ(coverage(points, PoseSource::kFused).yaw, 0.25);
+}
+
+TEST(Coverage, OfTheModelEndsWhereADisturbanceBeginsAndOnAStandThereIsNone) {
+  RunResult run;
+  run.setup = "flat";
+  for (int i = 0; i < 4; ++i) {
+    run.points.push_back(point(i, pose(0.1 * i, i < 2 ? 0.0 : 0.05), pose(0.1 * i, 0.0)));
+    run.points.back().estimates[PoseSource::kOdometry] = pose(0.1 * i, 0.0);
+    run.points.back().sd = same_for_all(PoseSd{.x_m = 0.01, .y_m = 0.01, .yaw_rad = 0.1});
+  }
+  run.disturbances = {{1.5, 1.8}};
+  const auto within = [&] { return figures(run, straight(1.0)).within_2_sd; };
+  EXPECT_EQ(within()[PoseSource::kModel]->position, 1.0);
+  EXPECT_EQ(within()[PoseSource::kOdometry]->position, 0.75);
+  EXPECT_FALSE(within()[PoseSource::kFused]) << "no camera";
+  run.disturbances = {{0.0, 0.3}};
+  EXPECT_FALSE(within()[PoseSource::kModel]) << "nothing before it";
+  run.setup = "stand";
+  EXPECT_FALSE(within()[PoseSource::kOdometry]);
 }
 
 TEST(PoseErrors, FollowEquation8AndMeanSquares) {

@@ -95,6 +95,18 @@ TEST(ResultJson, HasTheDocumentedKeysInOrder) {
   EXPECT_EQ(json["seed"], 7);
 }
 
+TEST(ResultJson, EachEstimateSaysHowOftenItsCovarianceHeldTheTruth) {
+  RunFigures figures = some_figures();
+  figures.within_2_sd[PoseSource::kModel] = Coverage{.position = 0.95, .yaw = 0.875};
+  const Json json = Json::parse(result_json(a_run(), figures));
+  EXPECT_EQ(json["model"]["within_2_sd"]["position"], 0.95);
+  EXPECT_EQ(json["model"]["within_2_sd"]["yaw"], 0.875);
+  EXPECT_FALSE(json["odometry"].contains("within_2_sd"));
+  EXPECT_THAT(result_table(a_run(), figures),
+              HasSubstr("true pose within 2 sd, x and y, and yaw: model 95 and 88 %\n"));
+  EXPECT_THAT(result_table(a_run(), some_figures()), Not(HasSubstr("within 2 sd")));
+}
+
 TEST(ResultJson, IsOneLineWhoseNumbersReadBackExactly) {
   const std::string text = result_json(a_run(), some_figures());
   EXPECT_EQ(text.find('\n'), std::string::npos);

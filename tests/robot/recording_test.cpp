@@ -110,7 +110,8 @@ TEST_P(RecordedCourse, TheReportHasTheFiguresOfTheRun) {
   EXPECT_EQ(metrics["baselines"].size(), model::kBaselines.size());
   const std::string page = test::read_bytes(folder + "/report.html");
   EXPECT_THAT(page, HasSubstr("tp100Replay(document"));
-  EXPECT_TRUE(metrics.contains("within_2_sd"));
+  for (const PoseSource source : {PoseSource::kModel, PoseSource::kOdometry})
+    EXPECT_TRUE(metrics[to_string(source)].contains("within_2_sd")) << to_string(source);
   EXPECT_THAT(page, HasSubstr("<dt>true pose within 2 sd of "));
   for (const model::ModelForm& form : model::kBaselines)
     EXPECT_THAT(page, HasSubstr("<td>" + std::string(form.key) + "</td>"));

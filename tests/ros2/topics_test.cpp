@@ -157,9 +157,9 @@ TEST_F(TopicMessagesTest, CovariancesAreTheEstimatorsAndZRollAndPitchAreUnknown)
     add_sample(record);
     record.snapshot.estimates[PoseSource::kOdometry].pose.x_m = 1.5;
     record.snapshot.estimates[PoseSource::kOdometry].twist.vx_mps = 2.5;
-    record.snapshot.odometry_pose_covariance = pose;
+    record.snapshot.estimates[PoseSource::kOdometry].covariance = pose;
     record.snapshot.odometry_twist_covariance = twist;
-    record.snapshot.filter.covariance = fused;
+    record.snapshot.estimates[PoseSource::kFused].covariance = fused;
   });
   const auto matrix = [this](Topic topic, std::size_t at) {
     Matrix found{};

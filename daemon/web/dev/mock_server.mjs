@@ -151,12 +151,12 @@ function estimate(t_s, s, moving, tracks, target, age_us) {
   const d = 0.06;
   const front = ground(x + d * Math.cos(ref.yaw), y + d * Math.sin(ref.yaw)), rear = ground(x - d * Math.cos(ref.yaw), y - d * Math.sin(ref.yaw));
   const pitch = -Math.atan2(front - rear, 2 * d), z = Math.max((front + rear) / 2, 0);
-  const pose = (dx, dy, dyaw) => ({ x_m: x + dx, y_m: y + dy, z_m: z, roll_rad: 0, pitch_rad: pitch, yaw_rad: ref.yaw + dyaw, vx_mps: moving ? 0.1 : 0, vy_mps: 0, yaw_rate_radps: 0 });
+  const pose = (dx, dy, dyaw, sd_m) => ({ x_m: x + dx, y_m: y + dy, z_m: z, roll_rad: 0, pitch_rad: pitch, yaw_rad: ref.yaw + dyaw, vx_mps: moving ? 0.1 : 0, vy_mps: 0, yaw_rate_radps: 0, sd_x_m: sd_m, sd_y_m: sd_m, sd_yaw_rad: 5 * sd_m });
   const message = {
     t_s, step, age_us, steering: 'odometry',
-    model: pose(0.006 * s, -0.012 * s * s * 0.4, 0.012 * s), odometry: pose(0, 0, 0.004 * Math.sin(5 * s)),
-    fused: { ...pose(0.0015 * Math.sin(9 * s), 0.001, 0.002), sd_x_m: 0.002, sd_y_m: 0.002, sd_yaw_rad: 0.01, camera_age_us: null, camera_used: 0, camera_rejected: 0, nis: 0, nis_mean: 3, recoveries: 0 },
-    truth: process.env.TRUTH ? { ...pose(-0.002, 0.003 * s, -0.004), age_us: 0 } : null,
+    model: pose(0.006 * s, -0.012 * s * s * 0.4, 0.012 * s, 0.005 + 0.01 * s), odometry: pose(0, 0, 0.004 * Math.sin(5 * s), 0.005 + 0.004 * s),
+    fused: { ...pose(0.0015 * Math.sin(9 * s), 0.001, 0.002, 0.002), camera_age_us: null, camera_used: 0, camera_rejected: 0, nis: 0, nis_mean: 3, recoveries: 0 },
+    truth: process.env.TRUTH ? { ...pose(-0.002, 0.003 * s, -0.004, 0), age_us: 0 } : null,
     reference: { x_m: ref.x, y_m: ref.y, yaw_rad: ref.yaw }, imu: { roll_rad: 0, pitch_rad: 0, slope: 'flat' }, pitch_source: 'virtual',
     tracks: { left_mps: tracks[0], right_mps: tracks[1], left_commanded_mps: moving ? target[0] : null, right_commanded_mps: moving ? target[1] : null },
     cross_track_m: wobble, heading_error_rad: 0.03 * Math.cos(17 * s) * (moving ? 1 : 0), desired_yaw_rad: ref.yaw, desired_speed_mps: moving ? 0.1 : 0, progress_m: s,

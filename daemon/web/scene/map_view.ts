@@ -1,6 +1,6 @@
 // The course and the robot from above on a 2-D canvas: needs no WebGL.
-import type { Course, FusedPose, Pose, RobotShape } from '../state/messages.ts';
-import { kEstimates, type EstimateName, type Store } from '../state/store.ts';
+import type { Course, EstimatedPose, Pose, RobotShape } from '../state/messages.ts';
+import { kEstimates, kUncertain, type EstimateName, type Store } from '../state/store.ts';
 import type { CameraMode } from './camera_rig.ts';
 import { bounds, fenceOf, footprint, inside, keepOutOf, onStadium, rampLength, stadiumLength, type Bounds, type Point2 } from './geometry.ts';
 import { Moved } from './moved.ts';
@@ -94,7 +94,7 @@ export class MapView implements View {
       context.lineWidth = 1.5 * this.ratio;
       context.stroke();
     }
-    if (this.visible.fused) this.uncertainty(context, estimate.fused);
+    for (const name of kUncertain) if (this.visible[name]) this.uncertainty(context, name, estimate[name]);
     const pose = estimate[estimate.steering];
     this.robot(context, pose, store.leftTrack_m, store.rightTrack_m);
     this.element.dataset.robot = [pose.x_m, pose.y_m, pose.z_m, pose.yaw_rad].join(' ');
@@ -138,15 +138,16 @@ export class MapView implements View {
     context.closePath();
   }
 
-  /** Two standard deviations of the fused position along x and along y; their correlation is not shown. */
-  private uncertainty(context: CanvasRenderingContext2D, { x_m, y_m, sd_x_m, sd_y_m }: FusedPose): void {
+  /** Two standard deviations of an estimated position along x and along y; their correlation is not shown. */
+  private uncertainty(context: CanvasRenderingContext2D, name: EstimateName, { x_m, y_m, sd_x_m, sd_y_m }: EstimatedPose): void {
+    if (typeof sd_x_m !== 'number' || typeof sd_y_m !== 'number') return;
     const at = this.pixel(x_m, y_m);
     context.beginPath();
     context.ellipse(at.x, at.y, 2 * sd_x_m * this.projection.scale, 2 * sd_y_m * this.projection.scale, 0, 0, 2 * Math.PI);
-    context.strokeStyle = colour('fused');
+    context.strokeStyle = colour(name);
     context.lineWidth = this.ratio;
     context.stroke();
-    this.element.dataset.uncertainty = [2 * sd_x_m, 2 * sd_y_m].join(' ');
+    this.element.dataset[`${name}Uncertainty`] = [2 * sd_x_m, 2 * sd_y_m].join(' ');
   }
 
   private robot(context: CanvasRenderingContext2D, pose: Pose, left_m: number, right_m: number): void {

@@ -18,7 +18,7 @@ import {
   SRGBColorSpace,
   Vector3,
 } from 'three';
-import type { FusedPose, Pose, RobotShape } from '../state/messages.ts';
+import type { EstimatedPose, Pose, RobotShape } from '../state/messages.ts';
 import { onStadium, stadium, stadiumLength } from './geometry.ts';
 import { box, prismGeometry, solid } from './solid.ts';
 
@@ -108,7 +108,7 @@ export class RobotModel {
   }
 }
 
-/** Two standard deviations of the fused position along x and along y; their correlation is not shown. */
+/** Two standard deviations of an estimated position along x and along y; their correlation is not shown. */
 export class UncertaintyRing {
   readonly line: LineLoop;
 
@@ -120,7 +120,10 @@ export class UncertaintyRing {
     this.line = new LineLoop(new BufferGeometry().setFromPoints(circle), new LineBasicMaterial({ color: colour }));
   }
 
-  set({ x_m, y_m, z_m, sd_x_m, sd_y_m }: FusedPose): void {
+  /** Hidden if the recording has no standard deviations. */
+  set({ x_m, y_m, z_m, sd_x_m, sd_y_m }: EstimatedPose): void {
+    this.line.visible = typeof sd_x_m === 'number' && typeof sd_y_m === 'number';
+    if (typeof sd_x_m !== 'number' || typeof sd_y_m !== 'number') return;
     this.line.position.set(x_m, y_m, z_m + kRingLift_m);
     this.line.scale.set(2 * sd_x_m, 2 * sd_y_m, 1);
   }

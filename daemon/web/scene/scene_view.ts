@@ -1,7 +1,7 @@
 // The course and the robot in three dimensions (WebGL).
 import { Color, DirectionalLight, Fog, HemisphereLight, PCFShadowMap, Scene, WebGLRenderer } from 'three';
 import type { Course, RobotShape } from '../state/messages.ts';
-import { kEstimates, type EstimateName, type Store } from '../state/store.ts';
+import { kEstimates, kUncertain, type EstimateName, type Store } from '../state/store.ts';
 import { CameraRig, type CameraMode } from './camera_rig.ts';
 import { CourseModel } from './course_model.ts';
 import { bounds } from './geometry.ts';
@@ -27,7 +27,7 @@ export class SceneView implements View {
   private readonly ribbons: Record<EstimateName, Ribbon>;
   private ghosts: Record<EstimateName, GhostModel>;
   private robot: RobotModel;
-  private readonly ring = new UncertaintyRing(colour('fused'));
+  private readonly rings = kUncertain.map((name) => ({ name, ring: new UncertaintyRing(colour(name)) }));
   private shape: RobotShape = kDefaultShape;
   private readonly visible: Record<EstimateName, boolean> = { model: true, odometry: true, fused: true, truth: true };
   private readonly pace = new Pace();
@@ -45,7 +45,8 @@ export class SceneView implements View {
     this.renderer.shadowMap.type = PCFShadowMap;
     this.scene.background = new Color(colour('sky'));
     this.scene.fog = new Fog(colour('sky'), 3.5, 9);
-    this.scene.add(new HemisphereLight('#bcd6f5', '#26303c', 1.4), this.sun, this.sun.target, this.course.group, this.ring.line);
+    this.scene.add(new HemisphereLight('#bcd6f5', '#26303c', 1.4), this.sun, this.sun.target, this.course.group);
+    for (const { ring } of this.rings) this.scene.add(ring.line);
     this.sun.castShadow = true;
     this.sun.shadow.mapSize.set(1024, 1024);
     this.sun.shadow.bias = -0.0004;
@@ -111,8 +112,10 @@ export class SceneView implements View {
       this.changed = true;
       this.robot.group.visible = estimate !== undefined;
       if (estimate !== undefined) this.robot.set(estimate[estimate.steering], store.leftTrack_m, store.rightTrack_m);
-      this.ring.line.visible = estimate !== undefined && this.visible.fused;
-      if (estimate !== undefined) this.ring.set(estimate.fused);
+      for (const { name, ring } of this.rings) {
+        if (estimate !== undefined && this.visible[name]) ring.set(estimate[name]);
+        else ring.line.visible = false;
+      }
       for (const name of kEstimates) {
         const pose = estimate?.[name];
         const ghost = this.ghosts[name];

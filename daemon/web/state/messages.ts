@@ -10,17 +10,14 @@ export interface Pose {
   yaw_rad: number;
 }
 
-export interface MovingPose extends Pose {
+/** An estimate's pose with its rates and standard deviations, which older recordings have of the fused pose only. */
+export interface EstimatedPose extends Pose {
   vx_mps: number;
   vy_mps: number;
   yaw_rate_radps: number;
-}
-
-export interface FusedPose extends MovingPose {
-  sd_x_m: number;
-  sd_y_m: number;
-  sd_yaw_rad: number;
-  camera_age_us?: number | null;
+  sd_x_m?: number | null;
+  sd_y_m?: number | null;
+  sd_yaw_rad?: number | null;
 }
 
 export type Steering = 'model' | 'odometry' | 'fused';
@@ -30,9 +27,9 @@ export interface Estimate {
   step: number;
   age_us?: number | null;
   steering: Steering;
-  model: MovingPose;
-  odometry: MovingPose;
-  fused: FusedPose;
+  model: EstimatedPose;
+  odometry: EstimatedPose;
+  fused: EstimatedPose & { camera_age_us?: number | null };
   truth?: (Pose & { age_us: number }) | null;
   reference?: { x_m: number; y_m: number; yaw_rad: number } | null;
   pitch_source: string;

@@ -7,6 +7,8 @@ import { PathHistory } from './path_history.ts';
 
 export const kEstimates = ['model', 'odometry', 'fused', 'truth'] as const;
 export type EstimateName = (typeof kEstimates)[number];
+/** Those with a covariance. */
+export const kUncertain = ['model', 'odometry', 'fused'] as const;
 
 /** Columns of `Store.series`, in the units that the plots show. */
 export const kColumns = {

@@ -142,9 +142,11 @@ describe('without WebGL', () => {
       await goOn(page);
       return (await drawn(page))?.join() !== first.join();
     }, 'it moves');
-    // Two standard deviations of the fused position: some millimetres to centimetres.
-    const ring = ((await page.getAttribute('.stage canvas', 'data-uncertainty')) ?? '').split(' ').map(Number);
-    expect(ring.length === 2 && ring.every((m) => m > 1e-4 && m < 0.5), ring.join()).toBe(true);
+    // Two standard deviations of each estimated position: some millimetres to centimetres.
+    for (const name of ['model', 'odometry', 'fused']) {
+      const ring = ((await page.getAttribute('.stage canvas', `data-${name}-uncertainty`)) ?? '').split(' ').map(Number);
+      expect(ring.length === 2 && ring.every((m) => m > 1e-4 && m < 0.5), `${name} ${ring.join()}`).toBe(true);
+    }
     const colours = await page.evaluate(() => {
       const canvas = document.querySelector<HTMLCanvasElement>('.stage canvas');
       const data = canvas?.getContext('2d')?.getImageData(0, 0, canvas.width, canvas.height).data ?? [];

@@ -1,8 +1,8 @@
 import { beforeEach, describe, expect, it } from 'vitest';
-import type { Estimate, MovingPose, State } from '../../../daemon/web/state/messages.ts';
+import type { Estimate, EstimatedPose, State } from '../../../daemon/web/state/messages.ts';
 import { kColumns, kEvents, Store } from '../../../daemon/web/state/store.ts';
 
-const at = (x_m: number, y_m = 0): MovingPose => ({
+const at = (x_m: number, y_m = 0): EstimatedPose => ({
   x_m,
   y_m,
   z_m: 0,
