@@ -174,8 +174,8 @@ void add_reproduce_command(CLI::App& app, Action& action) {
                    "others), uneven (floors sampled from the seed), covariance (does it contain "
                    "the true pose?), constants (which of the model's pay), sampled (robots drawn "
                    "from stated ranges), held-out (courses that are not bundled), real (measured "
-                   "data of real robots), avr (course 3 on the image), all, or random (50 random "
-                   "courses a run)")
+                   "data of real robots), avr (course 3 on the image), all of these, or random "
+                   "(50 random courses a run)")
       ->type_name("PART")
       ->capture_default_str();
   command

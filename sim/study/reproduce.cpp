@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <string_view>
+#include <utility>
 
 #include "core/arithmetic.h"
 #include "core/clock.h"
@@ -20,6 +22,7 @@
 #include "sim/study/sampled.h"
 #include "sim/study/shear_study.h"
 #include "sim/study/state_study.h"
+#include "sim/study/study_processes.h"
 #include "terrain/climbable.h"
 #include "text/atomic_file.h"
 #include "text/format.h"
@@ -37,6 +40,8 @@ constexpr int kCalibrationRepeats = 2;
 // seeds do from each other.
 constexpr int kImageRuns = 5;
 constexpr int kRandomCoursesARun = 50;
+// As a part of all: it drives every robot on two courses, four times.
+constexpr int kCovarianceRuns = 2;
 // Bodies with less friction slide off the step of course 3.
 constexpr double kFrictionOfCourse3 = 0.85;
 
@@ -118,55 +123,50 @@ void drive_paper(const ReproduceCommand& command, Reproduction& what) {
   }
 }
 
-void drive_robots(const ReproduceCommand& command, Reproduction& what) {
-  for (const std::string& name : course::bundled_names(course::Bundled::kRobots)) {
-    if (name == what.reference.name) continue;
-    const course::Robot robot = robot_named(name);
-    for (const char* kind : kPaperCourses) {
-      const course::Course course = load_course(kind);
-      if (!climbs(course, robot)) continue;
-      what.studies.push_back(
-          study(trial_of(command, course, robot, floor_for(course, robot)), kind, false));
-    }
-  }
-}
+using Studies = std::vector<CourseStudy>;
+/// Whether a part was asked for.
+using Wanted = std::function<bool(const char*)>;
 
-/// Drives every robot with floor, tension, payload and battery sampled by each seed.
-void drive_uneven(const ReproduceCommand& command, Reproduction& what) {
-  for (const std::string& name : course::bundled_names(course::Bundled::kRobots)) {
-    course::Robot robot = robot_named(name);
-    robot.emulated.floor = course::Floor::kUneven;
-    for (const char* kind : {"1-straight", "1-curve", "1-sharp"})
-      what.studies.push_back(
-          study(trial_of(command, load_course(kind), robot, bridge::Setup::kFlat), kind, false));
-  }
-}
-
-void drive_sampled(const ReproduceCommand& command, Reproduction& what) {
-  for (int i = 0; i < command.sampled; ++i) {
-    const std::uint64_t number = kSampledNumber + command.seed + static_cast<std::uint64_t>(i);
-    Loaded loaded = load({});
-    loaded.robot = sampled_robot(what.reference, number);
-    const course::Robot robot = calibrated_robot(loaded, kCalibrationRepeats, number, command.out);
-    for (const char* kind : kPaperCourses) {
-      const course::Course course = load_course(kind);
-      if (!climbs(course, robot)) continue;
-      Trial trial = trial_of(command, course, robot, floor_for(course, robot));
-      trial.runs = 1;
-      what.studies.push_back(study(trial, kind, false));
-    }
-  }
-}
-
-void drive_held_out(const ReproduceCommand& command, Reproduction& what) {
+/// The paper's courses with a robot that they were not made for.
+Studies drive_courses(const ReproduceCommand& command, const course::Robot& robot) {
+  Studies studies;
   for (const char* kind : kPaperCourses) {
-    for (std::uint64_t i = 0; i < 2; ++i) {
-      const course::Course course = held_out_course(kind, kHeldOutSeed + i);
-      Trial trial = trial_of(command, course, what.reference, floor_for(course));
-      trial.first_seed = kHeldOutSeed;
-      what.studies.push_back(study(trial, kind, true));
-    }
+    const course::Course course = load_course(kind);
+    if (climbs(course, robot))
+      studies.push_back(
+          study(trial_of(command, course, robot, floor_for(course, robot)), kind, false));
   }
+  return studies;
+}
+
+/// Floor, tension, payload and battery are sampled by each seed.
+Studies drive_uneven(const ReproduceCommand& command, course::Robot robot) {
+  robot.emulated.floor = course::Floor::kUneven;
+  Studies studies;
+  for (const char* kind : {"1-straight", "1-curve", "1-sharp"})
+    studies.push_back(
+        study(trial_of(command, load_course(kind), robot, bridge::Setup::kFlat), kind, false));
+  return studies;
+}
+
+Studies drive_sampled(ReproduceCommand command, const course::Robot& reference,
+                      std::uint64_t number) {
+  Loaded loaded = load({});
+  loaded.robot = sampled_robot(reference, number);
+  command.runs = 1;
+  return drive_courses(command, calibrated_robot(loaded, kCalibrationRepeats, number, command.out));
+}
+
+Studies drive_held_out(const ReproduceCommand& command, const course::Robot& reference,
+                       const char* kind) {
+  Studies studies;
+  for (std::uint64_t i = 0; i < 2; ++i) {
+    const course::Course course = held_out_course(kind, kHeldOutSeed + i);
+    Trial trial = trial_of(command, course, reference, floor_for(course));
+    trial.first_seed = kHeldOutSeed;
+    studies.push_back(study(trial, kind, true));
+  }
+  return studies;
 }
 
 void study_real_robots(Reproduction& what) {
@@ -176,21 +176,26 @@ void study_real_robots(Reproduction& what) {
   }
 }
 
-void drive_image(const ReproduceCommand& command, Reproduction& what) {
+Studies drive_image(const ReproduceCommand& command, const course::Robot& reference) {
   const course::Course course_3 = load_course("3");
+  Studies studies;
   for (const bridge::Setup setup :
        {bridge::Setup::kTerrain, bridge::Setup::kFlat, bridge::Setup::kStand}) {
-    Trial trial = trial_of(command, course_3, what.reference, setup);
+    Trial trial = trial_of(command, course_3, reference, setup);
     trial.board = BoardKind::kAvr;
     trial.runs = std::min(command.runs, kImageRuns);
-    what.studies.push_back(study(trial, "3", true));
+    studies.push_back(study(trial, "3", true));
   }
+  return studies;
 }
 
 void write_trajectories(const std::string& folder, const CourseStudy& study) {
   const report::RunResult& run = study.shown.result;
   if (run.points.empty()) return;
-  const std::string stem = folder + "/" + run.course + "-" + run.robot + "-" + run.setup;
+  std::string stem = folder + "/" + run.course + "-" + run.robot + "-" + run.setup;
+  if (study.uneven) stem += "-uneven";
+  if (study.board != to_string(BoardKind::kNative)) stem += "-" + study.board;
+  if (!study.blind.empty()) stem += "-blind";
   text::write_file(stem + ".csv", report::poses_csv(run));
   std::string truth;
   PerSource<std::string> estimates;
@@ -205,6 +210,50 @@ void write_trajectories(const std::string& folder, const CourseStudy& study) {
       text::write_file(stem + "-" + std::string(to_string(source)) + ".tum", estimates[source]);
 }
 
+/// The studies of every wanted part but those of which the page shows more than figures with
+/// limits; those that take longest first.
+std::vector<StudyProcesses::Job> jobs_of(const ReproduceCommand& command, const Wanted& wanted,
+                                         const course::Robot& reference) {
+  std::vector<StudyProcesses::Job> jobs;
+  const std::vector<std::string> robots = course::bundled_names(course::Bundled::kRobots);
+  const auto add = [&](StudyProcesses::Job study) {
+    jobs.push_back([out = command.out, study = std::move(study)] {
+      Studies studies = study();
+      for (const CourseStudy& one : studies) write_trajectories(out, one);
+      return studies;
+    });
+  };
+  if (wanted("covariance")) {
+    const int runs = command.part == "all" ? std::min(command.runs, kCovarianceRuns) : command.runs;
+    const std::vector<course::Robot> on_body = robots_on(command.body, command.out);
+    for (const bool uneven : {false, true})
+      for (const bool camera : {false, true})
+        add([on_body, runs, uneven, camera, seed = command.seed] {
+          return Studies{study_covariance(on_body, {uneven, camera, seed, runs})};
+        });
+  }
+  if (wanted("state"))
+    add([command, reference] { return study_state(reference, command.seed, command.runs); });
+  for (const std::string& name : robots) {
+    if (wanted("robots") && name != reference.name)
+      add([command, name] { return drive_courses(command, robot_named(name)); });
+    if (wanted("uneven")) add([command, name] { return drive_uneven(command, robot_named(name)); });
+  }
+  if (wanted("sampled"))
+    for (int i = 0; i < command.sampled; ++i)
+      add([command, reference,
+           number = kSampledNumber + command.seed + static_cast<std::uint64_t>(i)] {
+        return drive_sampled(command, reference, number);
+      });
+  if (wanted("held-out"))
+    for (const char* kind : kPaperCourses)
+      add([command, reference, kind] { return drive_held_out(command, reference, kind); });
+  if (wanted("constants"))
+    add([command, robots] { return study_constants(robots, command.body, command.seed); });
+  if (wanted("avr")) add([command, reference] { return drive_image(command, reference); });
+  return jobs;
+}
+
 }  // namespace
 
 int run_reproduce(const ReproduceCommand& command) {
@@ -213,7 +262,7 @@ int run_reproduce(const ReproduceCommand& command) {
   const course::Robot reference = load(options).robot;
   const bool shear = reference.emulated.contact_law == course::ContactLaw::kShear;
   const bool all = command.part == "all";
-  const auto wanted = [&](const char* part) { return (all && !shear) || command.part == part; };
+  const Wanted wanted = [&](const char* part) { return (all && !shear) || command.part == part; };
   constexpr std::array<std::string_view, 11> kParts = {
       "paper",   "state",    "robots", "uneven", "covariance", "constants",
       "sampled", "held-out", "real",   "avr",    "random"};
@@ -233,32 +282,15 @@ int run_reproduce(const ReproduceCommand& command) {
   what.seed = command.seed;
   what.date = text::utc_minute(unix_now_ns() / kNsPerS);
   what.program = "tp100-sim " TP100_VERSION;
+  StudyProcesses processes(jobs_of(command, wanted, reference));
   if (shear && all) what.studies = study_shear(command.out, command.seed, command.runs);
   if (wanted("paper")) drive_paper(command, what);
-  if (wanted("state")) {
-    for (const CourseStudy& study : study_state(what.reference, command.seed, command.runs))
-      what.studies.push_back(study);
-  }
-  if (wanted("robots")) drive_robots(command, what);
-  if (wanted("uneven")) drive_uneven(command, what);
-  if (wanted("sampled")) drive_sampled(command, what);
-  if (wanted("held-out")) drive_held_out(command, what);
   if (wanted("real")) study_real_robots(what);
-  if (wanted("avr")) drive_image(command, what);
-  if (command.part == "covariance") {
-    const std::vector<course::Robot> robots = robots_on(command.body, command.out);
-    for (const bool uneven : {false, true})
-      for (const bool camera : {false, true})
-        what.studies.push_back(
-            study_covariance(robots, {uneven, camera, command.seed, command.runs}));
-  }
-  if (command.part == "constants")
-    what.studies = study_constants(course::bundled_names(course::Bundled::kRobots), command.body,
-                                   command.seed);
   // Not part of "all": it takes longer than all others together.
   if (command.part == "random")
     what.studies.push_back(study_random(command.seed, kRandomCoursesARun * command.runs));
   for (const CourseStudy& study : what.studies) write_trajectories(command.out, study);
+  for (CourseStudy& study : processes.results()) what.studies.push_back(std::move(study));
   text::write_file(command.out + "/results.json", reproduction_json(what));
   text::write_file(command.out + "/index.html", reproduction_page(what));
   std::printf("%s%s\n%s/index.html\n", reproduction_table(what).c_str(),

@@ -20,17 +20,19 @@ namespace tp100::sim {
 
 struct ReproduceCommand {
   std::string out = "reproduce";  ///< folder
-  std::string part = "all";  ///< paper, state, robots, uneven, covariance, sampled, held-out, real,
-                             ///< avr, random or all
-  std::string body{};  ///< ode or shear; empty: ode. Shear: study_shear or study_covariance alone
+  /// paper, state, robots, uneven, covariance, constants, sampled, held-out, real, avr, all of
+  /// these, or random.
+  std::string part = "all";
+  std::string body{};  ///< ode or shear; empty: ode. With shear `all` is study_shear(), and of the
+                       ///< parts there are covariance and constants
   std::uint64_t seed = 1;
   int runs = 10;
   int sampled = 10;  ///< number of sampled robots, each driven with one seed
 };
 
-/// Drives the part, writes index.html, results.json and the trajectories into the folder and prints
-/// the table of limits. Returns 0 if every limit holds and every run was completed, else 1. Throws
-/// SetupError.
+/// Drives the part on all processors, writes index.html, results.json and the trajectories into the
+/// folder and prints the table of limits. Returns 0 if every limit holds and every run was
+/// completed, else 1. Throws SetupError.
 int run_reproduce(const ReproduceCommand& command);
 
 // The results of a reproduction, as one page and as one JSON object.

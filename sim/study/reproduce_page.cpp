@@ -81,7 +81,7 @@ Rows verdict_rows(const Reproduction& what) {
 
 bool is_paper_course(const CourseStudy& study, const Reproduction& what) {
   return study.robot == what.reference.name && report::published_errors(study.course) &&
-         study.board == "native" && study.blind.empty();
+         study.board == "native" && study.blind.empty() && !study.uneven;
 }
 
 Rows squared_table(const Reproduction& what) {
