@@ -82,7 +82,6 @@ void ModelCovariance::interrupt() {
 
 CarriedModelCovariance ModelCovariance::carry(const Matrix& covariance) const {
   CarriedModelCovariance carried;
-  // It is symmetric: the order does not matter.
   Eigen::Map<Matrix>(carried.errors.data()) = covariance;
   carried.slip_density_m = floor_slip_.slip_density_m();
   carried.seen_m = floor_slip_.seen_m();
@@ -117,22 +116,22 @@ void ModelCovariance::advance(const Pose& before, const Pose& after, const Motio
   compare_with_gyro(distance_m, turn_rad, wheelbase_m, motion, gyro_bias_radps);
   const double kept = kept_slip(noise, motion);
 
-  Matrix f = Matrix::Identity();
-  f(kX, kYaw) = -dy;
-  f(kY, kYaw) = dx;
-  // The turn follows from the difference of the tracks, not from their common slip, whose part in
-  // it is an error of the wheelbase.
-  f(kX, kSlipError) = -dx;
-  f(kY, kSlipError) = -dy;
-  f(kYaw, kWheelbaseError) = turn_rad;
-  f(kSlipError, kSlipError) = kept;
+  // F P F^T with an F of few elements: its product with P, and that with the result transposed.
+  const auto moved = [&](Matrix m) {
+    m.row(kX) -= dy * m.row(kYaw) + dx * m.row(kSlipError);
+    m.row(kY) += dx * m.row(kYaw) - dy * m.row(kSlipError);
+    // The turn follows from the difference of the tracks, not from their common slip, whose part in
+    // it is an error of the wheelbase.
+    m.row(kYaw) += turn_rad * m.row(kWheelbaseError);
+    m.row(kSlipError) *= kept;
+    return m;
+  };
 
   const double middle = before.yaw_rad + turn_rad / 2.0;
   const double c = std::cos(middle), s = std::sin(middle);
   const auto [along, across] = shift_variance(noise, distance_m, turn_rad, motion);
   Matrix& p = covariance_;
-  const Matrix moved = f * p * f.transpose();
-  p = 0.5 * (moved + moved.transpose());
+  p = moved(moved(p).transpose());
   p(kX, kX) += along * c * c + across * s * s;
   p(kY, kY) += along * s * s + across * c * c;
   p(kX, kY) += (along - across) * c * s;
