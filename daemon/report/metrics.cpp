@@ -8,7 +8,6 @@
 #include "core/pose.h"
 
 namespace tp100::report {
-
 namespace {
 
 constexpr double kRecoveredM = 0.01;
@@ -28,6 +27,12 @@ Window window_of(const std::vector<TrajectoryPoint>& points, double begin_s, dou
   const auto last = std::lower_bound(first, points.end(), end_s, before);
   return {static_cast<std::size_t>(first - points.begin()),
           static_cast<std::size_t>(last - points.begin())};
+}
+
+/// The points before the first disturbance.
+std::span<const TrajectoryPoint> undisturbed(const RunResult& run) {
+  const double until_s = run.disturbances.empty() ? HUGE_VAL : run.disturbances.front().begin_s;
+  return std::span(run.points).first(window_of(run.points, -HUGE_VAL, until_s).end);
 }
 
 /// First and last point of the half second inside the limits; `window.end` twice if there is none.
@@ -348,57 +353,38 @@ std::vector<Pose> baseline_poses(const RunResult& run, const model::ModelForm& f
 }
 
 Coverage coverage(std::span<const TrajectoryPoint> points, PoseSource source) {
-  constexpr double kDeviations = 2.0;
   double position = 0.0, yaw = 0.0;
-  const auto within = [](double error, double sd) {
-    return std::abs(error) <= kDeviations * sd ? 1.0 : 0.0;
-  };
+  const auto within = [](double error, double sd) { return std::abs(error) <= 2.0 * sd; };
   for (const TrajectoryPoint& point : points) {
     const Pose& pose = point.estimates[source];
     const PoseSd& sd = point.sd[source];
-    position += 0.5 * (within(pose.x_m - point.truth.x_m, sd.x_m) +
-                       within(pose.y_m - point.truth.y_m, sd.y_m));
+    position += 0.5 * within(pose.x_m - point.truth.x_m, sd.x_m);
+    position += 0.5 * within(pose.y_m - point.truth.y_m, sd.y_m);
     yaw += within(wrap_angle(pose.yaw_rad - point.truth.yaw_rad), sd.yaw_rad);
   }
   const auto count = static_cast<double>(points.size());
   return {position / count, yaw / count};
 }
 
-namespace {
-
-/// The points before the first disturbance.
-std::span<const TrajectoryPoint> undisturbed(const RunResult& run) {
-  if (run.disturbances.empty()) return run.points;
-  const double end_s = run.disturbances.front().begin_s;
-  const auto end = std::ranges::find_if(
-      run.points, [end_s](const TrajectoryPoint& point) { return point.t_s >= end_s; });
-  return {run.points.begin(), end};
-}
-
-}  // namespace
-
 RunFigures figures(const RunResult& run, const course::Course& course) {
   const course::Path path(course);
+  const bool stand = run.setup == "stand";  // there the truth is an estimate itself
   RunFigures result;
   for (const PoseSource source : kPoseSources) {
     if (!run.has_estimate(source)) continue;
     const PoseOf estimate = [source](const TrajectoryPoint& p) -> const Pose& {
       return p.estimates[source];
     };
-    result.estimates[source] = blind_to_disturbances(source)
-                                   ? pose_errors_between(run.points, run.disturbances, estimate)
-                                   : pose_errors(run.points, estimate);
-    const std::span<const TrajectoryPoint> judged =
-        blind_to_disturbances(source) ? undisturbed(run) : run.points;
-    // On a stand the truth is an estimate itself.
-    if (run.setup != "stand" && !judged.empty())
-      result.within_2_sd[source] = coverage(judged, source);
+    const bool blind = blind_to_disturbances(source);
+    result.estimates[source] = blind ? pose_errors_between(run.points, run.disturbances, estimate)
+                                     : pose_errors(run.points, estimate);
+    const auto judged = blind ? undisturbed(run) : std::span(run.points);
+    if (!stand && !judged.empty()) result.within_2_sd[source] = coverage(judged, source);
   }
   for (std::size_t i = 0; i < model::kBaselines.size(); ++i) {
-    // On a stand the truth is an estimate itself.
-    if (!run.baselines.forms[i] || run.setup == "stand") continue;
-    const std::vector<Pose> poses =
-        baseline_poses(run, model::kBaselines[i], *run.baselines.forms[i]);
+    const auto& form = run.baselines.forms[i];
+    if (!form || stand) continue;
+    const std::vector<Pose> poses = baseline_poses(run, model::kBaselines[i], *form);
     result.baselines[i] = pose_errors_between(
         run.points, run.disturbances, [&](const TrajectoryPoint& point) -> const Pose& {
           return poses[static_cast<std::size_t>(&point - run.points.data())];
