@@ -18,6 +18,7 @@
 #include <Eigen/LU>
 #include <cstdint>
 
+#include "core/arithmetic.h"
 #include "core/estimates.h"
 
 namespace tp100::estimation {
@@ -46,6 +47,14 @@ PlanarCovariance pose_part(const Eigen::Matrix<double, N, N>& covariance) {
           .yy = covariance(kY, kY),
           .y_yaw = covariance(kY, kYaw),
           .yaw_yaw = covariance(kYaw, kYaw)};
+}
+
+/// Adds to the variances of the pose in `covariance`.
+template <int N>
+void add_pose_variance(Eigen::Matrix<double, N, N>& covariance, double sd_m, double sd_rad) {
+  covariance(kX, kX) += square(sd_m);
+  covariance(kY, kY) += square(sd_m);
+  covariance(kYaw, kYaw) += square(sd_rad);
 }
 
 /// Mean and covariance; yaw unwrapped. No allocation.

@@ -60,8 +60,7 @@ ModelCovariance::ModelCovariance(const model::TrackParameters& tracks,
 ModelCovariance::Matrix ModelCovariance::prior() const {
   const FilterParameters& noise = model_.noise();
   Matrix p = Matrix::Zero();
-  p(kX, kX) = p(kY, kY) = square(noise.start_sd_m);
-  p(kYaw, kYaw) = square(noise.start_sd_rad);
+  add_pose_variance(p, noise.start_sd_m, noise.start_sd_rad);
   p(kSlipError, kSlipError) = square(noise.slip_sd);
   p(kWheelbaseError, kWheelbaseError) = square(noise.wheelbase_sd);
   return p;
@@ -74,9 +73,7 @@ void ModelCovariance::begin() {
 
 void ModelCovariance::interrupt() {
   const FilterParameters& noise = model_.noise();
-  covariance_(kX, kX) += square(noise.disturbed_sd_m);
-  covariance_(kY, kY) += square(noise.disturbed_sd_m);
-  covariance_(kYaw, kYaw) += square(noise.disturbed_sd_rad);
+  add_pose_variance(covariance_, noise.disturbed_sd_m, noise.disturbed_sd_rad);
   floor_slip_.skip();
 }
 
@@ -129,13 +126,9 @@ void ModelCovariance::advance(const Pose& before, const Pose& after, const Motio
 
   const double middle = before.yaw_rad + turn_rad / 2.0;
   const double c = std::cos(middle), s = std::sin(middle);
-  const auto [along, across] = shift_variance(noise, distance_m, turn_rad, motion);
   Matrix& p = covariance_;
   p = moved(moved(p).transpose());
-  p(kX, kX) += along * c * c + across * s * s;
-  p(kY, kY) += along * s * s + across * c * c;
-  p(kX, kY) += (along - across) * c * s;
-  p(kY, kX) += (along - across) * c * s;
+  add_shift(p, shift_variance(noise, distance_m, turn_rad, motion), c, s);
   p(kYaw, kYaw) += square(2.0 / wheelbase_m) * floor_slip_.slip_density_m() * distance_m;
   p(kSlipError, kSlipError) += square(noise.slip_sd) * (1.0 - kept * kept);
 }

@@ -37,9 +37,7 @@ void forget_place(FilterState& state, double sd_m, double sd_rad) {
   StateMatrix& p = state.covariance;
   p.topRows<kPose>().rightCols<kStates - kPose>().setZero();
   p.bottomRows<kStates - kPose>().leftCols<kPose>().setZero();
-  p(kX, kX) += square(sd_m);
-  p(kY, kY) += square(sd_m);
-  p(kYaw, kYaw) += square(sd_rad);
+  add_pose_variance(p, sd_m, sd_rad);
 }
 
 double both_mps(const Motion& motion) {
@@ -91,8 +89,7 @@ ShiftVariance shift_variance(const FilterParameters& noise, double distance_m, d
 FilterState MotionModel::prior() const {
   FilterState state;
   StateMatrix& p = state.covariance;
-  p(kX, kX) = p(kY, kY) = square(noise_.start_sd_m);
-  p(kYaw, kYaw) = square(noise_.start_sd_rad);
+  add_pose_variance(p, noise_.start_sd_m, noise_.start_sd_rad);
   p(kBias, kBias) = square(noise_.bias_sd_radps);
   p(kCommonSlip, kCommonSlip) = square(noise_.slip_sd);
   p(kSlipDifference, kSlipDifference) = square(noise_.slip_difference_sd);
@@ -240,7 +237,6 @@ void MotionModel::predict(FilterState& state, const Motion& motion) const {
     by_rate(kTurnGain, (ground.right_mps - ground.left_mps) / shape.wheelbase_m);
   }
 
-  const auto [along, across] = shift_variance(noise_, twist.vx_mps * dt, turn, motion);
   const double rate = std::abs(twist.yaw_rate_radps);
   const double yaw =
       motion.gyro ? (square(noise_.gyro_sd_rad_rts) +
@@ -258,10 +254,7 @@ void MotionModel::predict(FilterState& state, const Motion& motion) const {
 
   StateMatrix& p = state.covariance;
   p = propagated(p, f, motion.warming_degc, kept);
-  p(kX, kX) += along * c * c + across * s * s;
-  p(kY, kY) += along * s * s + across * c * c;
-  p(kX, kY) += (along - across) * c * s;
-  p(kY, kX) += (along - across) * c * s;
+  add_shift(p, shift_variance(noise_, twist.vx_mps * dt, turn, motion), c, s);
   p(kYaw, kYaw) += yaw;
   p(kBias, kBias) += square(noise_.bias_walk_radps_rts) * dt;
   p(kCommonSlip, kCommonSlip) += square(noise_.slip_sd) * (1.0 - kept * kept);

@@ -71,6 +71,18 @@ struct ShiftVariance {
 ShiftVariance shift_variance(const FilterParameters& noise, double distance_m, double turn_rad,
                              const Motion& motion);
 
+/// Adds the variance of a shift in the direction of cosine `c` and sine `s` to that of the
+/// position.
+template <int N>
+void add_shift(Eigen::Matrix<double, N, N>& covariance, const ShiftVariance& shift, double c,
+               double s) {
+  const auto [along, across] = shift;
+  covariance(kX, kX) += along * c * c + across * s * s;
+  covariance(kY, kY) += along * s * s + across * c * c;
+  covariance(kX, kY) += (along - across) * c * s;
+  covariance(kY, kX) += (along - across) * c * s;
+}
+
 /// Propagates a state over a motion. Pure; no allocation.
 class MotionModel {
  public:

@@ -75,8 +75,7 @@ FilterState Odometry::state_at(const Pose& start) const {
   state.covariance.topRows<3>().setZero();
   state.covariance.leftCols<3>().setZero();
   const FilterParameters& noise = model_.noise();
-  state.covariance(kX, kX) = state.covariance(kY, kY) = square(noise.start_sd_m);
-  state.covariance(kYaw, kYaw) = square(noise.start_sd_rad);
+  add_pose_variance(state.covariance, noise.start_sd_m, noise.start_sd_rad);
   return state;
 }
 

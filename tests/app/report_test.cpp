@@ -96,6 +96,7 @@ TEST_F(Report, WithoutTruthNothingIsCalledAnError) {
   expect_captions_once(page);
   for (const char* name : {"path.svg", "yaw.svg", "error.svg", "tracking.svg", "slip.svg"})
     EXPECT_THAT(text(name), testing::StartsWith("<svg")) << name;
+  EXPECT_THAT(text("error.svg"), Not(HasSubstr("2 sd"))) << "of what, without the truth?";
   EXPECT_THAT(text("uncertainty.svg"), HasSubstr("model, 2 sd"));
 }
 

@@ -10,6 +10,7 @@
 #include "core/arithmetic.h"
 #include "interval.h"
 #include "model/track_model.h"
+#include "turned_covariance.h"
 
 namespace tp100::estimation {
 namespace {
@@ -193,12 +194,7 @@ TEST(ModelCovariance, TurnsWithTheRobot) {
   drive_a_metre(ahead, {});
   drive_a_metre(left, {.yaw_rad = kPi / 2.0});
   const PlanarCovariance pose = ahead.pose(), turned = left.pose();
-  EXPECT_NEAR(turned.xx, pose.yy, 1e-12);
-  EXPECT_NEAR(turned.yy, pose.xx, 1e-12);
-  EXPECT_NEAR(turned.xy, -pose.xy, 1e-12);
-  EXPECT_NEAR(turned.x_yaw, -pose.y_yaw, 1e-12);
-  EXPECT_NEAR(turned.y_yaw, pose.x_yaw, 1e-12);
-  EXPECT_NEAR(turned.yaw_yaw, pose.yaw_yaw, 1e-12);
+  expect_turned_left(turned, pose);
   EXPECT_GT(pose.y_yaw, 0.0);
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "interval.h"
+#include "turned_covariance.h"
 
 namespace tp100::estimation {
 namespace {
@@ -71,12 +72,7 @@ TEST_F(OdometryTest, ARobotThatStartsTurnedHasItsPosesCovarianceTurnedAndTheSame
   // The direction is uncertain, so the position is uncertain across it.
   ASSERT_GT(pose.yy, 2.0 * pose.xx);
   ASSERT_GT(pose.y_yaw * pose.y_yaw, 0.1 * pose.yy * pose.yaw_yaw);
-  EXPECT_NEAR(turned.xx, pose.yy, 1e-12);
-  EXPECT_NEAR(turned.yy, pose.xx, 1e-12);
-  EXPECT_NEAR(turned.xy, -pose.xy, 1e-12);
-  EXPECT_NEAR(turned.x_yaw, -pose.y_yaw, 1e-12);
-  EXPECT_NEAR(turned.y_yaw, pose.x_yaw, 1e-12);
-  EXPECT_NEAR(turned.yaw_yaw, pose.yaw_yaw, 1e-12);
+  expect_turned_left(turned, pose);
   const PlanarCovariance twist = ahead.twist_covariance(), same = left.twist_covariance();
   EXPECT_NEAR(same.xx, twist.xx, 1e-15);
   EXPECT_NEAR(same.xy, twist.xy, 1e-15);

@@ -122,8 +122,9 @@ export class UncertaintyRing {
 
   /** Hidden if the recording has no standard deviations. */
   set({ x_m, y_m, z_m, sd_x_m, sd_y_m }: EstimatedPose): void {
-    this.line.visible = typeof sd_x_m === 'number' && typeof sd_y_m === 'number';
-    if (typeof sd_x_m !== 'number' || typeof sd_y_m !== 'number') return;
+    const known = typeof sd_x_m === 'number' && typeof sd_y_m === 'number';
+    this.line.visible = known;
+    if (!known) return;
     this.line.position.set(x_m, y_m, z_m + kRingLift_m);
     this.line.scale.set(2 * sd_x_m, 2 * sd_y_m, 1);
   }

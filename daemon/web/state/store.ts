@@ -5,10 +5,10 @@ import { BatteryWatch } from './battery.ts';
 import { Series } from './series.ts';
 import { PathHistory } from './path_history.ts';
 
-export const kEstimates = ['model', 'odometry', 'fused', 'truth'] as const;
-export type EstimateName = (typeof kEstimates)[number];
-/** Those with a covariance. */
+/** Estimates with a covariance, and all poses that are drawn. */
 export const kUncertain = ['model', 'odometry', 'fused'] as const;
+export const kEstimates = [...kUncertain, 'truth'] as const;
+export type EstimateName = (typeof kEstimates)[number];
 
 /** Columns of `Store.series`, in the units that the plots show. */
 export const kColumns = {
