@@ -56,9 +56,13 @@ async function open(file: string, size: Size, scheme: 'light' | 'dark'): Promise
   return { page, complaints };
 }
 
-it("a report has the fused pose's error beside what its filter expects", async () => {
+it('a report has the error of each pose beside what its covariance expects', async () => {
   const { page } = await open('runs/1-straight-end-loaded-1/report.html', kDesktop, 'light');
-  expect(await page.locator('figure', { hasText: 'Distance from the truth' }).textContent()).toContain('fused, 2 sd');
+  const names = (await page.locator('figure', { hasText: 'two standard deviations' }).textContent()) ?? '';
+  for (const source of ['model', 'odometry', 'fused']) {
+    expect(names).toContain(`${source}, 2 sd`);
+    expect(names.replaceAll(`${source}, 2 sd`, '')).toContain(source);
+  }
 });
 
 const kPages = [
