@@ -47,9 +47,17 @@ std::vector<Reduced> reduced_forms() {
   return all;
 }
 
-CourseStudy study_of(const Loaded& loaded, const std::vector<Reduced>& forms, std::uint64_t seed) {
+constexpr const char* kCalibrationDrives = "calibration drives";
+
+}  // namespace
+
+CourseStudy study_constants(const std::string& robot, const std::string& body, std::uint64_t seed) {
+  Options options;
+  options.body = body;
+  options.robot = robot;
+  const Loaded loaded = load(options);
   CourseStudy study;
-  study.course = "calibration drives";
+  study.course = kCalibrationDrives;
   study.robot = loaded.robot.name;
   study.setup = bridge::to_string(loaded.setup);
   study.board = to_string(loaded.board);
@@ -63,35 +71,25 @@ CourseStudy study_of(const Loaded& loaded, const std::vector<Reduced>& forms, st
     return criterion(identify::fit_of_form(runs, prior, form), runs, form);
   };
   const double extended = of(model::kExtendedForm);
-  for (const Reduced& reduced : forms)
+  for (const Reduced& reduced : reduced_forms())
     study.judged.push_back(
         judged_value(study, reduced.what, "", -1.0, of(reduced.form) - extended));
   std::fprintf(stderr, "%-28s %-14s\n", study.course.c_str(), study.robot.c_str());
   return study;
 }
 
-}  // namespace
-
-std::vector<CourseStudy> study_constants(const std::vector<std::string>& robots,
-                                         const std::string& body, std::uint64_t seed) {
-  const std::vector<Reduced> forms = reduced_forms();
-  std::vector<CourseStudy> studies;
-  for (const std::string& name : robots) {
-    Options options;
-    options.body = body;
-    options.robot = name;
-    studies.push_back(study_of(load(options), forms, seed));
+CourseStudy largest_criteria(const std::vector<CourseStudy>& studies) {
+  CourseStudy largest;
+  for (const CourseStudy& study : studies) {
+    if (study.course != kCalibrationDrives) continue;
+    if (largest.judged.empty()) largest = study;
+    for (std::size_t i = 0; i < study.judged.size(); ++i)
+      if (study.judged[i].ours.median > largest.judged[i].ours.median)
+        largest.judged[i] = study.judged[i];
   }
-  CourseStudy all = studies.front();
-  all.robot = "all, largest";
-  all.judged.clear();
-  for (std::size_t i = 0; i < forms.size(); ++i) {
-    double most = studies.front().judged[i].ours.median;
-    for (const CourseStudy& study : studies) most = std::max(most, study.judged[i].ours.median);
-    all.judged.push_back(judged_value(all, forms[i].what, "", -1.0, most));
-  }
-  studies.push_back(all);
-  return studies;
+  largest.robot = "all, largest";
+  for (Judged& judged : largest.judged) judged.robot = largest.robot;
+  return largest;
 }
 
 }  // namespace tp100::sim

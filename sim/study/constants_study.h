@@ -10,14 +10,16 @@
 
 namespace tp100::sim {
 
-/// Identifies `robots` (names in config/robots or files) on `body` (ode or shear) from their
+/// Identifies `robot` (a name in config/robots or a file) on `body` (ode or shear) from its
 /// calibration drives: by the extended model, by that model without each constant of ours in turn,
-/// and by eqs 1-5. Returns one
-/// study per robot with the Schwarz criterion of each form less that of the extended model, and one
-/// with the largest value over all robots: the constant brings nothing where it is below 0. The
-/// criterion is n ln(variance) + k ln n, for position and yaw of n images that count as independent
+/// and by eqs 1-5. Returns the Schwarz criterion of each form less that of the extended model: a
+/// constant brings nothing where it is below 0. The criterion is n ln(variance) + k ln n, for
+/// position and yaw of n images that count as independent
 /// (identify::IdentifySettings::correlated_s) and k constants.
-std::vector<CourseStudy> study_constants(const std::vector<std::string>& robots,
-                                         const std::string& body, std::uint64_t seed);
+CourseStudy study_constants(const std::string& robot, const std::string& body, std::uint64_t seed);
+
+/// The largest value of each criterion over all robots, from those of `studies` that
+/// study_constants() returned. Precondition: there is one.
+CourseStudy largest_criteria(const std::vector<CourseStudy>& studies);
 
 }  // namespace tp100::sim

@@ -238,6 +238,8 @@ std::vector<StudyProcesses::Job> jobs_of(const ReproduceCommand& command, const 
     if (wanted("robots") && name != reference.name)
       add([command, name] { return drive_courses(command, robot_named(name)); });
     if (wanted("uneven")) add([command, name] { return drive_uneven(command, robot_named(name)); });
+    if (wanted("constants"))
+      add([command, name] { return Studies{study_constants(name, command.body, command.seed)}; });
   }
   if (wanted("sampled"))
     for (int i = 0; i < command.sampled; ++i)
@@ -248,8 +250,6 @@ std::vector<StudyProcesses::Job> jobs_of(const ReproduceCommand& command, const 
   if (wanted("held-out"))
     for (const char* kind : kPaperCourses)
       add([command, reference, kind] { return drive_held_out(command, reference, kind); });
-  if (wanted("constants"))
-    add([command, robots] { return study_constants(robots, command.body, command.seed); });
   if (wanted("avr")) add([command, reference] { return drive_image(command, reference); });
   return jobs;
 }
@@ -291,6 +291,7 @@ int run_reproduce(const ReproduceCommand& command) {
     what.studies.push_back(study_random(command.seed, kRandomCoursesARun * command.runs));
   for (const CourseStudy& study : what.studies) write_trajectories(command.out, study);
   for (CourseStudy& study : processes.results()) what.studies.push_back(std::move(study));
+  if (wanted("constants")) what.studies.push_back(largest_criteria(what.studies));
   text::write_file(command.out + "/results.json", reproduction_json(what));
   text::write_file(command.out + "/index.html", reproduction_page(what));
   std::printf("%s%s\n%s/index.html\n", reproduction_table(what).c_str(),

@@ -155,10 +155,10 @@ TEST(EffectiveMotion, FindsTheParametersThatAMotionFollows) {
 // Tracks that are evenly loaded turn on the spot with another wheelbase, and a turn costs no
 // distance on the ODE body.
 TEST(NightlyConstants, TheCriterionTellsThoseThatPayFromOthers) {
-  const std::vector<CourseStudy> studies = study_constants({"uniform"}, "ode", 5);
-  ASSERT_EQ(studies.size(), 2u) << "the robot, and the largest of all robots";
+  const CourseStudy study = study_constants("uniform", "ode", 5);
+  EXPECT_EQ(largest_criteria({CourseStudy{}, study}).judged.size(), study.judged.size());
   const auto of = [&](const std::string& what) {
-    for (const Judged& one : studies[0].judged)
+    for (const Judged& one : study.judged)
       if (one.what == "criterion " + what) return one.ours.median;
     return std::nan("");
   };
@@ -167,6 +167,26 @@ TEST(NightlyConstants, TheCriterionTellsThoseThatPayFromOthers) {
   EXPECT_GT(of("without wheelbase_spin_m"), 1000.0);
   EXPECT_LT(of("without turn_loss"), 0.0);
   EXPECT_GT(of("without turn_loss"), -15.0) << "one constant less cannot save more than ln n";
+}
+
+TEST(Constants, TheLargestCriterionOfAllRobots) {
+  const auto of_robot = [](const char* robot, double first, double second) {
+    CourseStudy study;
+    study.course = "calibration drives";
+    study.robot = robot;
+    study.judged = {judged_value(study, "criterion of eqs 1-5", "", -1.0, first),
+                    judged_value(study, "criterion without turn_loss", "", -1.0, second)};
+    return study;
+  };
+  CourseStudy other = of_robot("other", 9.0, 9.0);
+  other.course = "1-sharp";
+  const CourseStudy largest =
+      largest_criteria({other, of_robot("narrow", 1.0, -2.0), of_robot("soft", -3.0, 4.0)});
+  EXPECT_EQ(largest.robot, "all, largest");
+  ASSERT_EQ(largest.judged.size(), 2u);
+  EXPECT_EQ(largest.judged[0].ours.median, 1.0);
+  EXPECT_EQ(largest.judged[1].ours.median, 4.0);
+  EXPECT_EQ(largest.judged[1].robot, "all, largest");
 }
 
 TEST(CalibrationJson, WhatCouldNotBeMeasuredIsLeftOut) {
