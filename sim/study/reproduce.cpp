@@ -223,6 +223,7 @@ std::vector<StudyProcesses::Job> jobs_of(const ReproduceCommand& command, const 
       return studies;
     });
   };
+  if (wanted("avr")) add([command, reference] { return drive_image(command, reference); });
   if (wanted("covariance")) {
     const int runs = command.part == "all" ? std::min(command.runs, kCovarianceRuns) : command.runs;
     const std::vector<course::Robot> on_body = robots_on(command.body, command.out);
@@ -250,7 +251,6 @@ std::vector<StudyProcesses::Job> jobs_of(const ReproduceCommand& command, const 
   if (wanted("held-out"))
     for (const char* kind : kPaperCourses)
       add([command, reference, kind] { return drive_held_out(command, reference, kind); });
-  if (wanted("avr")) add([command, reference] { return drive_image(command, reference); });
   return jobs;
 }
 
