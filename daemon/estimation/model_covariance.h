@@ -46,9 +46,9 @@ class FloorSlip {
 /// Propagates the error of dead reckoning with encoders alone: x, y, yaw in the world frame, the
 /// common slip beside what is expected, which returns to 0, and the error of the wheelbase, which
 /// stays. Slip that varies along the floor turns the robot at random: the gyro shows how much it
-/// varies, and contributes nothing else. Disturbances are not seen. Right for the extended model
-/// with the parameters of an identified robot: with other ones the error is larger. No allocation;
-/// safe in the real-time thread.
+/// varies, and contributes nothing else. Neither disturbances nor a lasting slip difference are
+/// allowed for. Right for the extended model with the parameters of an identified robot: with other
+/// ones the error is larger. No allocation; safe in the real-time thread.
 class ModelCovariance {
  public:
   ModelCovariance(const model::TrackParameters& tracks, const FilterParameters& noise);

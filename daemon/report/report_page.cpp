@@ -59,7 +59,10 @@ Facts summary(const RecordedRun& run, const std::optional<RunFigures>& judged) {
       if (const auto& within = judged->within_2_sd[source])
         facts.emplace_back("true pose within 2 sd of " + std::string(to_string(source)),
                            decimals(100.0 * within->position, 0) + " % of x and y, " +
-                               decimals(100.0 * within->yaw, 0) + " % of yaw");
+                               decimals(100.0 * within->yaw, 0) + " % of yaw" +
+                               (source == PoseSource::kModel && !run.result.disturbances.empty()
+                                    ? ", up to the first disturbance"
+                                    : ""));
   }
   facts.emplace_back("recording", plain(run.path));
   facts.emplace_back("steps", Cell(count(run.steps) + ", " + count(run.missing_steps) + " missing",

@@ -238,7 +238,8 @@ std::string result_table(const RunResult& run, const RunFigures& figures) {
   if (!run.disturbances.empty())
     text +=
         "Model and forms are judged between the disturbances and reset to the truth after each,\n"
-        "because encoders cannot measure them.\n";
+        "because encoders cannot measure them; the model's standard deviations up to the first "
+        "one.\n";
   if (paper) {
     text +=
         "Lengths, radii and disturbances of the course are ours: the paper does not print them.\n";

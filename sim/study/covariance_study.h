@@ -11,8 +11,9 @@
 
 namespace tp100::sim {
 
-/// A robot with random placement error and gyro scale, both with the standard deviations that the
-/// filter assumes. `uneven`: on a floor sampled from the seed, else on an even one.
+/// A robot with random placement error, gyro scale and drift of the gyro with temperature, with the
+/// standard deviations that the filter assumes. `uneven`: on a floor sampled from the seed, else on
+/// an even one.
 course::Robot placed_by_hand(course::Robot robot, bool uneven);
 
 /// The bundled robots on a body, ode or shear. On shear each is identified there, and its file
@@ -27,7 +28,8 @@ struct CovarianceStudy {
 };
 
 /// Drives robots of one body on 1-sharp and 2. One study over all robots, courses and seeds
-/// together: the shares within two standard deviations must be 90 to 99 %.
+/// together: the shares within two standard deviations must be 90 to 99 %; the upper limit is not
+/// judged for the model's yaw and, with a camera, for the position.
 CourseStudy study_covariance(const std::vector<course::Robot>& robots, const CovarianceStudy& what);
 
 }  // namespace tp100::sim

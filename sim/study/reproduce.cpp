@@ -195,7 +195,10 @@ void write_trajectories(const std::string& folder, const CourseStudy& study) {
   std::string stem = folder + "/" + run.course + "-" + run.robot + "-" + run.setup;
   if (study.uneven) stem += "-uneven";
   if (study.board != to_string(BoardKind::kNative)) stem += "-" + study.board;
-  if (!study.blind.empty()) stem += "-blind";
+  if (!study.blind.empty()) {
+    stem += "-" + study.blind;
+    std::ranges::replace(stem, ' ', '-');
+  }
   text::write_file(stem + ".csv", report::poses_csv(run));
   std::string truth;
   PerSource<std::string> estimates;

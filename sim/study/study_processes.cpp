@@ -80,14 +80,21 @@ int wait_for(pid_t pid) {
   return status;
 }
 
-/// Starts a process that runs `body`, returns its result and ends with this process.
+/// Starts a process that runs `body`, returns its result, 1 after an exception, and ends with this
+/// process.
 pid_t start_process(const std::function<int()>& body) {
   const pid_t parent = getpid();
   const pid_t pid = fork();
   if (pid < 0) fail("fork");
   if (pid > 0) return pid;
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  _exit(getppid() == parent ? body() : 1);
+  int status = 1;
+  try {
+    if (getppid() == parent) status = body();
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "the process of a study: %s\n", error.what());
+  }
+  _exit(status);
 }
 
 // What a job writes: its studies, or the message of its exception and whether it is a SetupError.
@@ -167,7 +174,10 @@ std::vector<CourseStudy> StudyProcesses::results() {
     }
     for (const nlohmann::json& study : outcome[kStudies]) all.push_back(study.get<CourseStudy>());
   }
-  if (status != 0) throw std::runtime_error("the process of a study was ended by a signal");
+  if (status != 0)
+    throw std::runtime_error(
+        "the process of a study ended without a result: it was killed, or its error is printed "
+        "above");
   return all;
 }
 
