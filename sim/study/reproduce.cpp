@@ -196,8 +196,9 @@ void write_trajectories(const std::string& folder, const CourseStudy& study) {
   if (study.uneven) stem += "-uneven";
   if (study.board != to_string(BoardKind::kNative)) stem += "-" + study.board;
   if (!study.blind.empty()) {
-    stem += "-" + study.blind;
-    std::ranges::replace(stem, ' ', '-');
+    std::string blind = study.blind;
+    std::ranges::replace(blind, ' ', '-');
+    stem += "-" + blind;
   }
   text::write_file(stem + ".csv", report::poses_csv(run));
   std::string truth;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -65,6 +66,22 @@ TEST(HeldOut, TheSameSeedDrawsTheSameCourse) {
   EXPECT_EQ(course::Path(a).length_m(), course::Path(b).length_m());
   EXPECT_NE(course::Path(a).length_m(), course::Path(held_out_course("2", 8)).length_m());
   EXPECT_THROW(held_out_course("4", 1), SetupError);
+}
+
+TEST(Reproduction, HasATrajectoryOfEveryStudyInAnyFolder) {
+  const test::TemporaryFolder folder;
+  const std::string out = (folder.path() / "with a space").string();
+  run_reproduce({.out = out, .part = "paper", .runs = 1});
+  EXPECT_TRUE(std::filesystem::exists(out + "/index.html"));
+  std::vector<std::string> names;
+  for (const auto& file : std::filesystem::directory_iterator(out))
+    if (file.path().extension() == ".csv") names.push_back(file.path().stem().string());
+  // The courses, course 3 without obstacles and on the stand, and three times without a camera.
+  EXPECT_EQ(names.size(), 10U);
+  EXPECT_THAT(names, testing::IsSupersetOf({"1-sharp-end-loaded-flat", "3-end-loaded-stand",
+                                            "3-end-loaded-terrain-no-camera-15-18-s",
+                                            "3-end-loaded-terrain-no-camera-28-31-s",
+                                            "3-end-loaded-terrain-no-camera-33-36-s"}));
 }
 
 // The short form of `tp100-sim reproduce --part uneven`.
