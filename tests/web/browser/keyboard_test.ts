@@ -71,8 +71,8 @@ describe('without a mouse', () => {
     await driveUntil(page, 'running');
     await page.keyboard.press('h');
     await until(async () => (await run(page)) === 'idle', 'it holds');
-    // After a run that ended before the end of its course, a start asks where the robot stands, also by key.
     await until(() => page.isEnabled('#start'), 'it may start again');
+    // After a run that ended before the end of its course, a start asks where the robot stands, also by key.
     await page.keyboard.press('r');
     // A question that was closed keeps its text: this one is open when it has the focus.
     await page.waitForFunction(

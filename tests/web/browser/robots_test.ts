@@ -3,7 +3,7 @@ import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import { findings } from './axe.ts';
 import { openBrowser, openPage, picture, until, type Size } from './cockpit.ts';
 import { Pair } from './programs.ts';
-import { Setting } from './setting.ts';
+import { kOthersEnd, Setting } from './setting.ts';
 
 const kScreens: Size[] = [
   { width: 1440, height: 900 },
@@ -27,8 +27,7 @@ afterEach(async ({ task }) => {
 
 async function openRobots(size?: Size): Promise<Page> {
   const page = await setting.open(size);
-  // Daemons of other tests are listed too, and end meanwhile.
-  setting.expected ??= /WebSocket connection to .* failed/;
+  setting.expected ??= kOthersEnd;
   await page.click('.robots-link');
   return page;
 }

@@ -17,6 +17,9 @@ export interface Wishes {
   configuration?: string;
 }
 
+/** The page of all robots lists daemons of other tests, too, and these end meanwhile. */
+export const kOthersEnd = /WebSocket connection to .* failed/;
+
 /** Is made once in a file or in a `describe`; browser and programs start and end with it. */
 export class Setting {
   private browser: Browser | undefined;

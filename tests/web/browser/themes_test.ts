@@ -2,7 +2,7 @@ import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { findings } from './axe.ts';
 import { alive, goOn, kSize, picture, run, until, type Size } from './cockpit.ts';
-import { Setting } from './setting.ts';
+import { kOthersEnd, Setting } from './setting.ts';
 
 const kTabs = ['events', 'courses', 'runs', 'parameters', 'signals', 'link', 'doctor', 'identify', 'keys'];
 const kScreens: Size[] = [
@@ -80,8 +80,8 @@ describe('the cockpit', () => {
     await alive(page);
     expect(await theme(page)).toBe(other);
     await bright(other);
-    // The page of all robots has the same. It lists daemons of other tests, too, and these end meanwhile.
-    setting.expected = /WebSocket connection to .* failed/;
+    // The page of all robots has the same.
+    setting.expected = kOthersEnd;
     await page.goto(`${setting.pair.url}robots.html`);
     await until(async () => (await page.locator('.card[data-contact="answers"]').count()) > 0, 'a card');
     expect(await theme(page)).toBe(other);
