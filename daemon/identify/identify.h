@@ -30,7 +30,7 @@ struct Prior {
 /// Result of identify.
 struct Identification {
   Prior prior;     ///< the values of `extended`, to be used
-  Fit extended{};  ///< eqs 1-5 with turning centre and tight turns (model/track_model.h)
+  Fit extended{};  ///< the extended model (model::kExtendedForm)
   Fit before{};    ///< the same form with the assumed values: what the drives say of these
   /// By the drives on slopes, ascending; of several on one slope the mean. `prior` has them, too.
   std::vector<model::AddedSlip> slopes{};

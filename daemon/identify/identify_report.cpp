@@ -217,7 +217,7 @@ std::string identified_note(const Identification& found, const std::string& base
   const std::optional<Fit>& eqs = found.baselines[model::kEqsFitted];
   if (has_images(found.extended) && eqs)
     note += " Best-fit residual of eqs 1-5 against the camera: " + residual(*eqs) +
-            "; with turning centre and tight turns: " + residual(found.extended) + ".";
+            "; of the extended model: " + residual(found.extended) + ".";
   return note;
 }
 
