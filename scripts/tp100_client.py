@@ -209,7 +209,7 @@ class Robot:
         return self._page + self.call("run_compare", wait_s=REPORT_S, run=run, **{"with": other})["url"]
 
     def identify(self, runs, measured=""):
-        """The result of `tp100d identify` for these calibration drives ("found"), and the new robot file ("text"),
+        """The result of `tp100d identify` for these identification drives ("found"), and the new robot file ("text"),
         which call("file_save", kind="robot", ...) saves. `measured`: text of the file of measurements by hand."""
         return self.call("run_identify", wait_s=REPORT_S, runs=" ".join(runs), measured=measured)
 

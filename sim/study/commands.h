@@ -15,7 +15,7 @@
 
 namespace tp100::sim {
 
-// tp100-sim calibrate: calibration drives of an emulated robot, identification and its accuracy.
+// tp100-sim calibrate: identification drives of an emulated robot, identification and its accuracy.
 
 /// One calibration: the identified values and the body's real ones.
 struct Calibration {

@@ -47,7 +47,7 @@ std::vector<Reduced> reduced_forms() {
   return all;
 }
 
-constexpr const char* kCalibrationDrives = "calibration drives";
+constexpr const char* kIdentificationDrives = "identification drives";
 
 }  // namespace
 
@@ -57,7 +57,7 @@ CourseStudy study_constants(const std::string& robot, const std::string& body, s
   options.robot = robot;
   const Loaded loaded = load(options);
   CourseStudy study;
-  study.course = kCalibrationDrives;
+  study.course = kIdentificationDrives;
   study.robot = loaded.robot.name;
   study.setup = bridge::to_string(loaded.setup);
   study.board = to_string(loaded.board);
@@ -81,7 +81,7 @@ CourseStudy study_constants(const std::string& robot, const std::string& body, s
 CourseStudy largest_criteria(const std::vector<CourseStudy>& studies) {
   CourseStudy largest;
   for (const CourseStudy& study : studies) {
-    if (study.course != kCalibrationDrives) continue;
+    if (study.course != kIdentificationDrives) continue;
     if (largest.judged.empty()) largest = study;
     for (std::size_t i = 0; i < study.judged.size(); ++i)
       if (study.judged[i].ours.median > largest.judged[i].ours.median)

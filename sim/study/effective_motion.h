@@ -1,5 +1,5 @@
 #pragma once
-// The real motion of a robot on its calibration drives, from the body's exact poses: the
+// The real motion of a robot on its identification drives, from the body's exact poses: the
 // independent reference for identify. Linear regression over short intervals, no model integrated,
 // no camera, no gyro.
 

@@ -271,7 +271,7 @@ std::string reproduction_page(const Reproduction& what) {
     page.heading("Robots sampled from ranges");
     page.table(
         sampled_table(),
-        "Each was identified from its own calibration drives first; its file lies beside this "
+        "Each was identified from its own identification drives first; its file lies beside this "
         "page. One seed, both ways round. Where friction is below 0.85, or the robot is so long "
         "that it meets the step in the curve, course 3 is driven on a flat floor; so it is with "
         "bundled robots.");

@@ -70,10 +70,10 @@ void write_wheelbase(report::HtmlPage& page, const Reproduction& what) {
   for (const BodyTurn& turn : what.turns)
     add("L of the emulated body, " + turn.name + " [m]", turn.wheelbase_m,
         format("its exact motion, tracks at %.2f and %.2f m/s", turn.left_mps, turn.right_mps));
-  if (eqs) add("L of eqs 1-5, fitted [m]", eqs->wheelbase_m, "calibration drives");
+  if (eqs) add("L of eqs 1-5, fitted [m]", eqs->wheelbase_m, "identification drives");
   const auto of_turns = [&](const std::string& turns, const model::TurnShape& shape) {
     add(turns + " [m]", turn_of(found, model::Mode::kExtended, shape).wheelbase_m,
-        "calibration drives");
+        "identification drives");
   };
   of_turns("L of the extended model, wide turns", {});
   of_turns("... medium arcs", {.medium = 1.0});

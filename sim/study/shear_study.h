@@ -11,10 +11,10 @@
 namespace tp100::sim {
 
 /// Every bundled robot on the body `shear`, and three on softer ground: each is identified there on
-/// its own calibration drives first (its file, `<robot>-shear.toml`, goes to `folder`), then driven
-/// on courses that no calibration drives, on level floor. The largest model error of a run is
-/// judged in parts of the path's length: by its median over all runs, and by the worst run. The
-/// last two studies hold both figures, over all robots with their limits, over the soft ones
+/// its own identification drives first (its file, `<robot>-shear.toml`, goes to `folder`), then
+/// driven on other courses, on level floor. The largest model error of a
+/// run is judged in parts of the path's length: by its median over all runs, and by the worst run.
+/// The last two studies hold both figures, over all robots with their limits, over the soft ones
 /// without.
 std::vector<CourseStudy> study_shear(const std::string& folder, std::uint64_t first_seed, int runs);
 

@@ -72,7 +72,7 @@ struct FormLimits {
 /// Limits of a kind of course; those of forms hold on the flat floor. Eqs 1-5 have one wheelbase
 /// for all turns: without its extension, the model exceeds the limit of `extended` on 1-curve or
 /// 1-sharp, except for the robot front-heavy, whose turns differ little. The extended model has
-/// four, with linear interpolation: sampled robots turn by up to 3 % more or less in between.
+/// four, with linear interpolation: on `ode`, robots turn by up to 2.5 % more or less in between.
 struct Limits {
   std::string_view kind;
   double fused_cm, tracking_cm;

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """reference_names.py REFERENCE.md PROGRAMS: every name that the programs print must be in that page, between backticks.
 
-Checked are an emulated run, the report of its recording, an identification from a calibration drive, a small campaign,
-the doctor with and without a robot, and the figures of a live daemon.
+Checked are an emulated run, the report of its recording, an identification from one drive, a small campaign, the doctor
+with and without a robot, and the figures of a live daemon.
 """
 import glob
 import json

@@ -172,7 +172,7 @@ TEST(NightlyConstants, TheCriterionTellsThoseThatPayFromOthers) {
 TEST(Constants, TheLargestCriterionOfAllRobots) {
   const auto of_robot = [](const char* robot, double first, double second) {
     CourseStudy study;
-    study.course = "calibration drives";
+    study.course = "identification drives";
     study.robot = robot;
     study.judged = {judged_value(study, "criterion of eqs 1-5", "", -1.0, first),
                     judged_value(study, "criterion without turn_loss", "", -1.0, second)};

@@ -1,5 +1,5 @@
 // The Identify tab: drives the calibration courses one by one, evaluates the recordings, and saves the robot file.
-import { drive, measure, prepare, type Reach } from '../state/calibration_drive.ts';
+import { drive, measure, prepare, type Reach } from '../state/identification_drive.ts';
 import { calibrationCourses, drivesOf, measuredIn, measuredTable, space, type Identified, type Measured } from '../state/identify.ts';
 import type { RunEntry, RunsList } from '../state/runs.ts';
 import { facts, type CourseEntry, type SetupList } from '../state/setup.ts';

@@ -1,9 +1,9 @@
-// Identification of a robot from calibration drives: the recorded runs that are drives, their measurements by hand, and
-// the results of the service `run_identify`.
+// Identification drives of a robot: the recorded runs that are such drives, their measurements by hand, and the results
+// of the service `run_identify`.
 import type { RunEntry } from './runs.ts';
 import type { CourseEntry, SetupList } from './setup.ts';
 
-/** Tag of a run that is a calibration drive. Its name is that of the course, another tag that of the robot. */
+/** Tag of a run that is an identification drive. Its name is that of the course, another tag that of the robot. */
 const kTag = 'identify';
 
 /**

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { drive, type Reach } from '../../../daemon/web/state/calibration_drive.ts';
+import { drive, type Reach } from '../../../daemon/web/state/identification_drive.ts';
 import { calibrationCourses, decimals, drivesOf, fileName, measuredIn, measuredTable, noteOf, space, tagsOf } from '../../../daemon/web/state/identify.ts';
 import type { Run, State } from '../../../daemon/web/state/messages.ts';
 import type { RunEntry } from '../../../daemon/web/state/runs.ts';
@@ -72,7 +72,7 @@ function daemon(run: Run[], stops: () => number = () => 0): { reach: Reach; call
   return { reach: { call, state, stops, sleep: () => Promise.resolve(), say: () => undefined }, calls };
 }
 
-describe('a calibration drive', () => {
+describe('an identification drive', () => {
   it('records the run with its rest, and names it', async () => {
     const { reach, calls } = daemon(['arming', 'running', 'running', 'finished']);
     expect(await drive(reach, 'ahead')).toBe('r1');

@@ -1,4 +1,4 @@
-// One calibration drive: chooses the course, places the robot at its start, and records the run with the standstill
+// One identification drive: chooses the course, places the robot at its start, and records the run with the standstill
 // before and after it.
 import { onCourse, type State } from './messages.ts';
 import { noteOf, tagsOf, type Measured } from './identify.ts';
