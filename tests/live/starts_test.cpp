@@ -260,6 +260,27 @@ TEST_F(Starts, TheFirstEnterAndTheStopOfThePageAtOnceLeaveNoRun) {
   });
 }
 
+TEST_F(Starts, EnterStopsADriveByHandWithoutACourse) {
+  with_board(wire::BoardType::kMega2560);
+  options_.course.clear();
+  run([&] {
+    ASSERT_TRUE(ready());
+    keyboard_.enter();
+    ASSERT_TRUE(after_commands() && arms() == 0);
+    server::WebClient viewer(page());
+    viewer.call(server::Service::kDriveTake);
+    ASSERT_TRUE(soon([this] { return arms() > 0; }));
+    const std::size_t before = arms();
+    keyboard_.enter();
+    ASSERT_TRUE(soon([this] { return stops() > 0; }));
+    keyboard_.type("go\n");
+    ASSERT_TRUE(after_commands());
+    EXPECT_EQ(arms(), before);
+  });
+  EXPECT_THAT(log_, HasSubstr("Enter: STOP"));
+  EXPECT_THAT(log_, HasSubstr("there is no course; nothing is started"));
+}
+
 TEST_F(Starts, WhatIsTypedAheadStartsNothing) {
   with_board(wire::BoardType::kMega2560);
   run([&] {
