@@ -102,8 +102,9 @@ void Terminal::drop_typed_ahead() {
 }
 
 bool Terminal::confirms() {
-  say("Put the robot on a stand, so that its tracks turn freely. Each track will run forward and "
-      "back for a second. Press Enter to start, Ctrl-C to stop.");
+  say("Put the robot on a stand, so that its tracks turn freely. Both tracks will run in opposite "
+      "directions, then each one forward and back for a second. Press Enter to start, Ctrl-C to "
+      "stop.");
   drop_typed_ahead();
   while (!stop && !ended()) {
     if (take_answer()) return true;

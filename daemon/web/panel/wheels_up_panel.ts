@@ -9,7 +9,7 @@ export class WheelsUpPanel {
   readonly element = h('section', { class: 'wheels-up', 'aria-label': 'Wheels up' });
   private readonly free = h('input', { type: 'checkbox', id: 'wheels-up-free' });
   private readonly start = h('button', { type: 'button', class: 'control', id: 'wheels-up-start' }, 'Run the tracks');
-  private readonly message = h('p', { class: 'doctor-message wheels-up-message', role: 'status' }, 'Each track runs forward and back for a second, as long as this page is in sight. STOP ends it.');
+  private readonly message = h('p', { class: 'doctor-message wheels-up-message', role: 'status' }, 'Both tracks run in opposite directions, then each one forward and back for a second, as long as this page is in sight. STOP ends it.');
   private readonly question = h('div', { class: 'wheels-up-question', role: 'group', 'aria-label': 'Question', hidden: '' });
   private readonly list = h('ul', {});
   private readonly check: WheelsUp;
