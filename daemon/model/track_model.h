@@ -82,10 +82,10 @@ double equivalent_wheelbase_m(const WheelbaseGeometry& geometry);
 struct TurnShape {
   double wide = 0.0;    ///< -1..1, left positive: grows with the turn until the slower track makes
                         ///< 0.55 of the faster one's speed, then stays
-  double tight = 0.0;   ///< 0..1: 0 up to there, 1 from 0.35 of the faster one's speed on to spins
+  double tight = 0.0;   ///< 0..1: 0 down to 0.55 of the faster one's speed, 1 from 0.35 on to spins
   double medium = 0.0;  ///< 0..1: 0 up to 0.9 of the faster one's speed, 1 from 0.65 on to spins
-  double arc = 0.0;     ///< 0..1: 0 up to there, 1 from 0.35 of the faster one's speed on to spins
-  double spin = 0.0;    ///< 0..1: 0 up to there, 1 from -0.3 of the faster one's speed on to spins
+  double arc = 0.0;     ///< 0..1: 0 down to 0.65 of the faster one's speed, 1 from 0.35 on to spins
+  double spin = 0.0;    ///< 0..1: 0 down to 0.35 of the faster one's speed, 1 from -0.3 on to spins
   double curved = 0.0;  ///< 0..1: difference of the speeds in parts of their sum, as the curvature
                         ///< of the path, 1 from where the slower track stands still on to spins
 };
