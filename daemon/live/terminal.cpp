@@ -153,20 +153,14 @@ void Terminal::ask() {
 
 void Terminal::take(const std::string& line) {
   const bool can_start = !reach_.course.empty();
-  switch (meaning_of(line, reach_.controls.start_consent(), under_way())) {
-    case LineMeaning::kStop:
-      return press_stop(under_way() || !can_start
-                            ? "Enter: STOP"
-                            : "Enter: STOP; to start again type go and press Enter");
-    case LineMeaning::kNothing:
-      if (!can_start) break;
-      return reach_.log.info("nothing is started; press Enter alone to start course " +
-                             reach_.course);
-    case LineMeaning::kStart:
-      break;
-  }
-  if (!can_start) {
+  const LineMeaning meaning = meaning_of(line, reach_.controls.start_consent(), under_way());
+  if (meaning == LineMeaning::kStop) {
+    press_stop(under_way() || !can_start ? "Enter: STOP"
+                                         : "Enter: STOP; to start again type go and press Enter");
+  } else if (!can_start) {
     reach_.log.info("there is no course; nothing is started");
+  } else if (meaning == LineMeaning::kNothing) {
+    reach_.log.info("nothing is started; press Enter alone to start course " + reach_.course);
   } else if (session_ != SessionState::kReady) {
     reach_.log.info("no robot is connected yet; nothing is started");
   } else if (line == kStartWord) {
