@@ -1,6 +1,6 @@
 #pragma once
-// The guided test of `tp100d doctor --wheels-up`: drives each track on its own, forward and back,
-// with the speed loops off, so that a track that is wired backwards cannot run away.
+// The guided test of `tp100d doctor --wheels-up`: drives both tracks in opposite directions, then
+// each one, with the speed loops off, so that one that is wired backwards cannot run away.
 
 #include <atomic>
 #include <optional>
