@@ -8,8 +8,8 @@ struct Participant::State {};
 Participant::Participant(const config::Ros2Settings&, const std::string&, std::span<const Topic>,
                          std::span<const Input>) {
   throw SetupError(
-      "ROS 2's topics: this program was built without Cyclone DDS; scripts/build release installs "
-      "it and builds with it; or leave out ros2.enabled and --ros2");
+      "ROS 2's topics: this program was built without Cyclone DDS; scripts/build installs it and "
+      "builds with it; or leave out ros2.enabled and --ros2");
 }
 Participant::~Participant() = default;
 void Participant::write(Topic, Bytes) {}  // NOLINT(performance-unnecessary-value-param)

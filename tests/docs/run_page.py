@@ -2,7 +2,7 @@
 """run_page.py PAGE BUILD: follows the instructions of a page literally: writes its files, runs its commands.
 
 ```sh blocks are run one after the other by one bash in a folder that looks like the project's, with BUILD as
-build/release; a block whose first line has a file's name after the language is written to that file. Any command that
+build/dev; a block whose first line has a file's name after the language is written to that file. Any command that
 fails fails the page. A word after ```sh marks the block:
 
     instead   stands in for what a test does not have: an emulated robot on $port, another port number
@@ -65,7 +65,7 @@ def main():
             if name not in ("build", ".git"):
                 os.symlink(os.path.join(ROOT, name), os.path.join(folder, name))
         os.mkdir(os.path.join(folder, "build"))
-        os.symlink(build, os.path.join(folder, "build", "release"))
+        os.symlink(build, os.path.join(folder, "build", "dev"))
         # Black boxes of failed runs are written here, too.
         here = dict(os.environ, XDG_STATE_HOME=os.path.join(folder, "state"))
         shell = subprocess.Popen(["bash", "-c", script], cwd=folder, env=here, stdin=subprocess.DEVNULL,

@@ -80,7 +80,7 @@ mv build/$2/cache build/$2/CMakeCache.txt""")
     def asked(*targets):
         if os.path.exists(machine.log):
             os.remove(machine.log)
-        machine.run(at + "/tree/scripts/build", "release", *targets)
+        machine.run(at + "/tree/scripts/build", "dev", *targets)
         return machine.asked()
 
     demo = asked("tp100d", "tp100-sim")
