@@ -49,10 +49,23 @@ TEST_F(FakeRobotTest, FollowsWithALagAndComesToRest) {
   const double speed_mps = (910.0 / 3400.0);
   // After one time constant a first-order lag has covered 1/e of it.
   EXPECT_NEAR(robot.left_counts(), 0.064 * speed_mps * kCountsPerM / std::exp(1.0), 8.0);
+  run(1000, 1000, 1000);
+  const std::int32_t last = robot.left_counts();
   run(0, 0, 1000);
+  EXPECT_NEAR(robot.left_counts() - last, 0.064 * speed_mps * kCountsPerM, 8.0) << "it runs out";
   const std::int32_t rest = robot.left_counts();
   run(0, 0, 10'000);
   EXPECT_EQ(robot.left_counts(), rest);
+}
+
+TEST_F(FakeRobotTest, ItsBatterySagsByTheDutyOfBothMotorsAndRecovers) {
+  const int idle_mv = robot.battery_mv();
+  run(1000, -1000, 1);
+  EXPECT_EQ(robot.battery_mv(), idle_mv - 500);
+  run(0, -400, 1);
+  EXPECT_EQ(robot.battery_mv(), idle_mv - 100);
+  run(0, 0, 1);
+  EXPECT_EQ(robot.battery_mv(), idle_mv);
 }
 
 TEST_F(FakeRobotTest, TurnsByTheDifferenceOfItsTracks) {

@@ -45,9 +45,9 @@ TEST(Imu, IsTriedAgainEvery100MsAndNotMoreOften) {
   rig.hal.imu_answers = false;
   rig.boot();
   const int calls = rig.hal.i2c_calls;
-  rig.run(2000);
-  EXPECT_NEAR(rig.hal.i2c_calls - calls, 20, 2);
-  EXPECT_NEAR(rig.hal.recoveries, 20, 2);
+  rig.run(2110);
+  EXPECT_NEAR(rig.hal.i2c_calls - calls, 21, 1);
+  EXPECT_NEAR(rig.hal.recoveries, 21, 1);
 }
 
 TEST(Imu, ThatDiesWhileDrivingStopsTheRobotWithinAnInstantIfTheGyroSteers) {
@@ -87,6 +87,20 @@ TEST(Imu, AFewFailedReadsAreBridged) {
   }
   EXPECT_EQ(rig.program.state(), State::kRunning);
   EXPECT_EQ(rig.program.faults(), 0);
+}
+
+TEST(Imu, TheBusIsFreedAfterThreeFailedReadsInARowAndNotBefore) {
+  Rig rig;
+  rig.connect();
+  rig.hal.imu_answers = false;
+  rig.run(10);
+  rig.hal.imu_answers = true;
+  rig.run(5);
+  rig.hal.imu_answers = false;
+  rig.run(10);
+  EXPECT_EQ(rig.hal.recoveries, 0);
+  rig.run(5);
+  EXPECT_EQ(rig.hal.recoveries, 1);
 }
 
 TEST(Imu, ValuesThatDoNotChangeAnyMoreAreStale) {

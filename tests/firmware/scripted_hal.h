@@ -47,6 +47,7 @@ class ScriptedHal final : public Hal {
   int i2c_calls = 0;
   int recoveries = 0;
   int kicks = 0;
+  int idles = 0;
   int locks = 0;
   std::size_t most_read_in_a_row = 0;
 
@@ -106,7 +107,7 @@ class ScriptedHal final : public Hal {
 
   std::uint8_t lock() override { return static_cast<std::uint8_t>(locks++); }
   void unlock(std::uint8_t saved) override { locks = saved; }
-  void idle() override {}
+  void idle() override { ++idles; }
 
  private:
   bool answers(std::uint8_t address) {

@@ -360,6 +360,13 @@ TEST(Session, ALoopTakesNoMoreThan32Bytes) {
   EXPECT_EQ(rig.hal.most_read_in_a_row, 32U);
 }
 
+TEST(Session, EveryLoopLetsTheProcessorSleepOnce) {
+  Rig rig;
+  rig.program.loop();
+  rig.program.loop();
+  EXPECT_EQ(rig.hal.idles, 2);
+}
+
 TEST(Session, TwoFirmwaresInOneProcessDoNotInfluenceEachOther) {
   Rig alone;
   Rig first;

@@ -26,6 +26,12 @@ TEST(Supply, IsFiveVoltsUntilTheBandgapWasMeasured) {
   EXPECT_EQ(supply.battery_mv(1023), 14985);
 }
 
+TEST(Supply, IsFourTimesABandgapOfAQuarterOfTheScale) {
+  Supply supply;
+  supply.update(256);
+  EXPECT_EQ(supply.millivolts(), 4400);
+}
+
 TEST(Supply, BatteryReadRightAtAnyUsbVoltageUpToFiveVolts) {
   for (double supply_v = 4.4; supply_v <= 5.0; supply_v += 0.05) {
     for (const double battery_v : {5.4, 6.0, 7.4, 8.4}) {

@@ -31,6 +31,33 @@ TEST(TrackMonitorAlone, ATrackThatStandsAtItsStallDutyIsStalledAndBelowItNot) {
   }
 }
 
+TEST(TrackMonitorAlone, ATrackWithoutDutyMayMoveEitherWay) {
+  wire::Parameters p = test::good_parameters();
+  p.dead_band = 0.0f;  // any duty would move the track
+  for (const int sign : {1, -1}) {
+    TrackMonitor monitor;
+    for (int counts = 0; counts < 2000; counts += 5) {
+      ASSERT_EQ(monitor.update(0, sign * counts, 5, 0.0f, true, p), TrackMonitor::kGood) << sign;
+    }
+  }
+}
+
+TEST(TrackMonitorAlone, ATrackIsReversedAtTheSameDistanceBothWays) {
+  const wire::Parameters p = test::good_parameters();
+  const auto reversed_at = [&](int sign) {
+    TrackMonitor monitor;
+    for (int counts = 0; counts < 2000; ++counts) {
+      const auto duty = static_cast<std::int16_t>(sign * 300);
+      if (monitor.update(duty, -sign * counts, 1, 0.0f, false, p) != TrackMonitor::kGood)
+        return counts;
+    }
+    return 2000;
+  };
+  // A braking track may run on for 2 cm and for 0.2 s at its top speed.
+  EXPECT_NEAR(reversed_at(1), 0.06 * 11140.0, 1.0);
+  EXPECT_EQ(reversed_at(-1), reversed_at(1));
+}
+
 // In a tight arc the outer track drags the inner one along, which brakes all the time.
 TEST(TrackMonitorAlone, ATrackThatBrakesAgainstTheFloorInATurnIsNotReversed) {
   const wire::Parameters p = test::good_parameters();

@@ -1,0 +1,101 @@
+// Tests the comparison of the gyro with the tracks.
+
+#include <gtest/gtest.h>
+
+#include "../support/wire_host.h"
+#include "firmware/track_monitor.h"
+
+namespace tp100::firmware {
+namespace {
+
+// A robot on tracks that move over the ground at given speeds, sampled every 5 ms.
+class TurnMonitorAlone : public testing::Test {
+ protected:
+  TurnMonitorAlone() { p.turn_slip_share = 0.15f; }
+
+  /// Runs until a verdict or for `ms`.
+  TurnMonitor::Verdict run(double left_mps, double right_mps, int ms) {
+    TurnMonitor::Verdict verdict = TurnMonitor::kGood;
+    for (int i = 0; i < ms && verdict == TurnMonitor::kGood; i += 5) {
+      left_m += left_mps * 5e-3 / 0.84 * left_counted;
+      right_m += right_mps * 5e-3 / 0.90 * right_counted;
+      turned_rad += ((right_mps - left_mps) / 0.274 + gyro_offset_radps) * 5e-3;
+      now_us += 5000;
+      const double gyro = turned_rad / static_cast<double>(test::kGyroRadpsPerLsb) / 8e-6;
+      const TurnMark mark{now_us, static_cast<std::uint32_t>(static_cast<std::int64_t>(gyro)),
+                          static_cast<std::int32_t>(left_m * 11140.0),
+                          static_cast<std::int32_t>(right_m * 11140.0)};
+      verdict = monitor.update(mark, accel_x, 0.0f, p);
+    }
+    return verdict;
+  }
+  void restart() {
+    monitor.reset();
+    left_counted = right_counted = 1.0;
+  }
+
+  wire::Parameters p = test::good_parameters();
+  TurnMonitor monitor;
+  double left_counted = 1.0;
+  double right_counted = 1.0;
+  double gyro_offset_radps = 0.0;
+  std::int16_t accel_x = 0;
+
+ private:
+  std::uint32_t now_us = 0;
+  double left_m = 0.0;
+  double right_m = 0.0;
+  double turned_rad = 0.0;
+};
+
+TEST_F(TurnMonitorAlone, ATurnOnTheSpotShowsWhichTrackCountsShort) {
+  for (const double mps : {0.08, -0.08}) {
+    restart();
+    EXPECT_EQ(run(-mps, mps, 20'000), TurnMonitor::kGood) << mps;
+    left_counted = 0.3;
+    EXPECT_EQ(run(-mps, mps, 20'000), TurnMonitor::kLeftShort) << mps;
+    restart();
+    right_counted = 0.3;
+    EXPECT_EQ(run(-mps, mps, 20'000), TurnMonitor::kRightShort) << mps;
+  }
+}
+
+// Even the short count of the outer track is higher than that of the inner one.
+TEST_F(TurnMonitorAlone, AnArcShowsThatItsOuterTrackCountsShort) {
+  for (const double sign : {1.0, -1.0}) {
+    restart();
+    right_counted = 0.7;
+    EXPECT_EQ(run(0.05 * sign, 0.15 * sign, 20'000), TurnMonitor::kRightShort) << sign;
+    restart();
+    left_counted = 0.7;
+    EXPECT_EQ(run(0.15 * sign, 0.05 * sign, 20'000), TurnMonitor::kLeftShort) << sign;
+  }
+}
+
+TEST_F(TurnMonitorAlone, TheDrivenDistanceExplainsASmallOffsetOfTheGyro) {
+  for (const double offset_radps : {0.02, -0.02}) {
+    for (const double mps : {0.1, -0.1}) {
+      restart();
+      gyro_offset_radps = offset_radps;
+      EXPECT_EQ(run(mps, mps, 30'000), TurnMonitor::kGood) << offset_radps << " " << mps;
+    }
+  }
+}
+
+TEST_F(TurnMonitorAlone, TheLoadOfASlopeEndsSlowlyAfterIt) {
+  run(0.1, 0.1, 1000);
+  EXPECT_EQ(monitor.slope_duty(), 0.0f);
+  accel_x = 1000;  // 7 degrees
+  run(0.1, 0.1, 1000);
+  const float on_slope = monitor.slope_duty();
+  EXPECT_GT(on_slope, 0.2f);
+  accel_x = 0;
+  run(0.1, 0.1, 500);
+  EXPECT_GT(monitor.slope_duty(), 0.5f * on_slope);
+  EXPECT_LT(monitor.slope_duty(), on_slope);
+  run(0.1, 0.1, 3000);
+  EXPECT_EQ(monitor.slope_duty(), 0.0f);
+}
+
+}  // namespace
+}  // namespace tp100::firmware
