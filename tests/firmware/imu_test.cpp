@@ -40,7 +40,7 @@ TEST(Imu, DeadFromTheStartNeverStopsFramesOrTheFailSafe) {
   EXPECT_TRUE(rig.has(Fault::command_timeout));
 }
 
-TEST(Imu, IsTriedAgainEvery100MsAndNotMoreOften) {
+TEST(Imu, IsTriedAgainEvery105MsAndNotMoreOften) {
   Rig rig(false);
   rig.hal.imu_answers = false;
   rig.boot();

@@ -24,7 +24,6 @@ class Firmware {
 
   wire::State state() const { return state_; }
   uint16_t faults() const { return faults_; }
-  uint32_t boot_nonce() const { return boot_nonce_; }
   const LinkCounts& link_counts() const { return link_.counts(); }
   /// Verdict on the last command.
   Verdict last_verdict() const { return last_verdict_; }

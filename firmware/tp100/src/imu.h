@@ -1,5 +1,5 @@
 // MPU6050 over I2C (MPU-6000/6050 register map rev 4.2). It never blocks the main loop: a device
-// that does not answer is tried again every 100 ms.
+// that does not answer is tried again every 105 ms.
 #ifndef TP100_FIRMWARE_IMU_H
 #define TP100_FIRMWARE_IMU_H
 
