@@ -148,6 +148,19 @@ TEST_F(Export, EveryTrajectoryHoldsThePoseOfItsName) {
   }
 }
 
+TEST(ExportOfSeveralRuns, NamesTheDestinationThatHoldsOneRunOnly) {
+  const std::map<std::string, std::string ExportOptions::*> destinations = {
+      {"--out", &ExportOptions::out},
+      {"--ros2", &ExportOptions::ros2},
+      {"--images", &ExportOptions::images}};
+  for (const auto& [name, destination] : destinations) {
+    ExportOptions options{.runs = {"one.mcap", "two.mcap"}, .out = {}};
+    options.*destination = "folder";
+    EXPECT_THAT([&] { run_export(options); },
+                testing::ThrowsMessage<SetupError>(testing::StartsWith(name + " is for one run")));
+  }
+}
+
 TEST(ExportImages, WritesEachImageWithItsTime) {
   const test::TemporaryFolder folder;
   const std::vector<std::string> jpegs = {"\xff\xd8" + std::string("one\0", 4), "\xff\xd8two",

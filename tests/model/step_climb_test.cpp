@@ -174,6 +174,24 @@ TEST(StepClimb, SurvivesAnyDrivingBackAndForth) {
   }
 }
 
+TEST(StepClimb, BackingUpItTipsOntoTheBlockWhereItsMassIsOverTheFarEdge) {
+  for (const double com_forward_m : {0.063, 0.0665, 0.070}) {
+    SCOPED_TRACE(com_forward_m);
+    ClimbGeometry geometry;
+    geometry.com_forward_m = com_forward_m;
+    StepClimb climb(geometry, {});
+    for (int i = 0; i < 400 && climb.state().phase != ClimbPhase::kNose; ++i)
+      climb.advance(1e-3, 1e-2);
+    double until_now_m = 0.0;
+    for (int i = 0; i < 10'000 && climb.state().phase == ClimbPhase::kNose; ++i) {
+      until_now_m = climb.state().com_m.x;
+      climb.advance(-1e-5, 1e-4);
+    }
+    EXPECT_EQ(climb.state().phase, ClimbPhase::kTipOff);
+    EXPECT_NEAR(until_now_m, 0.100, 5e-5);
+  }
+}
+
 TEST(StepClimb, LiteralEquationSixTurnsFasterOnTheRiserOnly) {
   const ClimbCurve held({}, {}, RiserForm::kTrackHolds), literal({}, {}, RiserForm::kPaper);
   EXPECT_NEAR(literal.marks().riser_end, 0.011, 1e-15);

@@ -75,8 +75,8 @@ TEST(World, DrivingARampTheOtherWayIsItsMirrorImage) {
   for (double x = 0.0; x < 0.7; x += 0.013) {
     const ContactPose back = world.at(heading_back(0.7 + x));
     const ContactPose forth = world.at({.x_m = 0.7 + x, .y_m = -0.8, .yaw_rad = 0.0});
-    EXPECT_NEAR(back.slope_rad, -forth.slope_rad, 2e-3) << x;
-    EXPECT_NEAR(back.height_m, forth.height_m, 1e-3) << x;
+    EXPECT_NEAR(back.slope_rad, -forth.slope_rad, 1e-9) << x;
+    EXPECT_NEAR(back.height_m, forth.height_m, 1e-9) << x;
   }
 }
 
@@ -119,6 +119,20 @@ TEST(World, OnABlockTheRobotStandsLevelAtItsHeight) {
   const ContactPose climbing = world.at(heading_back(1.2 + 0.15 + 0.03));
   EXPECT_GT(climbing.slope_rad, 15 * kRadPerDeg);
   EXPECT_EQ(climbing.obstacle, ObstacleClass::kBlock);
+}
+
+// Where neither of two tilts holds, the robot must not change between them from step to step.
+TEST(World, ARobotThatStandsAtABlockKeepsOneTilt) {
+  const World world(one_block(), {});
+  for (double x = 0.9; x < 1.5; x += 1e-3) {
+    Pose pose = heading_back(x);
+    double until_now_rad = 0.0;
+    for (int i = 0; i < 10; ++i) {
+      until_now_rad = pose.pitch_rad;
+      pose.pitch_rad = world.at(pose).pitch_rad;
+    }
+    EXPECT_NEAR(pose.pitch_rad, until_now_rad, 1e-4) << x;
+  }
 }
 
 TEST(World, ABlockUnderEitherTrackIsTheObstacle) {
