@@ -7,6 +7,7 @@
 #include "../support/corrupted.h"
 #include "jpeg.h"
 #include "link/camera_intake.h"
+#include "link/camera_message.h"
 
 namespace tp100::link {
 namespace {
@@ -92,6 +93,24 @@ TEST(CameraImage, ASecondFrameHeaderCannotHideAHugeImage) {
     twice.insert(at, huge);
     EXPECT_FALSE(decode_image(encode(example(twice)))) << at;
   }
+}
+
+TEST(CameraImage, ASegmentMayBeEmptyButNotShorterThanItsLength) {
+  const auto with_comment = [](unsigned length) {
+    std::string bytes = test::jpeg(64, 48);
+    return encode(example(bytes.insert(2, "\xff\xfe" + test::word(length))));
+  };
+  EXPECT_TRUE(decode_image(with_comment(2)));
+  EXPECT_FALSE(decode_image(with_comment(1)));
+}
+
+TEST(CameraImage, ADetectionThatEndsItsLineIsNone) {
+  const std::string detection = encode(CameraMessage{.clock = std::string(kClock)}) + "\n";
+  // A receiver's buffer may still hold an image behind it.
+  const std::string buffer = detection + "\xff\xd8";
+  EXPECT_FALSE(is_image(std::string_view(buffer).substr(0, detection.size())));
+  EXPECT_FALSE(is_image(std::string_view(buffer).substr(0, detection.size() + 1)));
+  EXPECT_TRUE(is_image(buffer));
 }
 
 TEST(CameraImage, ATruncatedImageIsRefused) {

@@ -114,6 +114,32 @@ TEST(ClockSync, AnswersThatTakeLongerThanTheQuickPeriodAreUsed) {
   expect("60 ms each way", slow, 20, 3, 2000, 2000);
 }
 
+TEST(ClockSync, ALongTripThatIsUsualIsNoStall) {
+  Line slow;
+  slow.out_delay = [](std::mt19937&) { return 60 * kNsPerMs; };
+  slow.back_delay = [](std::mt19937&, HostNs) { return 60 * kNsPerMs; };
+  const Errors errors = measure(slow, 20, 3, 7);
+  EXPECT_GT(errors.accepted, 60);
+  EXPECT_EQ(errors.rejected, 0);
+}
+
+TEST(ClockSync, AfterAMissingAnswerTheNextRequestWaitsForThePeriodAndForTheLimit) {
+  for (const HostNs answer_ns : {200 * kNsPerMs, 500 * kNsPerMs}) {
+    ClockSync sync(answer_ns);
+    sync.reset(0);
+    for (int i = 0; i < ClockSync::kQuickExchanges; ++i) {
+      const HostNs now = sync.next_ns();
+      const std::uint16_t id = *sync.due(now);
+      sync.asked(id, now, 0);
+      sync.answered(id, now / kNsPerUs, now / kNsPerUs, now, 0);
+    }
+    const HostNs now = sync.next_ns();
+    sync.asked(*sync.due(now), now, 0);
+    EXPECT_EQ(sync.next_ns() - now,
+              answer_ns > ClockSync::kPeriodNs ? answer_ns : ClockSync::kPeriodNs);
+  }
+}
+
 TEST(ClockSync, AnswersLaterThanTheLimitAreCountedAsLate) {
   ClockSync sync(100 * kNsPerMs);
   sync.reset(0);
@@ -209,16 +235,22 @@ TEST(ClockSync, StartsAnewAfterAJumpOfTheDeviceClock) {
   HostNs now = 0;
   sync.reset(now);
   int restarts = 0;
+  HostNs restarted_ns = 0;
+  int within_a_second = 0;
   while (now < 30 * kNsPerS) {
     now += kNsPerMs;
     if (now == 10 * kNsPerS) line.offset_us += 500'000;
     if (const auto id = sync.due(now)) {
       sync.asked(*id, now, 0);
+      if (restarts > 0 && now - restarted_ns < kNsPerS) ++within_a_second;
       const DeviceUs device = line.device_us(now);
-      if (sync.answered(*id, device, device, now, 0) == ClockSync::Verdict::kRestarted) ++restarts;
+      if (sync.answered(*id, device, device, now, 0) != ClockSync::Verdict::kRestarted) continue;
+      ++restarts;
+      restarted_ns = now;
     }
   }
   EXPECT_EQ(restarts, 1);
+  EXPECT_GE(within_a_second, ClockSync::kQuickExchanges) << "it must ask quickly again";
   EXPECT_NEAR(static_cast<double>(sync.state().to_host(line.device_us(now)) - now), 0.0, 10e3);
 }
 

@@ -81,6 +81,22 @@ TEST(EncoderCount, AfterAGapMoreIsPossibleAndNothingIsMadeUp) {
   EXPECT_EQ(track.counts(), 520);
 }
 
+TEST(EncoderCount, TheTimeBetweenTwoSamplesLimitsTheirCounts) {
+  LinkCounters counters{};
+  SampleIntake intake(counters, kMaxPerS);
+  intake.begin(true);
+  wire::Sample sample{};
+  const auto push = [&](int step) {
+    ++sample.sequence;
+    sample.left_counts += step;
+    intake.push(sample, 5000 * sample.sequence, ClockState{}, 0);
+    return counters.implausible;
+  };
+  push(0);
+  EXPECT_EQ(push(30), 0U);
+  EXPECT_EQ(push(40), 1U);
+}
+
 TEST(EncoderCount, WithoutALimitEverythingIsAccepted) {
   EncoderCount track(0.0);
   track.update(0, 0.0);

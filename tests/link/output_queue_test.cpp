@@ -77,6 +77,16 @@ TEST_F(OutputQueueTest, AFrameThatFillsTheQueueLeavesWhatIsBehindItAlone) {
   EXPECT_EQ(counters.unwritten, 0u);
 }
 
+TEST_F(OutputQueueTest, MakingRoomKeepsTheBytesThatWait) {
+  for (std::uint16_t id = 1; id <= 4; ++id) queue.push(wire::SyncRequest{id});
+  write(9);
+  std::vector<std::uint8_t> expected(queue.bytes().begin(), queue.bytes().end());
+  const std::size_t room = 128 - expected.size();
+  EXPECT_EQ(queue.pad(room), room);
+  expected.resize(128, wire::kDelimiter);
+  EXPECT_EQ(std::vector<std::uint8_t>(queue.bytes().begin(), queue.bytes().end()), expected);
+}
+
 TEST_F(OutputQueueTest, PadsNoFurtherThanThereIsRoom) {
   EXPECT_EQ(queue.pad(1000), 128u);
   EXPECT_EQ(queue.push(wire::SyncRequest{1}), 0u);

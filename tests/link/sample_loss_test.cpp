@@ -179,6 +179,17 @@ TEST(SampleWrap, DeviceTimeSurvivesASilenceOfHours) {
   EXPECT_EQ(clock.extend(device, later) - start, later / kNsPerUs + 300);
 }
 
+TEST(SampleWrap, DeviceTimeIsExactForWeeksWhateverTheDrift) {
+  for (const double rate : {0.995, 1.0, 1.005}) {
+    DeviceClock clock;
+    const DeviceUs start = clock.extend(0, 0);
+    for (HostNs now = 0; now < 30 * 86400 * kNsPerS; now += 600 * kNsPerS) {
+      const auto us = static_cast<DeviceUs>(static_cast<double>(now / kNsPerUs) * rate);
+      ASSERT_EQ(clock.extend(static_cast<std::uint32_t>(us), now) - start, us) << rate;
+    }
+  }
+}
+
 // Under random corruption, every sample is either passed on or counted by exactly one loss counter.
 TEST(SampleConservation, EverySampleIsHandedOnOrCounted) {
   for (unsigned seed = 1; seed <= 20; ++seed) {

@@ -249,6 +249,26 @@ TEST(Session, CommandSequenceContinuesAboveThatOfAnEarlierDaemon) {
             static_cast<std::uint16_t>(commands[border - 1].sequence + 1));
 }
 
+TEST(Session, ClockRequestsComeMoreOftenOnlyIfNothingElseIsSent) {
+  SessionSettings settings = SessionRig::settings();
+  settings.clock_answer_ns = kNsPerS;
+  for (const bool commands : {true, false}) {
+    SessionRig rig(settings);
+    rig.commands = commands;
+    rig.connect();
+    rig.robot.answers_sync = false;
+    rig.robot.received.sync_requests = 0;
+    rig.run(8000);
+    ASSERT_EQ(rig.session.state(), SessionState::kReady);
+    const int requests = rig.robot.received.sync_requests;
+    if (commands) {
+      EXPECT_LE(requests, 9);
+    } else {
+      EXPECT_GE(requests, 19) << "the robot must hear the host";
+    }
+  }
+}
+
 TEST(Session, DropsAndCountsWhatThePortDoesNotTake) {
   SessionRig rig;
   rig.commands = true;

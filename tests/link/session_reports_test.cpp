@@ -64,6 +64,7 @@ TEST(Session, CountsForeignBytesBeforeTheFirstFrameOnly) {
   std::vector<std::uint8_t> bytes(banner.begin(), banner.end());
   bytes.push_back(0);
   rig.session.receive(bytes, rig.now);
+  EXPECT_EQ(rig.session.counters().bytes_in, bytes.size());
   rig.run(400);
   EXPECT_EQ(rig.session.state(), SessionState::kReady);
   EXPECT_EQ(rig.session.counters().foreign_bytes, bytes.size());
@@ -90,6 +91,22 @@ TEST(Session, PassesRobotFaultsAndCleansItsTexts) {
     }
     if (const RobotFault* fault = as<RobotFault>(event)) {
       EXPECT_EQ(fault->value, 5900);
+    }
+  }
+}
+
+TEST(Session, ATextThatFillsItsFrameArrivesWhole) {
+  SessionRig rig;
+  rig.connect();
+  wire::Log log{};
+  std::fill_n(log.text, wire::Log::kTextSize - 1, 'x');
+  log.text[wire::Log::kTextSize - 1] = '!';
+  rig.robot.send(log);
+  rig.run(2);
+  ASSERT_EQ(rig.count<RobotLog>(), 1);
+  for (const SessionEvent& event : rig.events) {
+    if (const RobotLog* robot_log = as<RobotLog>(event)) {
+      EXPECT_EQ(robot_log->text.data(), std::string(wire::Log::kTextSize - 1, 'x') + "!");
     }
   }
 }

@@ -122,6 +122,16 @@ TEST(Session, ARobotWithWhichNoSessionLastsIsAskedLaterAndLater) {
   EXPECT_EQ(rig.session.state(), SessionState::kReady);
 }
 
+TEST(Session, APortThatIsOpenedAgainDoesNotContinueAFrame) {
+  SessionRig rig;
+  rig.session.open(rig.now);
+  const std::vector<std::uint8_t> half{0x05, 'x', 'y'};
+  rig.session.receive(half, rig.now);
+  rig.session.open(rig.now);
+  rig.step();
+  EXPECT_EQ(rig.session.state(), SessionState::kParameters) << "the first hello must be read";
+}
+
 TEST(Session, APortThatGoesIsNoReasonToWait) {
   SessionRig rig;
   for (int i = 0; i < 10; ++i) {

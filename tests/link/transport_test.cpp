@@ -6,6 +6,7 @@
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <sys/sysmacros.h>
+#include <sys/wait.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -151,6 +152,29 @@ TEST_F(Transport, RefusesWhatIsNoSerialPort) {
   EXPECT_THAT(failure(folder_.file("file")), HasSubstr("not a serial port"));
   EXPECT_THAT(failure(folder_.path().string()), HasSubstr("not a serial port"));
   EXPECT_THAT(failure("/dev/null"), HasSubstr("not a serial port"));
+}
+
+// A terminal whose name the system knows, but without the lines of a serial port.
+TEST_F(Transport, SaysThatAProgramsTerminalCannotBeOpened) {
+  if (!std::filesystem::exists("/sys/class/tty/tty")) GTEST_SKIP() << "/sys is not mounted";
+  int report[2];
+  ASSERT_EQ(::pipe(report), 0);
+  const std::string path = pty_.near();
+  const pid_t child = ::fork();
+  if (child == 0) {
+    // The pty becomes /dev/tty of a new session.
+    const bool own = ::setsid() > 0 && ::open(path.c_str(), O_RDWR) >= 0;
+    const std::string message = own ? failure("/dev/tty") : "no terminal";
+    ::_exit(::write(report[1], message.data(), message.size()) > 0 ? 0 : 1);
+  }
+  ::close(report[1]);
+  char text[512];
+  const ssize_t size = ::read(report[0], text, sizeof text);
+  ::close(report[0]);
+  ::waitpid(child, nullptr, 0);
+  ASSERT_GT(size, 0);
+  EXPECT_THAT(std::string(text, static_cast<std::size_t>(size)),
+              HasSubstr("/dev/tty: cannot be opened"));
 }
 
 TEST_F(Transport, LeavesNoDescriptorBehind) {

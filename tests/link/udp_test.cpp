@@ -15,6 +15,8 @@ TEST(Udp, AddressesAreReadAsDocumented) {
   EXPECT_EQ(to_string(parse_udp("udp:47100", "--send")), "127.0.0.1:47100");
   EXPECT_EQ(to_string(parse_udp("udp:0.0.0.0:1", "--send")), "0.0.0.0:1");
   EXPECT_EQ(to_string(parse_udp("udp:bench-pc:65535", "--send")), "bench-pc:65535");
+  EXPECT_EQ(parse_udp(std::string_view("udp:471009").substr(0, 9), "--send").port, 47100)
+      << "what follows the text is not of the address";
 }
 
 TEST(Udp, WhatIsNoAddressIsAnErrorOfOneLine) {
