@@ -92,6 +92,28 @@ TEST_F(ArmingTest, AStartWaitsThatLongForTheSession) {
   EXPECT_EQ(run(100), RobotRequest::kArm);
 }
 
+TEST_F(ArmingTest, AStartThatWaitsEndsWithItsSession) {
+  struct {
+    SessionState session;
+    bool new_session, rebooted;
+    Fault fault;
+  } constexpr kEnds[] = {{SessionState::kClosed, false, false, Fault::link_lost},
+                         {SessionState::kReady, true, false, Fault::link_lost},
+                         {SessionState::kReady, false, true, Fault::robot_rebooted}};
+  for (const auto& end : kEnds) {
+    connect();
+    in_.refusal = StartRefusal::kNotStill;
+    arming_.start();
+    ASSERT_EQ(run(10), RobotRequest::kNone);
+    in_.session = end.session;
+    in_.new_session = end.new_session;
+    in_.rebooted = end.rebooted;
+    EXPECT_EQ(run(1), RobotRequest::kDisarm);
+    EXPECT_EQ(arming_.state(), RunState::kAborted);
+    EXPECT_EQ(arming_.faults(), fault_bit(end.fault));
+  }
+}
+
 TEST_F(ArmingTest, NothingBeginsBeforeTheArmIsAcknowledged) {
   connect();
   arming_.start();
@@ -191,6 +213,15 @@ TEST_F(ArmingTest, ARestartWhileItArmsEndsTheStartWithItsCause) {
   EXPECT_EQ(arming_.faults(), fault_bit(Fault::robot_rebooted));
 }
 
+TEST_F(ArmingTest, AnAbortWhileItArmsEndsTheStartWithItsCause) {
+  connect();
+  arming_.start();
+  ASSERT_EQ(run(100), RobotRequest::kArm);
+  in_.aborts = fault_bit(Fault::world_lost);
+  EXPECT_EQ(run(1), RobotRequest::kDisarm);
+  EXPECT_EQ(arming_.faults(), fault_bit(Fault::world_lost));
+}
+
 TEST_F(ArmingTest, WhatTheMonitorFindsEndsTheRunWithItsCause) {
   begin();
   in_.aborts = fault_bit(Fault::stalled_right);
@@ -200,7 +231,7 @@ TEST_F(ArmingTest, WhatTheMonitorFindsEndsTheRunWithItsCause) {
 }
 
 TEST_F(ArmingTest, AFaultInASampleEndsTheRunWhateverItsStateAndName) {
-  for (const FaultMask fault : {fault_bit(Fault::stalled_left), FaultMask{1} << 15}) {
+  for (const FaultMask fault : {FaultMask{1}, fault_bit(Fault::stalled_left), FaultMask{1} << 15}) {
     SetUp();
     begin();
     sample_.faults = fault;
@@ -210,6 +241,13 @@ TEST_F(ArmingTest, AFaultInASampleEndsTheRunWhateverItsStateAndName) {
     confirm_off();
     run(1);
   }
+}
+
+TEST_F(ArmingTest, ARobotThatIsNoLongerArmedEndsTheRunWithoutAFaultOfItsOwn) {
+  begin();
+  sample_.state = RobotState::kDisarmed;
+  EXPECT_EQ(run(1), RobotRequest::kDisarm);
+  EXPECT_EQ(arming_.faults(), fault_bit(Fault::not_acknowledged));
 }
 
 TEST_F(ArmingTest, WithoutAFreshSampleTheRunEnds) {

@@ -42,6 +42,31 @@ double largest_distance_m(double x_icr_m, bool known) {
   return largest_m;
 }
 
+TEST(PivotProfile, SpeedsUpAndBrakesWithThePivotAcceleration) {
+  const Parameters parameters;
+  for (const double angle_rad : {-kPi / 2, kPi / 2}) {
+    const course::Path path(
+        make_course({course::Line{0.5}, course::Pivot{angle_rad}, course::Line{0.5}}));
+    PivotProfile profile;
+    profile.begin(path.segments()[1], 10.0);
+    double before_radps = 0.0, fastest_radps = 0.0;
+    for (int i = 0; i < 1000 && !profile.arrived(); ++i) {
+      profile.update(parameters, kDt);
+      const double radps = std::abs(profile.rate_radps());
+      // The last few steps are too coarse for it.
+      if (radps > 0.05) {
+        EXPECT_LT(std::abs(radps - before_radps), 1.2 * parameters.pivot_acceleration_radps2 * kDt)
+            << radps;
+      }
+      fastest_radps = std::max(fastest_radps, radps);
+      before_radps = radps;
+    }
+    EXPECT_TRUE(profile.arrived());
+    EXPECT_EQ(profile.yaw_rad(), angle_rad);
+    EXPECT_NEAR(fastest_radps, parameters.pivot_rate_radps, 1e-9);
+  }
+}
+
 TEST(Corner, OfARobotThatTurnsAboutItsReferencePointIsTheSpot) {
   const Corner corner = corner_of(90.0, 0.0);
   EXPECT_EQ(corner.radius_m(), 0.0);
@@ -68,6 +93,24 @@ TEST(Corner, ARobotThatLooksAlongTheNextLineCannotBeBroughtToIt) {
 
 TEST(Corner, ThatIsNoneDrawsTheRobotNowhere) {
   EXPECT_EQ(Corner{}.speed_mps({.x_m = 0.4}, 0.6), 0.0);
+}
+
+TEST(Corner, IsATurnBetweenTwoLinesOnly) {
+  const auto speed_mps = [](const course::Segment& before, const course::Segment& after) {
+    const course::Path path(make_course({before, course::Pivot{kPi / 2}, after}));
+    Tracker tracker(Parameters{}, path, {});
+    const course::PathPoint& at = path.segments()[1].begin;
+    tracker.resume(at.s_m, at.yaw_rad);
+    const Pose short_of_it{at.x_m - 0.01 * std::cos(at.yaw_rad),
+                           at.y_m - 0.01 * std::sin(at.yaw_rad), at.yaw_rad};
+    return tracker.update(short_of_it, {}, kDt).speed_mps;
+  };
+  const course::Line line{0.5};
+  const course::Arc arc{0.5, 1.0};
+  EXPECT_GT(speed_mps(line, line), 0.01);
+  EXPECT_EQ(speed_mps(line, arc), 0.0);
+  EXPECT_EQ(speed_mps(arc, line), 0.0);
+  EXPECT_EQ(speed_mps(arc, arc), 0.0);
 }
 
 TEST(Corner, ARightAngleLeavesThePathByLessThanAQuarterOfTheCentresDistance) {

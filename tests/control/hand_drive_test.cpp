@@ -134,6 +134,15 @@ TEST_F(HandDriveInputs, ATurnAgainstTheOneBeforeBeginsWhenThatOneIsOver) {
   EXPECT_LT(run(0.2).yaw_rate_radps, -0.2);
 }
 
+TEST_F(HandDriveInputs, ATurnOnTheSpotWithATrackAtItsLimitStaysOnTheSpot) {
+  yaw_rate_radps_ = state_.limits.max_yaw_radps;
+  for (const double slip : {0.3, 0.0}) {
+    state_.limits.slip_left = slip;
+    state_.limits.slip_right = 0.3 - slip;
+    EXPECT_EQ(run(2.0).speed_mps, 0.0) << slip;
+  }
+}
+
 class FenceLimit : public testing::Test {
  protected:
   double inside(double x_m, double y_m, double yaw_deg, double speed_mps,
@@ -154,7 +163,7 @@ TEST_F(FenceLimit, FarFromTheFenceNothingIsLimited) {
 
 TEST_F(FenceLimit, TheNearerTheFenceAheadTheSlowerAndAtItNothing) {
   double last_mps = 0.2;
-  for (double x_m = 0.8; x_m < 1.0; x_m += 0.01) {
+  for (double x_m = 0.8; x_m < 1.0; x_m += 0.001) {
     const double mps = inside(x_m, 0.0, 0.0, 0.2);
     EXPECT_LE(mps, last_mps);
     last_mps = mps;

@@ -200,6 +200,16 @@ TEST(Lqr, SolvesTheRiccatiEquation) {
   EXPECT_NEAR(gains.heading, k_psi, 0.06 * k_psi);
 }
 
+TEST(Lqr, TurnsHarderAgainstAHeadingErrorTheFasterTheRobotIs) {
+  const Lqr law(Parameters{}, {});
+  double slower = 0.0;
+  for (const double v : {0.01, 0.03, 0.1, 0.2, 0.4, 0.6, 0.8}) {
+    const double heading = law.gains(v).heading;
+    EXPECT_GT(heading, slower) << v;
+    slower = heading;
+  }
+}
+
 TEST(Lqr, ClosesTheLoopStablyAtEverySpeedItMayMeet) {
   const Lqr law(Parameters{}, {});
   for (const double v : {0.005, 0.02, 0.1, 0.3, 0.8, 2.0}) {
