@@ -56,5 +56,20 @@ TEST(ExpectedMarker, SeenAcrossTheSlopeAPitchedMarkerLooksTurned) {
   EXPECT_NEAR(seen[1], pictured(0.0)[1], 1e-9);
 }
 
+TEST(CameraUpdate, AClimbingOrTippingBodyWhoseMarkerSwaysIsCorrectedLess) {
+  const MotionModel motion({}, {});
+  const auto corrected_m = [&](const Ground& ground) {
+    CameraUpdate update({}, {});
+    FilterState state = motion.prior();
+    const CameraVerdict verdict = update.apply(state, {.x_m = 0.004}, ground, {}, motion);
+    EXPECT_EQ(verdict, CameraVerdict::kUsed);
+    return state.mean[kX];
+  };
+  const double level_m = corrected_m({});
+  EXPECT_GT(level_m, 0.003);
+  EXPECT_LT(corrected_m({.hold_slip = true}), 0.8 * level_m);
+  EXPECT_LT(corrected_m({.tilt_radps = 10.0}), 0.8 * level_m);
+}
+
 }  // namespace
 }  // namespace tp100::estimation

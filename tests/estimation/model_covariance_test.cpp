@@ -178,15 +178,23 @@ TEST(ModelCovariance, HoldsTheTruthOnFloorsOfEveryKind) {
   }
 }
 
-/// One metre ahead from `start`.
-void drive_a_metre(ModelCovariance& covariance, const Pose& start) {
+/// `length_m` ahead from `start`.
+void drive(ModelCovariance& covariance, const Pose& start, double length_m, const Motion& motion) {
   Pose pose = start;
-  const Motion motion{.dt_s = kDt, .tracks = {kDriveMps, kDriveMps}};
-  for (double m = 0.0; m < 1.0; m += kDistancePerStepM) {
+  for (double m = 0.0; m < length_m; m += kDistancePerStepM) {
     const Pose before = pose;
     model::advance(pose, {.vx_mps = kDriveMps}, kDt);
     covariance.advance(before, pose, motion, 0.0);
   }
+}
+void drive_a_metre(ModelCovariance& covariance, const Pose& start) {
+  drive(covariance, start, 1.0, {.dt_s = kDt, .tracks = {kDriveMps, kDriveMps}});
+}
+/// The same over a floor that turns the robot.
+void drive_on_a_floor(ModelCovariance& covariance, double length_m, double gyro_z_radps) {
+  drive(
+      covariance, {}, length_m,
+      {.dt_s = kDt, .tracks = {kDriveMps, kDriveMps}, .gyro_z_radps = gyro_z_radps, .gyro = true});
 }
 
 TEST(ModelCovariance, TurnsWithTheRobot) {
@@ -196,6 +204,16 @@ TEST(ModelCovariance, TurnsWithTheRobot) {
   const PlanarCovariance pose = ahead.pose(), turned = left.pose();
   expect_turned_left(turned, pose);
   EXPECT_GT(pose.y_yaw, 0.0);
+}
+
+TEST(ModelCovariance, AnUncertainDistanceLiesAlongTheChordOfATurn) {
+  ModelCovariance covariance(robot(), {});
+  const double turn_rad = 0.6;
+  // Half of the turn to either side of the x axis, along which the robot thus moves.
+  covariance.advance({.yaw_rad = -turn_rad / 2.0}, {.x_m = 0.1, .yaw_rad = turn_rad / 2.0},
+                     {.dt_s = kDt, .ground = {.hold_slip = true}}, 0.0);
+  EXPECT_GT(covariance.pose().xx, 2.0 * covariance.pose().yy);
+  EXPECT_NEAR(covariance.pose().xy, 0.0, 1e-12);
 }
 
 TEST(ModelCovariance, ARunBeginsAsTheRobotIsPlacedAndAnInterruptionAddsToIt) {
@@ -213,19 +231,27 @@ TEST(ModelCovariance, ARunBeginsAsTheRobotIsPlacedAndAnInterruptionAddsToIt) {
 TEST(ModelCovariance, IsCarriedFromTheStartAsARunBegins) {
   ModelCovariance begun(robot(), {}), carried(robot(), {});
   drive_a_metre(begun, {});
+  drive_on_a_floor(begun, 0.03, 0.02);
   carried.resume(begun.carried_from_start());
   begun.begin();
+  EXPECT_EQ(carried.carried().errors, begun.carried().errors);
+  EXPECT_EQ(carried.carried().slip_density_m, begun.carried().slip_density_m);
+  // What was seen of the floor just before is part of neither.
+  for (ModelCovariance* covariance : {&begun, &carried}) drive_on_a_floor(*covariance, 0.06, 0.01);
   EXPECT_EQ(carried.carried().errors, begun.carried().errors);
   EXPECT_EQ(carried.carried().slip_density_m, begun.carried().slip_density_m);
 }
 
 TEST(ModelCovariance, GoesOnFromWhatWasCarried) {
   ModelCovariance covariance(robot(), {}), again(robot(), {});
+  drive_on_a_floor(covariance, 0.3, 0.02);
   drive_a_metre(covariance, {});
   again.resume(covariance.carried());
   EXPECT_EQ(again.pose().yy, covariance.pose().yy);
   drive_a_metre(covariance, {.x_m = 1.0});
   drive_a_metre(again, {.x_m = 1.0});
+  drive_on_a_floor(covariance, 0.1, 0.0);
+  drive_on_a_floor(again, 0.1, 0.0);
   EXPECT_EQ(again.pose().yy, covariance.pose().yy);
   EXPECT_EQ(again.carried().slip_density_m, covariance.carried().slip_density_m);
 }

@@ -80,6 +80,17 @@ TEST(ObstacleState, AStepWhoseRiserMakesTracksSlipIsOneAfterAll) {
   EXPECT_EQ(terrain_follower.state(), ObstacleClass::kBlock);
 }
 
+TEST(ObstacleState, AStepWhoseEdgeMakesTracksSlipIsToldByItsRiser) {
+  TerrainFollower terrain_follower;
+  terrain_follower.level(0.5);
+  double sine = 0.0;
+  for (double s = 0.0; s < 0.04; s += kSpeedMps * kDt) {
+    sine += (s < 0.01 ? 0.7 : 0.25) * kSpeedMps * kDt / kSpacingM;
+    terrain_follower.lean(std::asin(sine));
+  }
+  EXPECT_EQ(terrain_follower.state(), ObstacleClass::kBlock);
+}
+
 TEST(ObstacleState, TheOtherSideBelongsToTheSameObstacle) {
   TerrainFollower terrain_follower;
   terrain_follower.ramp(20.0 * kRadPerDeg, 0.3);

@@ -88,6 +88,17 @@ TEST_F(OdometryTest, ATwistThatNoIntervalHasShownIsUnknown) {
   EXPECT_LT(odometry.twist_covariance().yaw_yaw, square(0.1));
 }
 
+TEST_F(OdometryTest, WithoutAGyroAnUnknownSlipDifferenceMakesTheTurnUncertain) {
+  const auto turn_variance = [this](double slip_difference_sd) {
+    noise_.slip_difference_sd = slip_difference_sd;
+    Odometry odometry(tracks_, noise_);
+    odometry.advance({.dt_s = kDt, .tracks = {0.1, 0.1}, .ground = {.slip = {0.2, 0.2}}});
+    return odometry.twist_covariance().yaw_yaw;
+  };
+  const double turn_radps = 0.05 * (0.08 + 0.08) / tracks_.wheelbase_m;
+  EXPECT_NEAR(turn_variance(0.05) - turn_variance(0.0), square(turn_radps), 1e-9);
+}
+
 TEST_F(OdometryTest, WithoutAGyroItIsTheExtendedModel) {
   // Turns of every shape, each with its own wheelbase.
   tracks_.slip_left = 0.3;
@@ -240,6 +251,21 @@ TEST_F(OdometryTest, InTurnsTheGyroKnowsBetter) {
   EXPECT_NEAR(odometry.pose().yaw_rad, 2.0 * kPi, 0.02);
 }
 
+// The wheelbase that a turn needs depends on how sharp it is, and to which side.
+TEST_F(OdometryTest, ATurnToTheOtherSideMakesTheTurnGainUncertainAgain) {
+  Odometry odometry(tracks_, noise_);
+  rest(odometry, 0.02);
+  odometry.begin({});
+  const auto variance = [&] { return odometry.state().covariance(kTurnGain, kTurnGain); };
+  drive(odometry, 0.1, 0.0, 0.02, 60.0);  // shows that the tracks slip alike
+  drive(odometry, 0.1, 0.4, 0.02, 30.0);
+  const double learned = variance();
+  drive(odometry, 0.1, 0.4, 0.02, 7.0);
+  EXPECT_LT(variance(), learned);
+  drive(odometry, 0.1, -0.4, 0.02, 7.0);
+  EXPECT_GT(variance(), 1.5 * learned);
+}
+
 // A robot that is turned from outside: slowly, while it drives straight ahead.
 TEST_F(OdometryTest, ATurnThatTheTracksDidNotMakeIsFollowed) {
   for (const double rate : {0.05, 0.1, 0.3, 0.9}) {
@@ -266,6 +292,24 @@ TEST_F(OdometryTest, APushLeavesTheHeadingKnownAndThePlaceUnknown) {
   EXPECT_GT(sd(kX), before_m + 0.02);
   EXPECT_LT(sd(kX), before_m + 0.08);
   EXPECT_LT(sd(kYaw), before_rad + 1.0 * kRadPerDeg);
+}
+
+TEST_F(OdometryTest, ABodyThatTipsOverAnEdgeIsLessCertainAlongItsTracksOnly) {
+  const auto covariance_after = [this](double pitch_rate_radps) {
+    Odometry odometry(tracks_, noise_);
+    for (int i = 0; i < 40; ++i)
+      odometry.advance({.dt_s = kDt,
+                        .tracks = {0.1, 0.1},
+                        .gyro = true,
+                        .ground = {.pitch_rad = pitch_rate_radps * kDt * i, .slip = {0.2, 0.2}}});
+    return odometry.pose_covariance();
+  };
+  const PlanarCovariance level = covariance_after(0.0);
+  for (const double pitch_rate_radps : {2.0, -2.0}) {
+    const PlanarCovariance tipped = covariance_after(pitch_rate_radps);
+    EXPECT_GT(tipped.xx, level.xx + square(0.005)) << pitch_rate_radps;
+    EXPECT_NEAR(tipped.yy, level.yy, 1e-9) << pitch_rate_radps;
+  }
 }
 
 }  // namespace

@@ -147,6 +147,20 @@ TEST_F(PoseFilterTest, ASampleAheadOfTheEncodersWaitsForThem) {
   EXPECT_EQ(fused.figures(now_).camera_used, 1u);
 }
 
+TEST_F(PoseFilterTest, TheErrorCommonToAllImagesCountsOnceACameraIsUsed) {
+  PoseFilter fused = filter();
+  const auto common_m2 = [&](double PlanarCovariance::*of, Eigen::Index state) {
+    return fused.pose_covariance().*of - fused.state().covariance(state, state);
+  };
+  fused.advance(interval(0.0, 0.0));
+  EXPECT_EQ(common_m2(&PlanarCovariance::xx, kX), 0.0);
+  EXPECT_EQ(common_m2(&PlanarCovariance::yy, kY), 0.0);
+  fused.camera(seen({}));
+  EXPECT_NEAR(common_m2(&PlanarCovariance::xx, kX), square(camera_.constant_sd_m), 1e-15);
+  EXPECT_NEAR(common_m2(&PlanarCovariance::yy, kY), square(camera_.constant_sd_m), 1e-15);
+  EXPECT_EQ(common_m2(&PlanarCovariance::yaw_yaw, kYaw), 0.0);
+}
+
 TEST_F(PoseFilterTest, OneOutlierIsRejectedAndARobotThatWasMovedIsFoundInTwoFrames) {
   PoseFilter fused = filter();
   for (int i = 0; i < 200; ++i) {
@@ -278,7 +292,10 @@ TEST_F(PoseFilterTest, AfterAnInterruptionTheCameraOfBeforeKnowsTheStartNoBetter
     if (i % 6 == 0) fused.camera(seen({}));
   }
   ASSERT_GE(fused.figures(now_).camera_age_us, 0);
+  ASSERT_LT(fused.pose_covariance().xx, square(0.005));
   fused.interrupt();
+  EXPECT_GE(fused.pose_covariance().xx, square(noise_.disturbed_sd_m));
+  EXPECT_GE(fused.pose_covariance().yaw_yaw, square(noise_.disturbed_sd_rad));
   EXPECT_EQ(fused.figures(now_).camera_age_us, -1);
   fused.begin({.x_m = 0.4, .y_m = -0.2, .yaw_rad = 1.0}, now_);
   EXPECT_EQ(fused.pose().x_m, 0.4);
@@ -315,9 +332,13 @@ TEST_F(PoseFilterTest, AllocatesNothing) {
 TEST_F(PoseFilterTest, CarriedFromAPlaceIsAsIfARunBeganThere) {
   for (const bool camera : {false, true}) {
     PoseFilter begun = filter();
+    const auto ahead_of = [](Pose pose) {
+      pose.x_m += 0.002;
+      return pose;
+    };
     for (int i = 0; i < 400; ++i) {
       begun.advance(interval(0.1, 0.2));
-      if (camera && i % 10 == 0) begun.camera(seen(begun.pose()));
+      if (camera && i % 10 == 0) begun.camera(seen(ahead_of(begun.pose())));
     }
     const Pose place{.x_m = 3.0, .y_m = -1.0, .yaw_rad = 8.0};
     PoseFilter carried = filter();
@@ -329,6 +350,13 @@ TEST_F(PoseFilterTest, CarriedFromAPlaceIsAsIfARunBeganThere) {
     EXPECT_EQ(carried.figures(now_).camera_used, begun.figures(now_).camera_used) << camera;
     EXPECT_EQ(std::abs(begun.pose().x_m - place.x_m) < 1e-9, !camera)
         << "a camera that sees the robot knows better where it is";
+    const FilterInput next = interval(0.1, 0.2);
+    for (PoseFilter* fused : {&begun, &carried}) {
+      fused->advance(next);
+      fused->camera(seen(ahead_of(fused->pose())));
+      EXPECT_GT(fused->figures(now_).nis, 0.0);
+      EXPECT_EQ(fused->figures(now_).nis_mean, fused->figures(now_).nis) << "of one sample";
+    }
   }
 }
 
