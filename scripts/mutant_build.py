@@ -121,9 +121,10 @@ def configure():
     # The flags of the preset dev, but each file by itself, so that one more mutant recompiles only one file.
     preset = next(p for p in json.loads((ROOT / 'CMakePresets.json').read_text())['configurePresets']
                   if p['name'] == 'dev')
-    flags = [f'-D{name}={value}' for name, value in preset['cacheVariables'].items()]
-    subprocess.run(['cmake', '-S', SOURCE, '-B', BUILD, '-G', 'Ninja', f'-DCMAKE_EXE_LINKER_FLAGS={WORK}/mutant.o',
-                    *flags], check=True, stdout=subprocess.DEVNULL)
+    variables = dict(preset['cacheVariables'])
+    variables['CMAKE_EXE_LINKER_FLAGS'] = f"{variables.get('CMAKE_EXE_LINKER_FLAGS', '')} {WORK}/mutant.o"
+    flags = [f'-D{name}={value}' for name, value in variables.items()]
+    subprocess.run(['cmake', '-S', SOURCE, '-B', BUILD, '-G', 'Ninja', *flags], check=True, stdout=subprocess.DEVNULL)
 
 
 def environment(**more):
