@@ -69,26 +69,24 @@ TEST(ObstacleState, StepsOfEveryHeightAreSteps) {
   }
 }
 
-TEST(ObstacleState, AStepWhoseRiserMakesTracksSlipIsOneAfterAll) {
+/// The nose rises by the share `before` of the distance driven up to `change_m`, then by `after`.
+ObstacleClass after_climb(double before, double change_m, double after, double end_m) {
   TerrainFollower terrain_follower;
   terrain_follower.level(0.5);
   double sine = 0.0;
-  for (double s = 0.0; s < 0.06; s += kSpeedMps * kDt) {
-    sine += (s < 0.03 ? 0.42 : 0.75) * kSpeedMps * kDt / kSpacingM;
+  for (double s = 0.0; s < end_m; s += kSpeedMps * kDt) {
+    sine += (s < change_m ? before : after) * kSpeedMps * kDt / kSpacingM;
     terrain_follower.lean(std::asin(sine));
   }
-  EXPECT_EQ(terrain_follower.state(), ObstacleClass::kBlock);
+  return terrain_follower.state();
+}
+
+TEST(ObstacleState, AStepWhoseRiserMakesTracksSlipIsOneAfterAll) {
+  EXPECT_EQ(after_climb(0.42, 0.03, 0.75, 0.06), ObstacleClass::kBlock);
 }
 
 TEST(ObstacleState, AStepWhoseEdgeMakesTracksSlipIsToldByItsRiser) {
-  TerrainFollower terrain_follower;
-  terrain_follower.level(0.5);
-  double sine = 0.0;
-  for (double s = 0.0; s < 0.04; s += kSpeedMps * kDt) {
-    sine += (s < 0.01 ? 0.7 : 0.25) * kSpeedMps * kDt / kSpacingM;
-    terrain_follower.lean(std::asin(sine));
-  }
-  EXPECT_EQ(terrain_follower.state(), ObstacleClass::kBlock);
+  EXPECT_EQ(after_climb(0.7, 0.01, 0.25, 0.04), ObstacleClass::kBlock);
 }
 
 TEST(ObstacleState, TheOtherSideBelongsToTheSameObstacle) {
