@@ -12,6 +12,8 @@ SWAPS = {'<': '<=', '<=': '<', '>': '>=', '>=': '>', '==': '!=', '!=': '==', '+'
          '%': '/', '&&': '||', '||': '&&', '&': '|', '|': '&', '^': '|', '<<': '>>', '>>': '<<',
          '+=': '-=', '-=': '+=', '*=': '/=', '/=': '*=', '|=': '&=', '&=': '|=', '^=': '|=',
          '<<=': '>>=', '>>=': '<<=', '++': '--', '--': '++'}
+# Two floating-point values are hardly ever equal: only the other direction makes a difference.
+FLOAT_SWAPS = SWAPS | {'<': '>', '<=': '>=', '>': '<', '>=': '<='}
 CALLS = {'min': 'max', 'max': 'min', 'sin': 'cos', 'cos': 'sin', 'floor': 'ceil', 'ceil': 'floor', 'abs': ''}
 NOTHING = {'{}', '0', '0.0', '0.0F', 'false', 'nullptr', 'std::nullopt', '""'}
 FUNCTIONS = {CursorKind.FUNCTION_DECL, CursorKind.CXX_METHOD, CursorKind.CONSTRUCTOR, CursorKind.DESTRUCTOR,
@@ -191,8 +193,10 @@ class _Finder:
     def binary(self, cursor, operands, above):
         begin, end = self.range(cursor)
         operator, at = self.between(self.range(operands[0])[1], self.range(operands[1])[0])
-        if operator in SWAPS:
-            self.replaced(begin, end, at, at + len(operator), SWAPS[operator], above)
+        floating = any(operand.type.get_canonical().kind in FLOATS for operand in operands)
+        swaps = FLOAT_SWAPS if floating else SWAPS
+        if operator in swaps:
+            self.replaced(begin, end, at, at + len(operator), swaps[operator], above)
 
     def replaced(self, begin, end, at, to, other, above):
         """The expression with text[at:to] changed. With class types the two may differ in type (Eigen has a type for

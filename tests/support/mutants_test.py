@@ -53,7 +53,7 @@ FOUND = {
     ('Vector operator-(Vector other) const { return {x * other.x}; }',
      'Vector operator-(Vector other) const { return {x / other.x}; }'),
     ('bool is_low(double value) { return value < kGain; }', 'bool is_low(double value) { return !(value < kGain); }'),
-    ('bool is_low(double value) { return value < kGain; }', 'bool is_low(double value) { return value <= kGain; }'),
+    ('bool is_low(double value) { return value < kGain; }', 'bool is_low(double value) { return value > kGain; }'),
     ('bool is_low(double value) { return value < kGain; }',
      'bool is_low(double value) { return value < (2 * kGain); }'),
     ('if (value > 2) return std::min(value, 7);', 'if (!(value > 2)) return std::min(value, 7);'),
