@@ -105,7 +105,12 @@ Profile::Profile(const Outline& outline, double x_m, double y_m, double cos_yaw,
   clip(v, dv, -outline.half_width_m, outline.half_width_m);
   if (!(to > from)) return;
 
-  const auto height = [&](double at) { return height_of(outline.points, 4, u + at * du); };
+  // Rounding may put an end at a wall outside the outline.
+  const auto height = [&](double at) {
+    return height_of(
+        outline.points, 4,
+        std::clamp(u + at * du, outline.points.front().along_m, outline.points.back().along_m));
+  };
   add(from, height(from));
   if (std::abs(du) >= kParallel) {
     for (std::size_t i = 1; i <= 2; ++i) {

@@ -135,6 +135,39 @@ TEST(World, ARobotThatStandsAtABlockKeepsOneTilt) {
   }
 }
 
+TEST(World, OnABlockTheRobotIsLevelInEveryDirection) {
+  course::Terrain terrain = one_block();
+  terrain.blocks[0].depth_m = terrain.blocks[0].width_m = 0.5;
+  const World world(terrain, {});
+  for (int i = 0; i < 3600; ++i) {
+    const ContactPose contact_pose =
+        world.at({.x_m = 1.21, .y_m = -0.79, .yaw_rad = i * 0.1 * kRadPerDeg});
+    EXPECT_NEAR(contact_pose.pitch_rad, 0.0, 1e-9) << i;
+    EXPECT_NEAR(contact_pose.height_m, 0.037, 1e-9) << i;
+  }
+}
+
+TEST(World, ARobotThatIsDrivenObliquelyOverABlockDoesNotTipBackAndForth) {
+  const World world(one_block(), {});
+  for (const double yaw_deg : {10.0, 25.0, 40.0, 55.0, 70.0}) {
+    const double c = std::cos(yaw_deg * kRadPerDeg), s = std::sin(yaw_deg * kRadPerDeg);
+    double pitch_rad = 0.0, jump_before_rad = 0.0;
+    for (int i = -10000; i <= 10000; ++i) {
+      const double along_m = i * 1e-4;
+      const Pose pose{.x_m = 1.2 + along_m * c,
+                      .y_m = -0.8 + along_m * s,
+                      .pitch_rad = pitch_rad,
+                      .yaw_rad = yaw_deg * kRadPerDeg};
+      const double jump_rad = world.at(pose).pitch_rad - pitch_rad;
+      EXPECT_FALSE(std::abs(jump_rad) > 0.005 && std::abs(jump_before_rad) > 0.005 &&
+                   jump_rad * jump_before_rad < 0.0)
+          << yaw_deg << " deg, " << along_m << " m: " << jump_rad << " after " << jump_before_rad;
+      pitch_rad += jump_rad;
+      jump_before_rad = jump_rad;
+    }
+  }
+}
+
 TEST(World, ABlockUnderEitherTrackIsTheObstacle) {
   const World world(one_block(), {});
   const ContactPose left = world.at(heading_back(1.2, -0.6));
