@@ -122,6 +122,7 @@ double speed_inside(double speed_mps, const FenceMotion& motion, const course::F
 void HandDrive::restart(HostNs now) {
   newest_ = {.at_ns = now};
   speed_mps_ = yaw_rate_radps_ = ahead_rad_ = 0.0;
+  last_yaw_rad_.reset();
   holds_yaw_ = false;
 }
 
@@ -182,8 +183,9 @@ double HandDrive::desired_yaw(const HandDriveState& state, double dt_s) {
   holds_yaw_ = !turns && std::abs(speed_mps_) >= kCreepMps &&
                (holds_yaw_ || std::abs(state.measured_yaw_rate_radps) < kTurnOverRadps);
   if ((turns && !coasts) || holds_yaw_) {
-    ahead_rad_ = std::clamp(ahead_rad_ + last_yaw_rad_ - yaw_rad + yaw_rate_radps_ * dt_s,
-                            -kMaxAheadRad, kMaxAheadRad);
+    ahead_rad_ =
+        std::clamp(ahead_rad_ + last_yaw_rad_.value_or(yaw_rad) - yaw_rad + yaw_rate_radps_ * dt_s,
+                   -kMaxAheadRad, kMaxAheadRad);
   } else {
     ahead_rad_ = 0.0;
   }

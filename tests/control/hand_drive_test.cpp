@@ -102,6 +102,15 @@ TEST_F(HandDriveInputs, ABlockedTurnDoesNotWindUp) {
   EXPECT_EQ(run(kHandCycleS).desired_yaw_rad, state_.pose.yaw_rad);
 }
 
+TEST_F(HandDriveInputs, ATurnBeginsFromTheYawOfTheNewDrive) {
+  yaw_rate_radps_ = 0.5;
+  run(1.0);
+  drive_.restart(now_);
+  state_.pose.yaw_rad = 2.0;
+  EXPECT_NEAR(run(kHandCycleS).desired_yaw_rad,
+              2.0 + parameters_.pivot_acceleration_radps2 * kHandCycleS * kHandCycleS, 1e-9);
+}
+
 TEST_F(HandDriveInputs, StraightOnTheYawIsHeldOnceTheTurnIsOver) {
   speed_mps_ = 0.1;
   state_.measured_yaw_rate_radps = 0.4;
