@@ -160,7 +160,9 @@ void Odometry::take_residual(const Residual& now) {
 }
 
 const Motion& Odometry::advance(const FilterInput& in) {
-  const double pitch_before_rad = motion_.ground.pitch_rad;
+  // There is no pitch before the first interval.
+  const double pitch_before_rad =
+      motion_.dt_s > 0.0 ? motion_.ground.pitch_rad : in.ground.pitch_rad;
   // The clock relation may jump back a little; a motion must still end after the one before.
   motion_ = {.end_ns = std::max(in.end_ns, motion_.end_ns + 1),
              .dt_s = in.dt_s,

@@ -294,6 +294,14 @@ TEST_F(OdometryTest, APushLeavesTheHeadingKnownAndThePlaceUnknown) {
   EXPECT_LT(sd(kYaw), before_rad + 1.0 * kRadPerDeg);
 }
 
+TEST_F(OdometryTest, AResumedRobotOnASlopeHasNotTipped) {
+  Odometry odometry(tracks_, noise_);
+  const FilterInput on_a_slope{.end_ns = now_, .dt_s = kDt, .ground = {.pitch_rad = -0.4}};
+  EXPECT_EQ(odometry.advance(on_a_slope).ground.tilt_radps, 0.0);
+  odometry.resume(odometry.carried());
+  EXPECT_EQ(odometry.advance(on_a_slope).ground.tilt_radps, 0.0);
+}
+
 TEST_F(OdometryTest, ABodyThatTipsOverAnEdgeIsLessCertainAlongItsTracksOnly) {
   const auto covariance_after = [this](double pitch_rate_radps) {
     Odometry odometry(tracks_, noise_);
