@@ -39,7 +39,7 @@ class Session {
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  /// A port was opened. Clears the peer's identity and listens only.
+  /// A port was opened. Ends the session and listens only; the last boot stays known.
   void open(HostNs now);
   /// The port is gone.
   void close(HostNs now);
