@@ -229,11 +229,17 @@ class _Finder:
         prefix, postfix = self.text[begin:inner_begin].strip('( \n'), self.text[inner_end:end].strip(') \n')
         inside = self.text[inner_begin:inner_end]
         if prefix in {'!', '-', '~'}:
-            self.add(begin, end, self.text[begin:end].replace(prefix, '', 1))
+            # Without a cast, the result of `!` may be converted to the operand's class (std::optional).
+            cast = 'true' if prefix == '!' and self.is_object(operand) else ''
+            self.add(begin, end, self.text[begin:end].replace(prefix, '', 1), cast=cast)
         elif prefix in {'++', '--'}:
             self.add(begin, end, SWAPS[prefix] + inside)
         elif postfix in {'++', '--'}:
             self.add(begin, end, inside + SWAPS[postfix])
+
+    def is_object(self, cursor):
+        return any(c.type.get_canonical().kind == TypeKind.RECORD for c in cursor.walk_preorder()
+                   if self.range(c) == self.range(cursor))
 
     def call(self, cursor, children, above):
         begin, end = self.range(cursor)

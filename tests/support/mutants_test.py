@@ -16,6 +16,7 @@ except ImportError:
 
 SOURCE = """#include <algorithm>
 #include <cstdio>
+#include <optional>
 #define TWICE(x) ((x) + (x))
 namespace {
 constexpr double kGain = 0.5;
@@ -30,6 +31,7 @@ struct Vector {
   Vector operator-(Vector other) const { return {x * other.x}; }
 };
 bool is_low(double value) { return value < kGain; }
+bool is_missing(const std::optional<int>& value) { return !value; }
 int share(int value) {
   static_assert(1 + 1 == 2);
   if (value > 2) return std::min(value, 7);
@@ -41,9 +43,14 @@ int main() {
   sum.add(-4);
   const Vector v = Vector{5} - Vector{1};
   std::printf("%d %d %d %d %d %d %d\\n", sum.total, v.x, is_low(0.4), is_low(0.5), is_low(0.6), share(2), share(8));
+  std::printf("%d %d\\n", is_missing(0), is_missing({}));
 }
 """
-HEAD = '#include <cstdlib>\n#define TP100_MUTANT(id) (std::atoi(std::getenv("MUTANT")) == id)\n'
+HEAD = """#include <cstdlib>
+#include <type_traits>
+#define TP100_MUTANT(id) (std::atoi(std::getenv("MUTANT")) == id)
+#define TP100_MUTANT_TYPE(name) std::decay_t<decltype(name)>
+"""
 FOUND = {
     ('int total = 3;', 'int total = 4;'),
     ('total += value;', 'total -= value;'),
@@ -56,6 +63,10 @@ FOUND = {
     ('bool is_low(double value) { return value < kGain; }', 'bool is_low(double value) { return value > kGain; }'),
     ('bool is_low(double value) { return value < kGain; }',
      'bool is_low(double value) { return value < (2 * kGain); }'),
+    ('bool is_missing(const std::optional<int>& value) { return !value; }',
+     'bool is_missing(const std::optional<int>& value) { return !(!value); }'),
+    ('bool is_missing(const std::optional<int>& value) { return !value; }',
+     'bool is_missing(const std::optional<int>& value) { return value; }'),
     ('if (value > 2) return std::min(value, 7);', 'if (!(value > 2)) return std::min(value, 7);'),
     ('if (value > 2) return std::min(value, 7);', 'if (value >= 2) return std::min(value, 7);'),
     ('if (value > 2) return std::min(value, 7);', 'if (value > 3) return std::min(value, 7);'),
@@ -76,7 +87,7 @@ def main():
         path = folder + '/small.cpp'
         with open(path, 'w', encoding='utf-8') as file:
             file.write(SOURCE)
-        found = [m for m in mutants.find(path, 'small.cpp', ['-std=c++20']) if m.line < 23 or 'sum.add' in m.before]
+        found = [m for m in mutants.find(path, 'small.cpp', ['-std=c++20']) if m.line < 25 or 'sum.add' in m.before]
         texts = {(m.before, m.after) for m in found}
         assert texts == FOUND, f'missing: {FOUND - texts}, too many: {texts - FOUND}'
 
@@ -90,7 +101,7 @@ def main():
             return run.stdout
 
         right = output(0)
-        assert right == b'-1 5 1 0 0 4 7\n', right
+        assert right == b'-1 5 1 0 0 4 7\n0 1\n', right
         same = {m.after for number, m in enumerate(found, 1) if output(number) == right}
         # 5 / 1 is 5 * 1.
         assert same == EQUIVALENT | {'Vector operator-(Vector other) const { return {x / other.x}; }'}, same
