@@ -75,10 +75,9 @@ function(tp100_test name)
   list(TRANSFORM TEST_DEPENDS REPLACE / _)
   list(TRANSFORM TEST_DEPENDS PREPEND tp100_)
   add_executable(${name} ${TEST_SOURCES})
-  target_link_libraries(${name} PRIVATE tp100_options tp100_test_options tp100_test_time
+  target_link_libraries(${name} PRIVATE tp100_options tp100_test_options tp100_test_time tp100_test_paths
     ${TEST_DEPENDS} ${TEST_LIBRARIES} GTest::gmock GTest::gtest_main)
   target_precompile_headers(${name} REUSE_FROM tp100_test_headers)
-  target_include_directories(${name} PRIVATE ${CMAKE_BINARY_DIR}/tests/paths)
   if(TP100_SANITIZE STREQUAL "thread" AND NOT "threads" IN_LIST TEST_LABELS)
     set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL ON)
     return()

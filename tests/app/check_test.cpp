@@ -28,7 +28,7 @@ TEST(FileKind, IsToldByTheKeysEvenIfSomeAreMistyped) {
 }
 
 TEST(Check, EveryBundledFileIsRight) {
-  const std::filesystem::path config = std::filesystem::path(TP100_SOURCE_DIR) / "config";
+  const std::filesystem::path config = source_path("config");
   int files = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(config)) {
     const std::string folder = entry.path().parent_path().filename().string();
@@ -48,7 +48,7 @@ TEST(Check, EveryBundledFileIsRight) {
 
 TEST(Check, AViewFileIsSentToTheProgramThatReadsIt) {
   try {
-    check_file(TP100_SOURCE_DIR "/config/view.toml");
+    check_file(source_path("config/view.toml"));
     FAIL() << "the view file was accepted";
   } catch (const SetupError& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("tp100-camera SOURCE --view"));
@@ -59,9 +59,7 @@ TEST(Check, ACampaignIsSentToTheProgramThatReadsIt) {
   const test::TemporaryFolder folder;
   const std::string least = folder.file("least.toml");
   std::ofstream(least) << "runs = 3\ncourse = '2'\nrobot = 'worn'\nsetup = 'flat'\ncamera = ''\n";
-  for (const std::string& path :
-       {std::string(TP100_SOURCE_DIR "/config/campaigns/course-3.toml"), least})
-    try {
+  for (const std::string& path : {source_path("config/campaigns/course-3.toml"), least}) try {
       check_file(path);
       ADD_FAILURE() << path << " was accepted";
     } catch (const SetupError& error) {
@@ -87,7 +85,7 @@ TEST(Check, AConfigurationMustNameARobotAndACourseThatExist) {
 }
 
 TEST(Check, TheExitStatusIs2IfAnyFileIsWrong) {
-  const std::string good = TP100_SOURCE_DIR "/config/courses/2.toml";
+  const std::string good = source_path("config/courses/2.toml");
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
   EXPECT_EQ(run_check({good}), 0);

@@ -14,7 +14,7 @@ namespace tp100::app {
 namespace {
 
 constexpr std::uint64_t kSteps = 12;
-const std::string kSeeds = std::string(TP100_SOURCE_DIR) + "/tests/fuzz/seeds/recordings/";
+const std::string kSeeds = source_path("tests/fuzz/seeds/recordings/");
 
 std::string recorded(bool compress) {
   const test::TemporaryFolder folder;

@@ -76,7 +76,7 @@ TEST(AvrBoot, TheStockBootloaderIsSilentForASecondAndThenStartsTheFirmware) {
 TEST(AvrBoot, TheHexFileIsTheSameProgram) {
   AvrRig elf;
   AvrBoardSettings settings;
-  settings.image = TP100_BINARY_DIR "/firmware/tp100.hex";
+  settings.image = build_path("firmware/tp100.hex");
   AvrRig hex(settings);
   elf.boot();
   hex.boot();
@@ -90,9 +90,8 @@ TEST(AvrBoot, TheHexFileIsTheSameProgram) {
 }
 
 TEST(AvrBoot, RefusesWhatIsNoImage) {
-  const std::string source = TP100_SOURCE_DIR;
-  for (const std::string& path :
-       {source + "/none.elf", source + "/README.md", source + "/CMakeLists.txt", source}) {
+  for (const std::string& path : {source_path("none.elf"), source_path("README.md"),
+                                  source_path("CMakeLists.txt"), source_path()}) {
     AvrBoardSettings settings;
     settings.image = path;
     try {

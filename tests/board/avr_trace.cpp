@@ -66,7 +66,7 @@ AvrTrace::~AvrTrace() {
   const testing::TestInfo& test = *testing::UnitTest::GetInstance()->current_test_info();
   std::string name = std::string(test.test_suite_name()) + '.' + test.name();
   std::replace(name.begin(), name.end(), '/', '_');
-  const std::string folder = std::string(TP100_BINARY_DIR) + "/tested/failed";
+  const std::string folder = build_path("tested/failed");
   try {
     write(folder, name);
     std::cerr << "the chip's pins: " << folder << '/' << name << ".vcd, the last frames: " << name

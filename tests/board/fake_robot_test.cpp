@@ -25,7 +25,7 @@ class BareMega {
         course_(std::make_shared<const course::Course>(load_course(course))),
         parameters_(config::bridge_parameters(loaded_.configuration, loaded_.robot)),
         cycle_(bridge::session_settings(parameters_, course_.get()), parameters_, course_),
-        board_({.image = TP100_BINARY_DIR "/firmware/tp100_fake.elf"}, nullptr) {
+        board_({.image = build_path("firmware/tp100_fake.elf")}, nullptr) {
     board_.reset(PowerUp::kPowerOn, 0);
     cycle_.session().open(0);
   }

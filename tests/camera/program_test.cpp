@@ -43,7 +43,7 @@ class CameraProgram : public testing::Test {
   }
   std::string view() const { return folder_.file("view.toml"); }
   std::string images() const { return folder_.file("images"); }
-  std::string program() const { return TP100_BINARY_DIR "/bin/tp100-camera"; }
+  std::string program() const { return build_path("bin/tp100-camera"); }
   static Pose drive(double t_s) {
     return {.x_m = -0.4 + 0.2 * t_s, .y_m = 0.1 + 0.05 * t_s, .yaw_rad = 0.3 + 0.5 * t_s};
   }

@@ -33,7 +33,7 @@ std::string problem(const std::string& text) {
 
 // TP100_REWRITE_CONFIG=1 rewrites the example from the key table.
 TEST(ViewFile, TheExampleIsWhatTheKeyTableSays) {
-  const std::string path = TP100_SOURCE_DIR "/config/view.toml";
+  const std::string path = source_path("config/view.toml");
   if (std::getenv("TP100_REWRITE_CONFIG") != nullptr) {
     std::ofstream(path, std::ios::binary) << write_view(example());
     return;

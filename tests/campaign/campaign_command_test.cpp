@@ -191,7 +191,7 @@ TEST_F(Campaign, ARecordedRunIsReplayedBitForBit) {
 }
 
 TEST_F(Campaign, IsTakenUpOnlyWithTheProgramAndTheFilesThatItWasBegunWith) {
-  std::ifstream bundled(std::string(TP100_SOURCE_DIR) + "/config/robots/uniform.toml");
+  std::ifstream bundled(source_path("config/robots/uniform.toml"));
   std::ostringstream robot;
   robot << bundled.rdbuf();
   write("mine.toml", robot.str());
@@ -227,7 +227,7 @@ TEST_F(Campaign, IsTakenUpOnlyWithTheProgramAndTheFilesThatItWasBegunWith) {
 }
 
 TEST_F(Campaign, AFileThatIsEditedWhileItRunsEndsIt) {
-  std::ifstream bundled(std::string(TP100_SOURCE_DIR) + "/config/courses/1-curve.toml");
+  std::ifstream bundled(source_path("config/courses/1-curve.toml"));
   std::ostringstream course;
   course << bundled.rdbuf();
   write("course.toml", course.str());

@@ -27,7 +27,7 @@ std::string error_of(const std::string& text) {
 
 // TP100_REWRITE_CONFIG=1 rewrites the bundled file from the key table.
 TEST(Configuration, TheBundledFileIsWhatTheKeyTableSays) {
-  const std::string path = TP100_SOURCE_DIR "/config/tp100.toml";
+  const std::string path = source_path("config/tp100.toml");
   const std::string text = write_configuration(Configuration{});
   if (std::getenv("TP100_REWRITE_CONFIG") != nullptr) {
     std::ofstream(path, std::ios::binary) << text;

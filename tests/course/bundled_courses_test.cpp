@@ -14,7 +14,7 @@
 namespace tp100::course {
 namespace {
 
-const std::filesystem::path kConfig = std::filesystem::path(TP100_SOURCE_DIR) / "config";
+const std::filesystem::path kConfig = source_path("config");
 
 std::string read(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);

@@ -44,8 +44,7 @@ TEST(CameraFile, TheBundledFilesAreWhatTheKeyTableSays) {
             "An emulated overhead camera whose errors are not those that the "
             "configuration's [camera] assumes: a lens with distortion left, a lag that no "
             "time stamp shows, a floor seen in part, false detections."}}) {
-    const std::string path =
-        std::string(TP100_SOURCE_DIR "/config/cameras/") + camera.name + ".toml";
+    const std::string path = source_path("config/cameras/" + std::string(camera.name) + ".toml");
     const std::string text = write_camera(camera.values, camera.note);
     if (std::getenv("TP100_REWRITE_CONFIG") != nullptr) {
       std::ofstream(path, std::ios::binary) << text;

@@ -11,7 +11,7 @@ namespace tp100::sim {
 namespace {
 
 std::vector<std::uint8_t> golden_bytes() {
-  std::ifstream file(TP100_SOURCE_DIR "/tests/wire/golden_frames.txt");
+  std::ifstream file(source_path("tests/wire/golden_frames.txt"));
   std::vector<std::uint8_t> bytes;
   for (std::string line; std::getline(file, line);) {
     if (line.empty() || line[0] == '#') continue;
@@ -25,7 +25,7 @@ std::vector<std::uint8_t> golden_bytes() {
 TEST(GoldenFrames, AreDecodedAndCodedByteForByteOnTheMega) {
   const std::vector<std::uint8_t> golden = golden_bytes();
   ASSERT_GT(golden.size(), 300u);
-  AvrBoard mega({.image = TP100_BINARY_DIR "/firmware/image/golden_mega.elf"}, nullptr);
+  AvrBoard mega({.image = build_path("firmware/image/golden_mega.elf")}, nullptr);
   mega.reset(PowerUp::kPowerOn, 0);
   std::vector<std::uint8_t> sent;
   for (std::int64_t ms = 1; ms <= 200; ++ms) {

@@ -27,7 +27,7 @@ using testing::UnorderedElementsAreArray;
 int number(const std::string& hex) { return std::stoi(hex, nullptr, 16); }
 
 std::ifstream open_rules(const std::string& name) {
-  return std::ifstream(TP100_SOURCE_DIR "/config/udev/" + name + ".rules");
+  return std::ifstream(source_path("config/udev/" + name + ".rules"));
 }
 
 /// The ids for which the rules file `name` performs `action`. A rule has one vendor id and its

@@ -19,7 +19,7 @@ namespace {
 using Json = nlohmann::json;
 
 Json bundled_layout() {
-  std::ifstream file(TP100_SOURCE_DIR "/config/lichtblick.json");
+  std::ifstream file(source_path("config/lichtblick.json"));
   return Json::parse(file);
 }
 

@@ -93,7 +93,7 @@ TEST_F(Demo, ADemoThatIsStoppedDoesNotDriveAgain) {
 
 TEST_F(Demo, WithoutHeadlessItStaysAndSaysHowToGoOn) {
   Process demo({"/usr/bin/env", "-u", "DISPLAY", "-u", "WAYLAND_DISPLAY",
-                TP100_BINARY_DIR "/bin/tp100-sim", "demo", "--course", short_course(folder_)});
+                build_path("bin/tp100-sim"), "demo", "--course", short_course(folder_)});
   ASSERT_TRUE(demo.wait_for("scored against exact truth")) << demo.output();
   ASSERT_TRUE(
       demo.wait_for("demo: keeps running after the run. To drive again, press Start on the page"))
@@ -113,9 +113,8 @@ TEST_F(Demo, WithoutHeadlessItStaysAndSaysHowToGoOn) {
 TEST_F(Demo, AKilledDemoTakesItsRobotAndItsDaemonWithIt) {
   Adoption adoption;
   // The temporary files of a killed program are removed with the test's folder.
-  Process demo({"/usr/bin/env", "TMPDIR=" + folder_.path().string(),
-                TP100_BINARY_DIR "/bin/tp100-sim", "demo", "--headless", "--course",
-                short_course(folder_)});
+  Process demo({"/usr/bin/env", "TMPDIR=" + folder_.path().string(), build_path("bin/tp100-sim"),
+                "demo", "--headless", "--course", short_course(folder_)});
   ASSERT_TRUE(demo.wait_for("arming -> running")) << demo.output();
   const pid_t robot = child_of(demo.pid(), "tp100-sim");
   const pid_t daemon = child_of(demo.pid(), "/tp100d");

@@ -33,13 +33,13 @@ class WheelsUp : public Doctor {
   std::unique_ptr<Process> start(const std::string& robot = "end-loaded") const {
     return std::make_unique<Process>(std::vector<std::string>{
         "/bin/sh", "-c",
-        "exec " + std::string(TP100_BINARY_DIR) + "/bin/tp100d doctor --wheels-up --link-test 0" +
-            " --port " + port() + " --robot " + robot + " < " + fifo()});
+        "exec " + build_path("bin/tp100d") + " doctor --wheels-up --link-test 0" + " --port " +
+            port() + " --robot " + robot + " < " + fifo()});
   }
   void answer(const std::string& line) { answers_ << line << std::endl; }
   /// A robot file in which the Boolean `key` is true, as for a robot that is wired that way.
   std::string miswired(const std::string& key) const {
-    std::string text = read_bytes(std::string(TP100_SOURCE_DIR) + "/config/robots/end-loaded.toml");
+    std::string text = read_bytes(source_path("config/robots/end-loaded.toml"));
     const std::size_t at = text.find("\n" + key + " = false");
     EXPECT_NE(at, std::string::npos) << key;
     text.replace(at, key.size() + 9, "\n" + key + " = true");

@@ -19,10 +19,9 @@ using ::testing::Not;
 class Experiment : public Godot {
  protected:
   Finished experiment(const std::string& robot = "end-loaded") const {
-    return run({"/usr/bin/env", "TP100_BIN=" TP100_BINARY_DIR "/bin",
-                TP100_SOURCE_DIR "/scripts/experiment", folder_.file("out"), "--runs", "1",
-                "--courses", short_course(folder_), "--setups", "flat", "--boards", "native",
-                "--robot", robot, "--no-film"});
+    return run({"/usr/bin/env", "TP100_BIN=" + build_path("bin"), source_path("scripts/experiment"),
+                folder_.file("out"), "--runs", "1", "--courses", short_course(folder_), "--setups",
+                "flat", "--boards", "native", "--robot", robot, "--no-film"});
   }
   std::string text(const std::string& name) const {
     std::ifstream file(folder_.file("out/" + name));

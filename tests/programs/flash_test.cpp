@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::Not;
 
-const std::string kFlash = std::string(TP100_SOURCE_DIR) + "/scripts/flash";
+const std::string kFlash = source_path("scripts/flash");
 
 std::string firmware_version() {
   return "firmware " + std::to_string(firmware::kVersionMajor) + "." +
@@ -39,7 +39,7 @@ class FlashEmulatedMega : public testing::Test {
  protected:
   std::string port() const { return folder_.file("tp100"); }
   Finished flash(std::vector<std::string> more = {}) const {
-    std::vector<std::string> arguments{kFlash, "--build", TP100_BINARY_DIR, "--port", port()};
+    std::vector<std::string> arguments{kFlash, "--build", build_path(), "--port", port()};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run(arguments);
   }
@@ -103,7 +103,7 @@ class BareMega : public FlashEmulatedMega {
  protected:
   void SetUp() override {
     ASSERT_TRUE(robot_.wait_for("linked from")) << robot_.output();
-    const Finished flashed = flash({"--hex", TP100_BINARY_DIR "/firmware/tp100_fake.hex"});
+    const Finished flashed = flash({"--hex", build_path("firmware/tp100_fake.hex")});
     ASSERT_EQ(flashed.status, 0) << flashed.output;
     EXPECT_THAT(flashed.output, HasSubstr("FAKE_ROBOT"));
     // A line, and a quarter of a circle to the left: to (0.4, 0.2), 90 degrees.

@@ -74,7 +74,7 @@ class Engine {
     std::vector<std::string> words{"/usr/bin/env"};
     if (screen) words.push_back("DISPLAY=" + screen->name());
     words.insert(words.end(),
-                 {TP100_SOURCE_DIR "/scripts/godot", "--course", course, "--listen", listen});
+                 {source_path("scripts/godot"), "--course", course, "--listen", listen});
     for (int i = 0; i < robots; ++i) words.insert(words.end(), {"--robot", robot});
     if (screen)
       words.insert(words.end(), {"--camera", "top"});
@@ -90,7 +90,7 @@ class Engine {
 class Godot : public testing::Test {
  protected:
   void SetUp() override {
-    const Finished setup = run({TP100_SOURCE_DIR "/scripts/setup", "godot"});
+    const Finished setup = run({source_path("scripts/setup"), "godot"});
     if (setup.status != 0) GTEST_SKIP() << "Godot cannot be installed here: " << setup.output;
   }
   std::string config(const std::string& world, const std::string& name = "config") const {

@@ -35,8 +35,8 @@ TEST_F(Godot, LostEndsTheRunAndANewOneIsWelcome) {
 #ifdef TP100_HAS_CAMERA
 // The image rate and the delay of the images depend on the machine and are not judged.
 TEST_F(Godot, RendersForATp100dThatDrives) {
-  const Finished done = run({TP100_SOURCE_DIR "/scripts/overhead", "--json", "--live", "--bin",
-                             TP100_BINARY_DIR "/bin", "--course", short_course(folder_)});
+  const Finished done = run({source_path("scripts/overhead"), "--json", "--live", "--bin",
+                             build_path("bin"), "--course", short_course(folder_)});
   ASSERT_LE(done.status, 1) << done.output;
   const std::size_t begin = done.output.find("{\"course\"");
   ASSERT_NE(begin, std::string::npos) << done.output;

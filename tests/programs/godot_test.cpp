@@ -190,7 +190,7 @@ TEST_F(GodotWindow, SpaceIsStopUntilR) {
 }
 
 TEST_F(Godot, NamesACourseThatIsNotThere) {
-  Process engine({TP100_SOURCE_DIR "/scripts/godot", "--headless", "--course", "nowhere"});
+  Process engine({source_path("scripts/godot"), "--headless", "--course", "nowhere"});
   EXPECT_EQ(engine.wait(), 2);
   EXPECT_THAT(engine.output(), HasSubstr("give a file or a name in config/courses"));
 }

@@ -19,13 +19,13 @@ namespace {
 class Overhead : public testing::Test {
  protected:
   void SetUp() override {
-    const Finished setup = run({TP100_SOURCE_DIR "/scripts/setup", "godot"});
+    const Finished setup = run({source_path("scripts/setup"), "godot"});
     if (setup.status != 0) GTEST_SKIP() << "Godot cannot be installed here: " << setup.output;
   }
   /// The figures of a part of a drive.
   static nlohmann::json film(std::vector<std::string> words) {
-    words.insert(words.begin(), {TP100_SOURCE_DIR "/scripts/overhead", "--json", "--bin",
-                                 TP100_BINARY_DIR "/bin"});
+    words.insert(words.begin(),
+                 {source_path("scripts/overhead"), "--json", "--bin", build_path("bin")});
     const Finished done = run(words);
     EXPECT_EQ(done.status, 0) << done.output;
     const std::size_t begin = done.output.find("{\"course\"");
@@ -71,7 +71,7 @@ TEST_F(Overhead, EndsIfItsDriveCannotBeRead) {
       run({"/usr/bin/env", R"(TP100_OVERHEAD={"drive":"/nowhere.csv"})", "LANG=en_US.UTF-8",
            "LC_ALL=en_US.UTF-8", "xvfb-run", "-a", "-s", "-screen 0 64x64x24", "godot3-runner",
            "--video-driver", "GLES2", "--audio-driver", "Dummy", "--resolution", "64x64", "--path",
-           TP100_SOURCE_DIR "/sim/godot", "res://overhead.tscn"});
+           source_path("sim/godot"), "res://overhead.tscn"});
   EXPECT_EQ(done.status, 2) << done.output;
   EXPECT_THAT(done.output, testing::HasSubstr("/nowhere.csv: is not a drive"));
 }

@@ -27,7 +27,7 @@ using Clock = std::chrono::steady_clock;
 
 Process::Process(std::vector<std::string> arguments, int input) {
   if (!arguments[0].starts_with('/')) {
-    arguments[0] = TP100_BINARY_DIR "/bin/" + arguments[0];
+    arguments[0] = build_path("bin/" + arguments[0]);
   }
   std::vector<char*> argv;
   for (std::string& argument : arguments) argv.push_back(argument.data());

@@ -18,8 +18,8 @@ TEST(Processors, ARecordingWithoutFmaIsReplayedButForRounding) {
                  << ": this processor has no other choice of the C library's functions";
   const test::TemporaryFolder folder;
   const auto recorded = test::run({"/usr/bin/env", "GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-AVX2",
-                                   TP100_BINARY_DIR "/bin/tp100-sim", "course", "1-curve",
-                                   "--record", folder.file("runs")});
+                                   build_path("bin/tp100-sim"), "course", "1-curve", "--record",
+                                   folder.file("runs")});
   ASSERT_EQ(recorded.status, 0) << recorded.output;
   const auto replayed = test::run({"tp100d", "replay", folder.file("runs/1-curve-end-loaded-1"),
                                    "--out", folder.file("poses.csv")});

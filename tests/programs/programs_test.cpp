@@ -86,9 +86,8 @@ TEST_F(Programs, IdentifyDrivesAsksForWhatNoCameraSawAndWritesARobot) {
   Process robot({"tp100-sim", "robot", "--link", port()});
   ASSERT_TRUE(robot.wait_for("linked from"));
   Process identify({"/bin/sh", "-c",
-                    "exec " + std::string(TP100_BINARY_DIR) +
-                        "/bin/tp100d identify --drive --repeats 1" + " --port " + port() +
-                        " --course " + folder_.file("ahead.toml") + " " +
+                    "exec " + build_path("bin/tp100d") + " identify --drive --repeats 1" +
+                        " --port " + port() + " --course " + folder_.file("ahead.toml") + " " +
                         folder_.file("left.toml") + " " + folder_.file("right.toml") + " --out " +
                         folder_.file("mine.toml") + " < " + fifo});
   for (const char* const turned : {"0", "90", "-90"}) {
@@ -217,13 +216,15 @@ TEST_F(Programs, AStarvedLoopLeavesTheMotorsOffAndSaysWhy) {
       << bridge.output();
 }
 
-#ifdef TP100_WALL_CLOCK
+#ifdef TP100_HAS_WALL_CLOCK
 TEST_F(Programs, AStepOfTheWallClockChangesNothing) {
   Process robot(robot_arguments());
   ASSERT_TRUE(robot.wait_for("linked from"));
   std::vector<std::string> arguments = daemon_arguments(short_course(folder_));
-  arguments[0] = std::string(TP100_BINARY_DIR) + "/bin/tp100d";
-  arguments.insert(arguments.begin(), {"/usr/bin/env", "LD_PRELOAD=" TP100_WALL_CLOCK});
+  arguments[0] = build_path("bin/tp100d");
+  arguments.insert(
+      arguments.begin(),
+      {"/usr/bin/env", "LD_PRELOAD=" + build_path("tests/programs/libtp100_wall_clock.so")});
   arguments.insert(arguments.end(), {"--record", folder_.file("runs")});
   Process bridge(arguments);
   EXPECT_EQ(bridge.wait(), 0) << bridge.output();

@@ -220,7 +220,7 @@ TEST_F(RecordedPrograms, ARunGoesOnWhenTheDiskIsFull) {
   ASSERT_TRUE(robot.wait_for("linked from"));
   // The limit is 600 blocks of 512 bytes.
   std::string command = "ulimit -f 600; exec \"$0\" \"$@\"";
-  std::vector<std::string> arguments = {"/bin/sh", "-c", command, TP100_BINARY_DIR "/bin/tp100d"};
+  std::vector<std::string> arguments = {"/bin/sh", "-c", command, build_path("bin/tp100d")};
   const std::vector<std::string> run = daemon({"--duration", "10"});
   arguments.insert(arguments.end(), run.begin() + 1, run.end());
   test::Process bridge(arguments);

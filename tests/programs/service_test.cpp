@@ -78,7 +78,7 @@ TEST(Service, AHungLoopStarvesTheWatchdogThoughTheRestOfTheDaemonLives) {
 
 /// The values of `KEY=` in the service's unit, one per line.
 std::vector<std::string> unit_values(const std::string& key) {
-  std::ifstream file(TP100_SOURCE_DIR "/config/systemd/tp100d@.service");
+  std::ifstream file(source_path("config/systemd/tp100d@.service"));
   std::vector<std::string> values;
   for (std::string line; std::getline(file, line);)
     if (line.starts_with(key + "=")) values.push_back(line.substr(key.size() + 1));
@@ -99,9 +99,8 @@ TEST(Service, IsRestartedAfterWhatNoFileExplains) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   GTEST_SKIP() << "a sanitizer needs descriptors itself, of which there are none here";
 #endif
-  const char* script =
-      "exec 3>&- 4>&- 5>&- 6>&- 7>&- 8>&- 9>&-; ulimit -n 6; exec " TP100_BINARY_DIR
-      "/bin/tp100d run --wait --port none --listen off";
+  const std::string script = "exec 3>&- 4>&- 5>&- 6>&- 7>&- 8>&- 9>&-; ulimit -n 6; exec " +
+                             build_path("bin/tp100d") + " run --wait --port none --listen off";
   const Finished starved = run({"/bin/sh", "-c", script});
   EXPECT_EQ(starved.status, 3);
   EXPECT_THAT(starved.output, HasSubstr("tp100d: stopped: "));

@@ -42,7 +42,7 @@ class PythonWorld {
 
  private:
   static std::vector<std::string> arguments(std::vector<std::string> more) {
-    std::vector<std::string> out = {TP100_SOURCE_DIR "/scripts/world", "--listen", "127.0.0.1:0"};
+    std::vector<std::string> out = {source_path("scripts/world"), "--listen", "127.0.0.1:0"};
     out.insert(out.end(), more.begin(), more.end());
     return out;
   }
@@ -182,7 +182,7 @@ TEST_F(LiveWorlds, AStartThatTheWorldDoesNotAnswerIsRefusedAndNotKept) {
   ASSERT_TRUE(bridge.wait_for("state: idle -> arming")) << bridge.output();
   ASSERT_TRUE(bridge.wait_for("start refused: the external world does not answer"))
       << bridge.output();
-  Process world({TP100_SOURCE_DIR "/scripts/world", "--listen", address.substr(4)});
+  Process world({source_path("scripts/world"), "--listen", address.substr(4)});
   ASSERT_TRUE(bridge.wait_for("world: connected")) << bridge.output();
   ASSERT_TRUE(eventually([&] { return figure(folder_.file("stats.json"), "answered") > 0.0; }));
   ASSERT_TRUE(goes_on(folder_.file("stats.json")));
@@ -225,7 +225,7 @@ TEST_F(LiveWorlds, AKilledWorldEndsTheRunAndANewOneIsWelcome) {
   ASSERT_TRUE(bridge.wait_for("state: arming -> running")) << bridge.output();
   world.reset();
   ASSERT_TRUE(bridge.wait_for("state: running -> aborted")) << bridge.output();
-  Process anew({TP100_SOURCE_DIR "/scripts/world", "--listen", address.substr(4)});
+  Process anew({source_path("scripts/world"), "--listen", address.substr(4)});
   EXPECT_TRUE(bridge.wait_for("world: connected")) << bridge.output();
   EXPECT_THAT(bridge.output(), HasSubstr("world_lost"));
 }
@@ -250,7 +250,7 @@ class FileWorlds : public LiveWorlds {
         << std::regex_replace(kCourse, std::regex("length_m = 1.0"), "length_m = 0.55");
   }
   std::vector<std::string> world(const std::string& fault = "") const {
-    return {TP100_SOURCE_DIR "/scripts/world",
+    return {source_path("scripts/world"),
             "--files",
             folder_.path().string(),
             "--course",

@@ -22,7 +22,7 @@ class OverheadCameraRun : public testing::Test {
  protected:
   OverheadCameraRun() {
     // The robot is pushed aside, which neither the encoders nor the gyro can measure.
-    std::ifstream curve(TP100_SOURCE_DIR "/config/courses/1-curve.toml");
+    std::ifstream curve(source_path("config/courses/1-curve.toml"));
     std::ofstream(course()) << curve.rdbuf()
                             << "\n[[disturbance]]\nat_m = 0.3\nsideways_m = 0.04\nyaw_deg = 0.0\n"
                                "duration_s = 0.4\n";

@@ -21,8 +21,7 @@
 namespace tp100::sim {
 namespace {
 
-const std::string kSource = TP100_SOURCE_DIR;
-const std::string kPage = kSource + "/sim/faults/FAULTS.md";
+const std::string kPage = source_path("sim/faults/FAULTS.md");
 constexpr const char* kMark = "<!-- rows -->\n";
 constexpr const char* kEnd = "<!-- end of rows -->\n";
 constexpr const char* kEncoderMark = "<!-- encoders -->\n";
@@ -280,7 +279,7 @@ TEST(FaultPage, HasOneRowForEveryEncoderFailureAndNoOther) {
 std::set<std::string> tests_in_the_sources() {
   std::set<std::string> names;
   const std::regex pattern(R"(TEST(_F|_P)?\(\s*(\w+),\s*(\w+)\s*\))");
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(kSource + "/tests")) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(source_path("tests"))) {
     if (entry.path().extension() != ".cpp") continue;
     const std::string text = text_of_file(entry.path());
     for (std::size_t at = 0; (at = text.find("\nTEST", at)) != std::string::npos; ++at) {
@@ -307,7 +306,7 @@ TEST(FaultPage, EveryTestThatItNamesExists) {
     for (std::sregex_iterator it(line.begin(), line.end(), pattern), end; it != end; ++it) {
       ++in_row;
       const std::string name = (*it)[1].str();
-      EXPECT_TRUE(known.contains(name) || std::filesystem::exists(kSource + "/" + name))
+      EXPECT_TRUE(known.contains(name) || std::filesystem::exists(source_path(name)))
           << "no such test: " << name;
     }
     EXPECT_GT(in_row, 0u) << "the row names no test: " << line;

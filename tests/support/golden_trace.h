@@ -21,7 +21,7 @@ class GoldenTrace {
  public:
   /// `file`: a CSV file with one line of names, relative to tests/.
   GoldenTrace(const std::string& file, std::vector<std::string> columns)
-      : path_(std::string(TP100_SOURCE_DIR "/tests/") + file), columns_(std::move(columns)) {}
+      : path_(source_path("tests/" + file)), columns_(std::move(columns)) {}
 
   /// One value per column.
   void row(std::vector<double> values) { rows_.push_back(std::move(values)); }

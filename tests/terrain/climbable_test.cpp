@@ -17,11 +17,11 @@ namespace {
 using testing::HasSubstr;
 
 course::Course course_3() {
-  const auto path = std::filesystem::path(TP100_SOURCE_DIR) / "config/courses/3.toml";
+  const std::string path = source_path("config/courses/3.toml");
   std::ifstream file(path);
   std::ostringstream text;
   text << file.rdbuf();
-  return course::parse_course(text.str(), path.string());
+  return course::parse_course(text.str(), path);
 }
 
 course::Robot robot(double com_height_m) {

@@ -12,9 +12,7 @@
 namespace tp100::web {
 namespace {
 
-std::filesystem::path dist() {
-  return std::filesystem::path(TP100_SOURCE_DIR) / "daemon" / "web" / "dist";
-}
+std::filesystem::path dist() { return source_path("daemon/web/dist"); }
 
 TEST(Bundle, HoldsEveryFileOfThePage) {
   std::size_t files = 0;

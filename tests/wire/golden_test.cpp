@@ -10,9 +10,7 @@
 namespace tp100::golden {
 namespace {
 
-std::vector<Line> golden_lines() {
-  return read_lines(TP100_SOURCE_DIR "/tests/wire/golden_frames.txt");
-}
+std::vector<Line> golden_lines() { return read_lines(source_path("tests/wire/golden_frames.txt")); }
 
 TEST(GoldenFrames, CodeAndDecodeAsCommitted) {
   for (const Line& line : golden_lines()) EXPECT_EQ(check(line), "");

@@ -16,7 +16,7 @@ namespace tp100::wire {
 namespace {
 
 std::string document() {
-  std::ifstream file(TP100_SOURCE_DIR "/firmware/PROTOCOL.md");
+  std::ifstream file(source_path("firmware/PROTOCOL.md"));
   std::ostringstream text;
   text << file.rdbuf();
   return text.str();
@@ -24,7 +24,7 @@ std::string document() {
 
 TEST(ProtocolDocument, QuotesEveryGoldenFrame) {
   const std::string text = document();
-  const auto lines = golden::read_lines(TP100_SOURCE_DIR "/tests/wire/golden_frames.txt");
+  const auto lines = golden::read_lines(source_path("tests/wire/golden_frames.txt"));
   ASSERT_FALSE(lines.empty());
   for (const golden::Line& line : lines) {
     EXPECT_NE(text.find("\n" + line.name + " " + line.hex + "\n"), std::string::npos) << line.name;

@@ -96,7 +96,7 @@ TEST(WorldMessage, IsWrittenAsDocumented) {
 
 TEST(WorldMessage, EveryFieldIsInTheDocument) {
   std::ostringstream text;
-  text << std::ifstream(TP100_SOURCE_DIR "/daemon/worlds/WORLD.md").rdbuf();
+  text << std::ifstream(source_path("daemon/worlds/WORLD.md")).rdbuf();
   const auto explain = [&](const nlohmann::json& json, const auto& self) -> void {
     for (const auto& [key, value] : json.items()) {
       EXPECT_THAT(text.str(), HasSubstr("`" + key + "`"));
