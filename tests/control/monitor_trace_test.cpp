@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "control/monitor.h"
+#include "scripted.h"
 #include "support/golden_trace.h"
 
 namespace tp100::control {
@@ -242,6 +243,33 @@ TEST(MonitorTrace, EachConditionEndsARunInItsTime) {
       row.insert(row.end(), raised.begin(), raised.end());
       trace.row(row);
     }
+  }
+  EXPECT_EQ(trace.difference(), "");
+}
+
+TEST(MonitorTrace, ATrackThatMissesDistanceIsNoticedInItsTime) {
+  test::GoldenTrace trace("control/missing_distance.csv",
+                          {"case", "left", "right", "turn", "steps_left", "steps_right"});
+  Sequence any(41);
+  for (int i = 0; i < 70; ++i) {
+    const double mps = any.between(0.02, 0.16), radps = i % 4 == 0 ? 0.0 : any.between(-0.4, 0.4);
+    const double pitch_rad = i % 3 == 0 ? any.between(-0.2, 0.2) : 0.0;
+    const double counted = any.between(0.0, 0.75), gyro_radps = any.between(-0.25, 0.25);
+    const bool gyro_in_use = i % 5 != 0, on_obstacle = i % 7 == 0, left = i % 2 == 0;
+    const double direction = i % 6 == 0 ? -1.0 : 1.0, more_duty = any.between(0.0, 0.5);
+    const std::vector<double> raised =
+        MonitoredTrace(direction * mps, radps).run([&](Observation& o, Sample& s, int n) {
+          o.gyro_in_use = gyro_in_use;
+          o.on_obstacle = on_obstacle && n % 900 < 300;
+          o.pitch_rad = pitch_rad;
+          o.commanded_left_mps = o.commanded_right_mps = 0.0;
+          if (n < 250) return;
+          (left ? o.left_mps : o.right_mps) *= counted;
+          (left ? s.left_duty : s.right_duty) += direction * more_duty;
+          o.gyro_yaw_rate_radps += gyro_radps * std::sin(0.004 * n);
+        });
+    trace.row({static_cast<double>(i), left ? raised[9] : 0.0, left ? 0.0 : raised[9], raised[10],
+               left ? raised[20] : 0.0, left ? 0.0 : raised[20]});
   }
   EXPECT_EQ(trace.difference(), "");
 }
