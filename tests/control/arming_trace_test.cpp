@@ -50,7 +50,7 @@ class ArmingScript {
       --held_;
       return;
     }
-    held_ = any_.below(90);
+    held_ = any_.chance(0.4) ? any_.below(12) : any_.below(90);
     in_.refusal = StartRefusal::kNone;
     in_.session = SessionState::kReady;
     fresh_ = true;

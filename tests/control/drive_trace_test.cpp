@@ -195,9 +195,13 @@ TEST(DriveTrace, CornersAreGuidedAround) {
                            "worst_m", "speed0", "speed1", "speed2", "speed3", "speed4", "speed5"});
   Sequence any(13);
   for (int i = 0; i < 45; ++i) {
-    const double angle_deg =
-        i < 30 ? any.between(-178.0, 178.0) : (i % 2 == 0 ? 14.2 : -164.3) + 0.11 * (i - 30);
-    const double x_icr_m = any.between(0.002, 0.05) * (i % 3 == 0 ? -1.0 : 1.0);
+    double angle_deg = any.between(-178.0, 178.0);
+    double x_icr_m = any.between(0.002, 0.05) * (i % 3 == 0 ? -1.0 : 1.0);
+    if (i >= 27) angle_deg = (i % 2 == 0 ? 14.2 : -164.3) + 0.11 * (i - 27);
+    if (i >= 39) {  // with the widest and the narrowest arcs
+      angle_deg = i % 2 == 0 ? -20.0 + 0.1 * i : 151.0 + 0.3 * i;
+      x_icr_m *= i % 2 == 0 ? 1.5 : 0.2;
+    }
     const double room_m = i % 5 == 0 ? any.between(0.0, 0.1) : 0.4;
     course::Course course =
         make_course({course::Line{0.4}, course::Pivot{angle_deg * kRadPerDeg}, course::Line{0.4}});
@@ -233,6 +237,8 @@ TEST(DriveTrace, ATurnOnTheSpotSpeedsUpAndBrakes) {
   for (int i = 0; i < 400; ++i) {
     if (i == 150) left.halt_at(0.61);
     if (i == 200) right.halt_at(1.0);
+    if (i == 260) left.begin(path.segments()[0], 0.3);
+    if (i == 280) left.begin(path.segments()[0], 0.9);
     const double dt_s = 0.0083 + 0.001 * std::sin(0.3 * i);
     left.update({}, dt_s);
     right.update({}, dt_s);

@@ -223,6 +223,15 @@ TEST_F(FenceLimit, KeepOutAreasAreNotEntered) {
   EXPECT_EQ(inside(0.02, 0.0, 180.0, 0.2), 0.2) << "inside of it, the short way out";
 }
 
+TEST_F(FenceLimit, StraightAwayFromACornerOfAnAreaNothingIsLimited) {
+  fence_.keep_out = {{{0.0, 0.0}, {0.3, -0.1}, {0.3, 0.1}}};
+  for (double yaw_deg = 110.0; yaw_deg < 250.0; yaw_deg += 0.1) {
+    const double yaw_rad = yaw_deg * kRadPerDeg;
+    EXPECT_EQ(inside(0.005 * std::cos(yaw_rad), 0.005 * std::sin(yaw_rad), yaw_deg, 0.2), 0.2)
+        << yaw_deg;
+  }
+}
+
 TEST_F(FenceLimit, NeverReversesNorSpeedsUp) {
   std::mt19937 random(1);
   std::uniform_real_distribution<> any(-1.0, 1.0);

@@ -60,6 +60,13 @@ TEST(HandDriveTrace, TheFenceLimitsTheSpeed) {
         motion.pose.y_m = any.between(-0.2, 0.5);
     }
     if (i % 37 == 0) motion.pose.x_m *= 1.3;
+    if (i % 41 == 0) {  // on an edge
+      motion.pose.x_m = 0.3;
+      motion.pose.y_m = any.between(-0.09, 0.09);
+    } else if (i % 43 == 0) {
+      motion.pose.x_m = any.between(0.01, 0.2);
+      motion.pose.y_m = 0.1;
+    }
     motion.pose.yaw_rad = any.between(-3.5, 3.5);
     const double wanted_mps = any.between(-0.4, 0.4);
     FenceMotion by_default;
@@ -82,10 +89,8 @@ void drive_about(test::GoldenTrace& trace, const std::optional<course::Fence>& f
   HandDrive drive(fence);
   HandDriveState state;
   state.limits = limits;
-  state.position_sd_m = 0.004;
   state.pose = {.x_m = -0.25, .y_m = -0.1 * side, .yaw_rad = 0.3 * side};
-  HostNs now = kNsPerS;
-  drive.restart(now);
+  HostNs now = 0;
   Parameters parameters;
   double speed_mps = 0.0;
   for (int step = 0; step < 8400; ++step) {
@@ -106,6 +111,7 @@ void drive_about(test::GoldenTrace& trace, const std::optional<course::Fence>& f
       state.limits.max_track_mps *= 0.6;
       state.braking_mps2 = 0.4;
     }
+    if (step == 1000) state.position_sd_m = 0.004;
     if (step == 5000) state.pose.x_m = -0.35;
     const HandCommand command = drive.update(state, parameters, now, dt_s);
     // The robot follows with a lag, now and then it is blocked.

@@ -27,6 +27,10 @@ constexpr std::array kMonitored{Fault::cross_track,
 
 constexpr double kMonitorStepS = 0.0047;
 
+const MonitoredRobot kMeasured{.motor = {.dead_band = 0.09, .feed_forward = 3.4},
+                               .wheelbase_m = 0.26,
+                               .max_counts_per_s = 5000.0};
+
 /// A drive around, consistent but for what `corrupt` changes.
 class MonitoredTrace {
  public:
@@ -34,23 +38,18 @@ class MonitoredTrace {
 
   /// For each fault the step in which it was raised first (0: never), and in how many.
   std::vector<double> run(const std::function<void(Observation&, Sample&, int)>& corrupt,
-                          const Parameters& parameters = {}, bool identified = true) {
-    constexpr double kWheelbaseM = 0.26;
+                          const Parameters& parameters = {}, const MonitoredRobot& robot = {}) {
     Monitor monitor{parameters,
                     course::Fence{-1.0, 1.2, -0.8, 0.9, {}, {{{0.5, 0.5}, {0.7, 0.5}, {0.5, 0.7}}}},
-                    7.0,
-                    {.motor = {.dead_band = 0.09, .feed_forward = 3.4},
-                     .wheelbase_m = kWheelbaseM,
-                     .identified = identified,
-                     .max_counts_per_s = 5000.0}};
+                    7.0, robot};
     std::vector<double> first(kMonitored.size(), 0.0), often(kMonitored.size(), 0.0);
     double left_counts = 0.0, right_counts = 0.0;
     for (int step = 1; step <= 1500; ++step) {
       Sample sample;
       Observation seen;
       const double radps = radps_ * std::sin(0.003 * step), mps = mps_;
-      seen.left_mps = mps - radps * kWheelbaseM / 2.0;
-      seen.right_mps = mps + radps * kWheelbaseM / 2.0;
+      seen.left_mps = mps - radps * robot.wheelbase_m / 2.0;
+      seen.right_mps = mps + radps * robot.wheelbase_m / 2.0;
       seen.commanded_left_mps = seen.left_mps;
       seen.commanded_right_mps = seen.right_mps;
       seen.encoder_yaw_rate_radps = radps;
@@ -215,6 +214,25 @@ std::vector<std::function<void(Observation&, Sample&, int)>> corruptions(double 
         s.left_duty = s.right_duty = 0.09 + 0.4 * ramp(n);
         o.gyro_yaw_rate_radps = o.encoder_yaw_rate_radps = side * 0.05;
       },
+      [=](Observation& o, Sample& s, int n) {
+        if (n < 600) s.last_command = 0;
+        o.commanded_right_mps = side * 0.06;
+        o.commanded_left_mps = -side * 0.06;
+        o.encoder_yaw_rate_radps = o.gyro_yaw_rate_radps = n < 400 ? -side * 0.4 : side * 0.4;
+      },
+      [=](Observation& o, Sample&, int n) {
+        if (n > 1000) o.encoder_yaw_rate_radps = o.commanded_left_mps = -side * 0.5;
+      },
+      [=](Observation& o, Sample&, int) {
+        o.left_mps = o.right_mps = 0.02;
+        o.gyro_yaw_rate_radps = 0.2 * side;
+        o.encoder_yaw_rate_radps = -0.15 * side;
+      },
+      [=](Observation& o, Sample&, int n) {
+        o.left_mps = o.right_mps = side * 0.004;
+        o.gyro_yaw_rate_radps = 0.1 * side;
+        o.encoder_yaw_rate_radps = -0.2 * side * ramp(n);
+      },
   };
 }
 
@@ -239,7 +257,9 @@ TEST(MonitorTrace, EachConditionEndsARunInItsTime) {
       MonitoredTrace drive(i % 2 == 0 ? 0.07 : 0.13, i % 3 == 0 ? -0.3 : (side > 0.0 ? 0.2 : 0.01));
       std::vector<double> row = {side, static_cast<double>(i)};
       const std::vector<double> raised =
-          side > 0.0 ? drive.run(all[i]) : drive.run(all[i], strict, i % 4 != 0);
+          side > 0.0
+              ? drive.run(all[i], {}, kMeasured)
+              : drive.run(all[i], strict, {.motor = kMeasured.motor, .identified = i % 4 != 0});
       row.insert(row.end(), raised.begin(), raised.end());
       trace.row(row);
     }
@@ -258,16 +278,19 @@ TEST(MonitorTrace, ATrackThatMissesDistanceIsNoticedInItsTime) {
     const bool gyro_in_use = i % 5 != 0, on_obstacle = i % 7 == 0, left = i % 2 == 0;
     const double direction = i % 6 == 0 ? -1.0 : 1.0, more_duty = any.between(0.0, 0.5);
     const std::vector<double> raised =
-        MonitoredTrace(direction * mps, radps).run([&](Observation& o, Sample& s, int n) {
-          o.gyro_in_use = gyro_in_use;
-          o.on_obstacle = on_obstacle && n % 900 < 300;
-          o.pitch_rad = pitch_rad;
-          o.commanded_left_mps = o.commanded_right_mps = 0.0;
-          if (n < 250) return;
-          (left ? o.left_mps : o.right_mps) *= counted;
-          (left ? s.left_duty : s.right_duty) += direction * more_duty;
-          o.gyro_yaw_rate_radps += gyro_radps * std::sin(0.004 * n);
-        });
+        MonitoredTrace(direction * mps, radps)
+            .run(
+                [&](Observation& o, Sample& s, int n) {
+                  o.gyro_in_use = gyro_in_use;
+                  o.on_obstacle = on_obstacle && n % 900 < 300;
+                  o.pitch_rad = pitch_rad;
+                  o.commanded_left_mps = o.commanded_right_mps = 0.0;
+                  if (n < 250) return;
+                  (left ? o.left_mps : o.right_mps) *= counted;
+                  (left ? s.left_duty : s.right_duty) += direction * more_duty;
+                  o.gyro_yaw_rate_radps += gyro_radps * std::sin(0.004 * n);
+                },
+                {}, kMeasured);
     trace.row({static_cast<double>(i), left ? raised[9] : 0.0, left ? 0.0 : raised[9], raised[10],
                left ? raised[20] : 0.0, left ? 0.0 : raised[20]});
   }

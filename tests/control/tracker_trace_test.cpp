@@ -248,8 +248,9 @@ TEST(TrackerTrace, SettlesAtTheEndOfALineOrATurn) {
 }
 
 TEST(TrackerTrace, RecoversFromAndDetectsDisturbances) {
-  test::GoldenTrace trace("control/recovery.csv", {"i", "beside", "across", "both", "crossing",
-                                                   "turned", "noisy", "contradicted"});
+  test::GoldenTrace trace("control/recovery.csv",
+                          {"i", "beside", "across", "both", "crossing", "turned", "noisy",
+                           "contradicted", "fresh", "restarted"});
   for (int i = -30; i < 30; ++i) {
     const double x = i + 0.41;
     const auto recovered = [](auto cross_track_m, auto heading_rad) {
@@ -276,6 +277,16 @@ TEST(TrackerTrace, RecoversFromAndDetectsDisturbances) {
       }
       return steps;
     };
+    DisturbanceDetector detector{Parameters{}};
+    double fresh = 0.0, restarted = 0.0;
+    for (int step = 0; step < 8; ++step)
+      fresh = 2.0 * fresh + detector.update({.gyro_radps = 0.03 * x}, 0.0047);
+    detector.restart(3);
+    for (int step = 0; step < 8; ++step) {
+      if (step == 3) detector.restart(3);
+      restarted = 2.0 * restarted +
+                  detector.update({.tracks_radps = 0.03 * x, .contradictions = 3}, 0.0047);
+    }
     trace.row({x, recovered(always(0.0006 * x), always(0.01)),
                recovered(always(-0.005), always(0.0035 * x)),
                recovered(always(0.0006 * x), always(-0.0035 * x)),
@@ -283,13 +294,49 @@ TEST(TrackerTrace, RecoversFromAndDetectsDisturbances) {
                          [](int n) { return 0.06 * std::exp(-0.01 * n); }),
                detected(always(0.03 * x), 0.1, 100),
                detected([x](int n) { return 0.03 * x * (n % 5 == 0 ? 0.7 : 1.3); }, -0.2, 100),
-               detected(always(0.1), 0.01 * x, 15 + i / 4)});
+               detected(always(0.1), 0.01 * x, 15 + i / 4), fresh, restarted});
+  }
+  EXPECT_EQ(trace.difference(), "");
+}
+
+/// Interrupted anywhere, paused or not, and restarted or resumed.
+TEST(TrackerTrace, BeginsAnewAtAnyTime) {
+  test::GoldenTrace trace("control/tracker_restarts.csv",
+                          {"step", "desired_yaw_rad", "yaw_rate_radps", "speed_mps",
+                           "cross_track_m", "off_path_m", "progress_m", "recovering", "yaw_rad"});
+  const course::Path path(winding_course());
+  Tracker tracker(Parameters{}, path, {});
+  LaggingRobot robot;
+  for (int step = 0; step < 6000; ++step) {
+    const int since = step % 500;
+    if (step > 0 && since == 0) {
+      const double progress_m = 0.19 * (step / 500) - 0.1;
+      const course::PathPoint at = path.at(progress_m);
+      robot.twist = {};
+      robot.pose = {.x_m = at.x_m + 0.004, .y_m = at.y_m - 0.003, .yaw_rad = at.yaw_rad + 0.1};
+      if (step % 1500 == 0) {
+        tracker.restart();
+        robot.pose = winding_course().start;
+      } else {
+        tracker.resume(progress_m, robot.pose.yaw_rad);
+      }
+    }
+    if (since == 497 && step % 1000 > 500) tracker.pause(true);
+    const bool disturbed = since == 498;
+    const Target& target = tracker.update(robot.pose, robot.twist, 0.0052, disturbed);
+    robot.obey(target);
+    if (since < 6 || since > 492 || since % 50 == 0) {
+      trace.row({static_cast<double>(step), target.desired_yaw_rad, target.yaw_rate_radps,
+                 target.speed_mps, target.cross_track_m, target.off_path_m, target.progress_m,
+                 target.recovering ? 1.0 : 0.0, robot.pose.yaw_rad});
+    }
   }
   EXPECT_EQ(trace.difference(), "");
 }
 
 TEST(TrackerTrace, KnowsHowLongACourseTakes) {
-  test::GoldenTrace trace("control/nominal.csv", {"i", "lines", "arcs", "turns", "slow_s"});
+  test::GoldenTrace trace("control/nominal.csv",
+                          {"i", "lines", "arcs", "turns", "slow_s", "default_s"});
   for (int i = 1; i < 40; ++i) {
     const double x = 0.05 * i;
     const auto duration_s = [&](std::vector<course::Segment> segments, double speed_mps) {
@@ -299,7 +346,8 @@ TEST(TrackerTrace, KnowsHowLongACourseTakes) {
     trace.row({x, duration_s({course::Line{x}, course::Line{2.0 - x}}, 0.07 + 0.1 * x),
                duration_s({course::Arc{0.1 * x, 1.3}, course::Arc{0.21 - 0.1 * x, -2.0}}, 0.16),
                duration_s({course::Pivot{x}, course::Arc{0.2, 1.0}, course::Pivot{-1.0}}, 0.11),
-               duration_s({course::Arc{0.1 * x, 1.3}, course::Line{0.3}}, 0.011)});
+               duration_s({course::Arc{0.1 * x, 1.3}, course::Line{0.3}}, 0.011),
+               duration_s({course::Line{x}}, DriveModel{}.speed_mps)});
   }
   EXPECT_EQ(trace.difference(), "");
 }
