@@ -98,9 +98,10 @@ void drive_about(test::GoldenTrace& trace, const std::optional<course::Fence>& f
     now += from_s(dt_s);
     const double t = step * 0.005;
     VelocityInput input;
-    input.at_ns = now - (step % 17 == 0 ? 20 : 3) * kNsPerMs;
+    input.at_ns = now - (step % 17 == 16 ? 20 : 3) * kNsPerMs;
     input.speed_mps = side * 0.25 * std::sin(0.9 * t) * (std::fmod(t, 7.0) < 5.0 ? 1.0 : 0.04);
-    input.yaw_rate_radps = std::fmod(t, 5.0) < 1.5 ? 0.0 : side * 1.4 * std::sin(1.7 * t + 0.4);
+    input.yaw_rate_radps =
+        std::fmod(t + 2.0, 5.0) < 1.5 ? 0.0 : side * 1.4 * std::sin(1.7 * t + 0.4);
     if (std::fmod(t, 11.0) > 9.0) input.yaw_rate_radps *= 0.04;
     // Now and then nobody drives; once for long.
     const bool silent = std::fmod(t, 4.0) > 3.7 || (t > 30.0 && t < 32.5);

@@ -173,12 +173,12 @@ TEST(TrackerTrace, FollowsAWindingCourseByStanley) {
 
 TEST(TrackerTrace, FollowsAWindingCourseByPurePursuit) {
   EXPECT_EQ(TrackerRun({.law = LawName::kPurePursuit,
-                        .speed_mps = 0.16,
+                        .speed_mps = 0.13,
                         .x_icr_m = -0.03,
                         .slip_angle_rad = -0.03,
                         .limits = {.slip_left = 0.08,
                                    .slip_right = 0.05,
-                                   .max_track_mps = 0.17,
+                                   .max_track_mps = 0.14,
                                    .yaw_kp = 3.6,
                                    .max_yaw_radps = 1.0},
                         .left_m = -0.03,
