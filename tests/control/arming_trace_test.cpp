@@ -194,6 +194,24 @@ TEST(ArmingTrace, EverythingThatMayHappenToARun) {
   EXPECT_EQ(trace.difference(), "");
 }
 
+TEST(ArmingTrace, AStartWaitsForASessionThoughAnEarlierOneHadOne) {
+  Arming arming;
+  Sample sample;
+  ArmingInputs in;
+  in.session = SessionState::kReady;
+  in.sample = &sample;
+  in.refusal = StartRefusal::kNotStill;
+  arming.start();
+  EXPECT_EQ(arming.update(in, 0.005), RobotRequest::kNone);
+  arming.hold();
+  EXPECT_EQ(arming.update(in, 0.005), RobotRequest::kDisarm);
+  in.session = SessionState::kSyncing;
+  arming.update(in, 0.005);
+  arming.start();
+  EXPECT_EQ(arming.update(in, 0.005), RobotRequest::kNone);
+  EXPECT_EQ(arming.state(), RunState::kArming);
+}
+
 TEST(ArmingTrace, APauseLastsSoLongAndNoLonger) {
   test::GoldenTrace trace("control/pause.csv", {"step", "over", "active", "left_s", "total_s"});
   Pause pause;

@@ -26,6 +26,7 @@ constexpr std::array kMonitored{Fault::cross_track,
                                 Fault::gyro_against_encoders};
 
 constexpr double kMonitorStepS = 0.0047;
+constexpr int kRestartStep = 1100;
 
 const MonitoredRobot kMeasured{.motor = {.dead_band = 0.09, .feed_forward = 3.4},
                                .wheelbase_m = 0.26,
@@ -77,7 +78,7 @@ class MonitoredTrace {
         if (first[k] == 0.0) first[k] = step;
         ++often[k];
       }
-      if (step == 1100) monitor.restart();
+      if (step == kRestartStep) monitor.restart();
     }
     first.insert(first.end(), often.begin(), often.end());
     return first;
@@ -208,6 +209,7 @@ std::vector<std::function<void(Observation&, Sample&, int)>> corruptions(double 
         o.gyro_yaw_rate_radps = o.encoder_yaw_rate_radps = side * 0.4;
       },
       [=](Observation&, Sample& s, int n) { s.left_counts += n > 901 ? 50 : 0; },
+      [=](Observation&, Sample& s, int n) { s.left_counts += n > kRestartStep ? 50 : 0; },
       [=](Observation&, Sample& s, int n) { s.right_counts -= n > 901 && n < 950 ? 50 : 0; },
       [=](Observation& o, Sample& s, int n) {
         o.left_mps = o.right_mps = 0.01;

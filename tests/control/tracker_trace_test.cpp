@@ -205,10 +205,10 @@ TEST(TrackerTrace, FollowsAWindingCourseByLqr) {
             "");
 }
 
-/// Steps until a robot at the end of its only segment, with these errors, is done.
-int steps_to_settle(const course::Segment& segment, const Twist& twist, double short_of_m,
-                    double yaw_error_rad, const Parameters& parameters = {}) {
-  const course::Path path(make_course({segment}));
+/// Steps until a robot that stands at the end of these segments, with these errors, is done.
+int steps_to_settle(const std::vector<course::Segment>& segments, const Twist& twist,
+                    double short_of_m, double yaw_error_rad, const Parameters& parameters = {}) {
+  const course::Path path(make_course(segments));
   Tracker tracker(parameters, path, {});
   const course::PathPoint end = path.segments().back().end;
   const Pose pose{.x_m = end.x_m - short_of_m * std::cos(end.yaw_rad),
@@ -221,28 +221,30 @@ int steps_to_settle(const course::Segment& segment, const Twist& twist, double s
 }
 
 TEST(TrackerTrace, SettlesAtTheEndOfALineOrATurn) {
-  test::GoldenTrace trace("control/settling.csv", {"i", "line", "short_of_end", "turning", "turn",
-                                                   "turn_right", "off_yaw", "moving", "patient"});
+  test::GoldenTrace trace("control/settling.csv",
+                          {"i", "line", "short_of_end", "turning", "turn", "turn_right", "off_yaw",
+                           "moving", "patient", "two_turns"});
   Parameters patient;
   patient.settle_s = 0.5;
   patient.stop_tolerance_m = 0.005;
   patient.pivot_tolerance_rad = 0.03;
   for (int i = -24; i < 24; ++i) {
     const double x = i + 0.37;
-    const auto steps = [&](const course::Segment& segment, const Twist& twist, double short_of_m,
-                           double yaw_error_rad, const Parameters& parameters = {}) {
+    const auto steps = [&](const std::vector<course::Segment>& segments, const Twist& twist,
+                           double short_of_m, double yaw_error_rad,
+                           const Parameters& parameters = {}) {
       return static_cast<double>(
-          steps_to_settle(segment, twist, short_of_m, yaw_error_rad, parameters));
+          steps_to_settle(segments, twist, short_of_m, yaw_error_rad, parameters));
     };
-    const course::Line line{0.4};
-    const course::Pivot left{0.8}, right{-0.7};
+    const std::vector<course::Segment> line{course::Line{0.4}}, left{course::Pivot{0.8}},
+        right{course::Pivot{-0.7}}, two{course::Pivot{0.02}, course::Pivot{-0.012}};
     trace.row({x, steps(line, {.vx_mps = 0.0004 * x}, 0.0, 0.1), steps(line, {}, 0.0003 * x, -0.1),
                steps(line, {.yaw_rate_radps = 0.004 * x}, 0.0, 0.2),
                steps(left, {.yaw_rate_radps = 0.004 * x}, 0.0, 0.005),
                steps(right, {.vx_mps = 0.0004 * x}, 0.01, -0.01),
                steps(left, {.vx_mps = -0.003}, 0.0, 0.0015 * x),
                steps(right, {.vx_mps = 0.004, .yaw_rate_radps = 0.03}, 0.0, 0.0016 * x),
-               steps(left, {}, 0.0, 0.0027 * x, patient)});
+               steps(left, {}, 0.0, 0.0027 * x, patient), steps(two, {}, 0.0, 0.0015 * x)});
   }
   EXPECT_EQ(trace.difference(), "");
 }
@@ -329,6 +331,29 @@ TEST(TrackerTrace, BeginsAnewAtAnyTime) {
       trace.row({static_cast<double>(step), target.desired_yaw_rad, target.yaw_rate_radps,
                  target.speed_mps, target.cross_track_m, target.off_path_m, target.progress_m,
                  target.recovering ? 1.0 : 0.0, robot.pose.yaw_rad});
+    }
+  }
+  EXPECT_EQ(trace.difference(), "");
+}
+
+/// Slower than the speed to which other courses are slowed down in narrow curves.
+TEST(TrackerTrace, CreepsAlongASlowCourse) {
+  test::GoldenTrace trace("control/tracker_slow.csv",
+                          {"step", "desired_yaw_rad", "yaw_rate_radps", "speed_mps",
+                           "cross_track_m", "heading_error_rad", "progress_m"});
+  const course::Path path(
+      make_course({course::Line{0.02}, course::Arc{0.03, 0.8}, course::Line{0.02}}));
+  Tracker tracker(Parameters{}, path, {.speed_mps = 0.013});
+  LaggingRobot robot;
+  robot.pose = {.y_m = 0.004, .yaw_rad = -0.5};
+  for (int step = 0; step < 1500; ++step) {
+    if (step == 300) robot.pose.y_m += 0.003;
+    const Target& target = tracker.update(robot.pose, robot.twist, 0.0053, step == 300);
+    robot.obey(target);
+    if (step % 12 == 0) {
+      trace.row({static_cast<double>(step), target.desired_yaw_rad, target.yaw_rate_radps,
+                 target.speed_mps, target.cross_track_m, target.heading_error_rad,
+                 target.progress_m});
     }
   }
   EXPECT_EQ(trace.difference(), "");
