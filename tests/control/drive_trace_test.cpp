@@ -157,6 +157,10 @@ TEST(DriveTrace, ProgressFollowsARobotThatWeaves) {
       y_m += back_m * std::sin(next.yaw_rad);
       progress.reproject(x_m, y_m, i % 2 == 0 ? 0.1 : 0.04);
     } else {
+      if (i % 13 == 6) {
+        x_m += 0.09 * std::cos(next.yaw_rad);
+        y_m += 0.09 * std::sin(next.yaw_rad);
+      }
       progress.advance(x_m, y_m);
     }
     if (progress.left_m() < 0.002 && !progress.next()) {

@@ -66,9 +66,9 @@ TEST(EncoderTrace, TheDutyTellsWhatDistanceIsMissing) {
 }
 
 TEST(EncoderTrace, TheGainIsLearnedWhereTheTrackRunsEvenlyAndFreely) {
-  test::GoldenTrace trace(
-      "control/duty_learning.csv",
-      {"case", "learned", "after_turn", "after_slope", "after_faster", "after_jolts", "blocked"});
+  test::GoldenTrace trace("control/duty_learning.csv",
+                          {"case", "learned", "after_turn", "after_slope", "after_faster",
+                           "after_jolts", "after_gaps", "blocked"});
   Sequence any(21);
   for (int i = 0; i < 60; ++i) {
     const MotorModel motor{.dead_band = any.between(0.05, 0.2),
@@ -77,10 +77,11 @@ TEST(EncoderTrace, TheGainIsLearnedWhereTheTrackRunsEvenlyAndFreely) {
     const double needed = any.between(0.6, 1.5);
     const double mps = any.between(0.02, 0.1), side = i % 3 == 0 ? -1.0 : 1.0;
     // What the track gets beyond its usual duty turns the gain into a missing distance.
-    const auto run = [&](double speed_mps, double gain, const Load& load, int steps) {
+    const auto run = [&](double speed_mps, double gain, const Load& load, int steps,
+                         double step_s = kTraceStepS) {
       for (int n = 0; n < steps; ++n) {
         monitor.update(side * (motor.dead_band + gain * motor.feed_forward * speed_mps),
-                       side * speed_mps, load, kTraceStepS);
+                       side * speed_mps, load, step_s);
       }
     };
     const auto probe = [&] {
@@ -98,10 +99,16 @@ TEST(EncoderTrace, TheGainIsLearnedWhereTheTrackRunsEvenlyAndFreely) {
     row.push_back(probe());
     run(mps, 1.2 * needed, {.pitch_rad = any.between(-0.05, 0.05)}, 100);
     row.push_back(probe());
-    run(any.between(1.1, 1.6) * mps, any.between(0.8, 1.1) * needed, {}, 70);
+    const double faster = any.between(1.1, 1.6), lighter = any.between(0.8, 1.1);
+    run(faster * mps, lighter * needed, {}, 70);
     row.push_back(probe());
     for (int n = 0; n < 100; ++n)
       run(mps * (1.0 + 0.15 * std::sin(0.2 * n)), needed * (1.0 - 0.001 * n), {}, 1);
+    row.push_back(probe());
+    // Samples that are missing make long steps.
+    run(1.3 * mps, 0.95 * lighter * needed, {}, 1, 0.37);
+    run(1.3 * mps, 0.9 * lighter * needed, {}, 2, 0.34);
+    run(1.7 * mps, lighter * needed, {}, 3, 0.41);
     row.push_back(probe());
     int blocked = 0;
     while (blocked < 3000 && !monitor.update(side * (motor.dead_band + 0.2), side * 0.2 * mps,
