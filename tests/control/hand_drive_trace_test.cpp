@@ -99,7 +99,8 @@ void drive_about(test::GoldenTrace& trace, const std::optional<course::Fence>& f
     const double t = step * 0.005;
     VelocityInput input;
     input.at_ns = now - (step % 17 == 16 ? 20 : 3) * kNsPerMs;
-    input.speed_mps = side * 0.25 * std::sin(0.9 * t) * (std::fmod(t, 7.0) < 5.0 ? 1.0 : 0.04);
+    input.speed_mps =
+        side * 0.25 * std::sin(0.9 * t + 0.6) * (std::fmod(t, 7.0) < 5.0 ? 1.0 : 0.04);
     input.yaw_rate_radps =
         std::fmod(t + 2.0, 5.0) < 1.5 ? 0.0 : side * 1.4 * std::sin(1.7 * t + 0.4);
     if (std::fmod(t, 11.0) > 9.0) input.yaw_rate_radps *= 0.04;
