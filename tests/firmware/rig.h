@@ -32,7 +32,9 @@ class Rig : public test::ReceivedFrames {
   float yaw_rad = 0.0f;  // as the host estimates it
   float desired_yaw_rad = 0.0f;
   std::uint16_t sequence = 100;
+  float bias_radps = 0.0f;
   std::uint32_t token = 10;
+  std::size_t room = 200;  ///< bytes that the UART accepts per loop
 
   // The body.
   bool tracks_follow = false;
@@ -64,7 +66,7 @@ class Rig : public test::ReceivedFrames {
         send(command());
       }
       for (int loop = 0; loop < 4; ++loop) {
-        hal.room = 200;
+        hal.room = room;
         program.loop();
         hal.now_us += 250;
       }
@@ -90,6 +92,7 @@ class Rig : public test::ReceivedFrames {
     c.desired_yaw_rad = desired_yaw_rad;
     c.yaw_rate_radps = yaw_rate_radps;
     c.speed_mps = speed_mps;
+    c.gyro_bias_radps = bias_radps;
     c.expiry_us = hal.now_us + 195'000;
     return c;
   }

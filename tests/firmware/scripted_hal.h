@@ -31,6 +31,10 @@ class ScriptedHal final : public Hal {
   std::uint32_t i2c_timeout_us = 0;  // duration of a call on a dead bus
   std::int16_t gyro_z = 0;
   std::int16_t accel_x = 0;
+  std::int16_t gyro_x = 0;
+  std::int16_t gyro_y = 0;
+  std::int16_t accel_y = 0;
+  std::int16_t temperature = 0;
   std::int32_t left_counts = 0;
   std::int32_t right_counts = 0;
   std::uint16_t missed = 0;
@@ -123,7 +127,11 @@ class ScriptedHal final : public Hal {
   void measure() {
     ++burst_;
     put(0x3B, static_cast<std::int16_t>(accel_x + burst_ % 7));  // noise
+    put(0x3D, accel_y);
     put(0x3F, 8192);
+    put(0x41, temperature);
+    put(0x43, gyro_x);
+    put(0x45, gyro_y);
     put(0x47, gyro_z);
   }
 

@@ -61,6 +61,7 @@ class ReceivedFrames {
   std::vector<wire::SyncReply> sync_replies;
   std::vector<wire::FaultReport> reports;
   std::vector<std::string> logs;
+  std::vector<wire::Log> log_messages;
   int bad_frames = 0;
 
  protected:
@@ -103,6 +104,7 @@ class ReceivedFrames {
           if (c != 0) text.push_back(static_cast<char>(c));
         }
         logs.push_back(text);
+        log_messages.push_back(one[0]);
         return true;
       }
       default:
