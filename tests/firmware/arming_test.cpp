@@ -56,6 +56,16 @@ TEST_F(Arming, ExpiredOrFarAheadIsRefused) {
   EXPECT_EQ(rig.program.state(), State::kDisarmed);
 }
 
+TEST_F(Arming, IsRefusedInTheLastMillisecondOfACommand) {
+  rig.streams = false;
+  rig.send(rig.command());
+  rig.run(194);
+  const wire::Acknowledge answer = arm(rig.arm_message());
+  EXPECT_EQ(result(answer), Result::kFaultPersists);
+  EXPECT_EQ(answer.detail, mask(Fault::command_timeout));
+  EXPECT_EQ(rig.program.state(), State::kDisarmed);
+}
+
 TEST_F(Arming, TheSameTokenAgainIsAcknowledgedWithoutEffect) {
   const wire::Arm message = rig.arm_message();
   arm(message);

@@ -168,7 +168,6 @@ class TracksRun {
                         tracks.right().counts};
     count(tracks.check_turn(mark, static_cast<std::int16_t>(floor.accel_x), 0.0f));
     tracks.drive(wanted, static_cast<std::uint16_t>(dt_us));
-    if (i % 16 == 15) write();
   }
   void write() {
     trace_.row({1.0 * number_, 1.0 * tracks.left().counts, 1.0 * tracks.right().counts,
@@ -177,6 +176,8 @@ class TracksRun {
     left_verdicts = right_verdicts = 0;
   }
 
+  int left_verdicts = 0;
+  int right_verdicts = 0;
   ScriptedHal hal;
   FailSafe fail_safe{hal};
   wire::Parameters parameters = uneven_parameters();
@@ -201,8 +202,6 @@ class TracksRun {
   double left_mps = 0.0;
   double right_mps = 0.0;
   double turned_rad = 0.0;
-  int left_verdicts = 0;
-  int right_verdicts = 0;
 };
 
 TEST(GoldenTracks, DriveAndFindFaultsAsRecorded) {
@@ -233,10 +232,42 @@ TEST(GoldenTracks, DriveAndFindFaultsAsRecorded) {
       if (hindered && number == 6) floor.offset_radps = 0.15;
       if (hindered && number == 7) floor.accel_x = 900, floor.left_share = 0.4;
       run.step({static_cast<float>(mps - turn), static_cast<float>(mps + turn)}, floor, i);
+      if (i % 16 == 15) run.write();
       if (number == 0 && i == 900) run.tracks.forget_turn();
       if (number == 0 && i == 1100) run.tracks.restart();
       if (number == 0 && i == 1200) run.tracks.stop();
       if (number == 0 && i == 1250) run.tracks.begin(), run.fail_safe.enable();
+    }
+  }
+  EXPECT_EQ(trace.difference(1e-8), "");
+}
+
+TEST(GoldenTracks, TakeAsLongAsRecordedToFindAFault) {
+  GoldenTrace trace{
+      "firmware/golden_tracks_faults.csv",
+      {"left_mps", "right_mps", "left_share", "right_share", "accel_x", "steps", "left", "right"}};
+  constexpr double kShares[][2] = {{0.0, 0.0}, {0.0, 0.5}, {0.3, 0.3}, {0.5, 0.25},
+                                   {0.2, 0.6}, {0.6, 0.6}, {1.0, 1.0}};
+  constexpr double kSpeeds[][2] = {{0.1, 0.1},    {0.05, 0.11}, {-0.12, -0.07}, {-0.14, -0.13},
+                                   {0.08, -0.06}, {0.16, 0.02}, {0.03, 0.03}};
+  int number = 0;
+  for (const auto& speeds : kSpeeds) {
+    for (const auto& shares : kShares) {
+      for (const int accel_x : {0, 700}) {
+        TracksRun run(number++, trace);
+        TracksRun::Floor floor;
+        int i = 0;
+        for (; i < 900 && run.left_verdicts + run.right_verdicts == 0; ++i) {
+          if (i == 200) {
+            floor.left_share = shares[0];
+            floor.right_share = shares[1];
+            floor.accel_x += accel_x;
+          }
+          run.step({static_cast<float>(speeds[0]), static_cast<float>(speeds[1])}, floor, i);
+        }
+        trace.row({speeds[0], speeds[1], shares[0], shares[1], 1.0 * accel_x, 1.0 * i,
+                   1.0 * run.left_verdicts, 1.0 * run.right_verdicts});
+      }
     }
   }
   EXPECT_EQ(trace.difference(1e-8), "");

@@ -135,20 +135,23 @@ TEST(GoldenCommandGate, JudgesAsRecorded) {
 }
 
 TEST(GoldenImu, SurvivesFailuresAsRecorded) {
-  GoldenTrace trace{
-      "firmware/golden_imu.csv",
-      {"sample", "accel_x", "accel_y", "accel_z", "temperature", "gyro_x", "gyro_y", "gyro_z",
-       "age", "missing", "stale", "fresh", "errors", "calls", "recoveries", "clock"}};
+  GoldenTrace trace{"firmware/golden_imu.csv",
+                    {"sample", "accel_x", "accel_y", "accel_z", "temperature", "gyro_x", "gyro_y",
+                     "gyro_z", "age", "missing", "stale", "fresh", "errors", "calls", "recoveries",
+                     "other_age", "other_calls", "clock"}};
   // Never answers, answers later; fails for a growing number of reads; freezes.
   ScriptedHal hal;
   hal.imu_answers = false;
   Imu imu(hal);
+  ScriptedHal other_hal;
+  Imu not_started(other_hal);
   const auto row = [&](int i) {
     const ImuValues& v = imu.values();
     trace.row({1.0 * i, 1.0 * v.accel[0], 1.0 * v.accel[1], 1.0 * v.accel[2], 1.0 * v.temperature,
                1.0 * v.gyro[0], 1.0 * v.gyro[1], 1.0 * v.gyro[2], 1.0 * imu.age(),
                imu.missing() ? 1.0 : 0.0, imu.stale() ? 1.0 : 0.0, imu.fresh() ? 1.0 : 0.0,
-               1.0 * imu.errors(), 1.0 * hal.i2c_calls, 1.0 * hal.recoveries, 1.0 * hal.reg(0x6B)});
+               1.0 * imu.errors(), 1.0 * hal.i2c_calls, 1.0 * hal.recoveries,
+               1.0 * not_started.age(), 1.0 * other_hal.i2c_calls, 1.0 * hal.reg(0x6B)});
   };
   row(-2);
   imu.start();
@@ -165,15 +168,18 @@ TEST(GoldenImu, SurvivesFailuresAsRecorded) {
     hal.imu_answers = i > 63 && (i < 150 || i >= 700 || i % 40 >= length) && (i < 1060 || i > 1380);
     hal.imu_frozen = i > 800 && i < 900;
     imu.update();
+    not_started.update();
     if (i < 140 || i % 4 == 3 || (i > 800 && i < 830)) row(i);
   }
   EXPECT_EQ(trace.difference(1e-8), "");
 }
 
 TEST(GoldenBattery, FiltersAndCutsOffAsRecorded) {
-  GoldenTrace trace{"firmware/golden_battery.csv",
-                    {"sample", "mv", "below", "low", "supply_mv", "by_supply_mv"}};
+  GoldenTrace trace{
+      "firmware/golden_battery.csv",
+      {"sample", "mv", "below", "low", "supply_mv", "by_supply_mv", "always_low", "always_below"}};
   Battery battery;
+  Battery always_low;
   Supply supply;
   for (int i = 0; i < 2400; ++i) {
     battery.update(
@@ -181,12 +187,14 @@ TEST(GoldenBattery, FiltersAndCutsOffAsRecorded) {
         i < 1700   ? 6400
         : i < 2100 ? 0
                    : 6111);
+    always_low.update(5000, 6400);
     if (i % 9 == 8)
       supply.update(static_cast<std::uint16_t>(i % 450 == 8 ? 0 : 236 + 23.0 * zigzag(i, 800)));
-    if (i % 5 != 0) continue;
+    if (i % 5 != 0 && (i < 190 || i > 210)) continue;
     trace.row({1.0 * i, 1.0 * battery.millivolts(), battery.below() ? 1.0 : 0.0,
                battery.low() ? 1.0 : 0.0, 1.0 * supply.millivolts(),
-               1.0 * supply.battery_mv(static_cast<std::uint16_t>(400 + i % 250))});
+               1.0 * supply.battery_mv(static_cast<std::uint16_t>(400 + i % 250)),
+               always_low.low() ? 1.0 : 0.0, always_low.below() ? 1.0 : 0.0});
   }
   EXPECT_EQ(trace.difference(1e-8), "");
 }

@@ -50,6 +50,17 @@ TEST(Imu, IsTriedAgainEvery105MsAndNotMoreOften) {
   EXPECT_NEAR(rig.hal.recoveries, 21, 1);
 }
 
+TEST(Imu, IsMissingHoweverLongItDoesNotAnswer) {
+  ScriptedHal hal;
+  hal.imu_answers = false;
+  Imu imu(hal);
+  imu.start();
+  for (int i = 0; i < 7000; ++i) {
+    imu.update();
+    ASSERT_TRUE(imu.missing()) << i;
+  }
+}
+
 TEST(Imu, ThatDiesWhileDrivingStopsTheRobotWithinAnInstantIfTheGyroSteers) {
   Rig rig;
   rig.tracks_follow = true;
