@@ -39,6 +39,13 @@ TEST_F(Arming, AFreshTokenArms) {
   EXPECT_EQ(rig.program.state(), State::kArmed);
 }
 
+TEST_F(Arming, TheFirstTokenMayBeZero) {
+  wire::Arm message = rig.arm_message();
+  message.token = 0;
+  EXPECT_EQ(result(arm(message)), Result::kAccepted);
+  EXPECT_EQ(rig.program.state(), State::kArmed);
+}
+
 TEST_F(Arming, OfAnotherBootIsRefused) {
   wire::Arm message = rig.arm_message();
   message.boot_nonce += 1;

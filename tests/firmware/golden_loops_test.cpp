@@ -24,7 +24,7 @@ TEST(GoldenSpeedLoop, FollowsAsRecorded) {
   wire::Parameters p = uneven_parameters();
   double counts = 2147483600.0;  // wraps soon
   double mps = 0.0;
-  for (int i = 0; i < 1300; ++i) {
+  for (int i = 0; i < 1450; ++i) {
     double target = 0.0;
     if (i < 300) {
       target = 0.17 * zigzag(i, 200);
@@ -38,13 +38,14 @@ TEST(GoldenSpeedLoop, FollowsAsRecorded) {
       target = i < 800 ? -0.2 : -0.02;
     } else if (i < 1100) {
       target = 0.008 * zigzag(i, 90);
-    } else {
+    } else if (i < 1300) {
       target = -0.1 * zigzag(i, 150);
     }
     const bool held = (i > 540 && i < 650) || (i > 720 && i < 840) || (i > 1020 && i < 1040);
     mps += held ? -mps : (target * 0.93 - mps) * 0.09;
     const int dt_us = 3500 + i * 37 % 2600;
     counts += mps * dt_us * 1e-6 * 11140.0;
+    if (i > 1370 && i < 1378) counts += 3.0;
     if (i == 500) p.speed_kp = 0.7f;
     if (i == 620) p.speed_ki = 90.0f;
     if (i == 700) p.feed_forward = 6.5f;
@@ -53,7 +54,7 @@ TEST(GoldenSpeedLoop, FollowsAsRecorded) {
       loop.restart();
       counts += 5000.0;
     }
-    if (i == 1150) loop.reset();
+    if (i == 1150 || i == 1370) loop.reset();
     const auto whole = static_cast<std::int64_t>(std::floor(counts));
     loop.measure(static_cast<std::int32_t>(static_cast<std::uint32_t>(whole)),
                  static_cast<std::uint16_t>(dt_us), p);
@@ -256,6 +257,15 @@ TEST(GoldenTracks, TakeAsLongAsRecordedToFindAFault) {
       for (const int accel_x : {0, 700}) {
         TracksRun run(number++, trace);
         TracksRun::Floor floor;
+        // A run on a slope, whose load the next one does not inherit.
+        for (int i = 0; i < 60 && number % 3 == 0; ++i) {
+          floor.accel_x = i < 10 ? 0 : 1200;
+          run.step({0.05f, 0.09f}, floor, i);
+          if (i < 59) continue;
+          run.tracks.begin();
+          run.fail_safe.enable();
+        }
+        floor.accel_x = 20;
         int i = 0;
         for (; i < 900 && run.left_verdicts + run.right_verdicts == 0; ++i) {
           if (i == 200) {

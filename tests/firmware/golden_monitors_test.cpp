@@ -155,12 +155,14 @@ struct Jumps {
 int smallest_found(const wire::Parameters& p, int dt_ms, int sign, int apart_ms,
                    const Jumps& jumps) {
   constexpr int kFirstMs = 90;
-  for (int size = 40; size < 110; ++size) {
+  // All are found or none: from 4 mm or from 8 counts on.
+  const int least = p.counts_per_metre < 1000.0f ? 1 : 40;
+  for (int size = least; size < least + 70; ++size) {
     TrackMonitor monitor;
-    double counts = 0.0;
+    double counts = -3000.0 * sign;
     int first = 0, second = 0;
     for (int ms = 0; ms <= kFirstMs + apart_ms + jumps.spread * dt_ms; ms += dt_ms) {
-      counts += sign * 0.06 * dt_ms * 11.14;
+      counts += sign * 0.06e-3 * dt_ms * static_cast<double>(p.counts_per_metre);
       if (ms >= kFirstMs && first++ < jumps.spread)
         counts += 1.0 * sign * size * jumps.first / jumps.spread;
       if (ms >= kFirstMs + apart_ms && second++ < jumps.spread)
@@ -178,19 +180,24 @@ TEST(GoldenTrackMonitor, ToleratesASingleJumpOfTheRecordedSize) {
   GoldenTrace trace{"firmware/golden_track_jumps.csv",
                     {"dt_ms", "sign", "apart_ms", "one", "onwards", "to_and_fro", "back",
                      "fro_and_to", "slowly_back", "slowly_fro_and_to"}};
-  const wire::Parameters p = uneven_parameters();
+  wire::Parameters p = uneven_parameters();
   constexpr Jumps kJumps[] = {{1, 0, 1},  {1, 1, 1},   {1, -1, 1}, {-1, -1, 1},
                               {-1, 1, 1}, {-1, -1, 6}, {-1, 1, 4}};
+  const auto record = [&](int dt_ms, int sign, int apart_ms) {
+    std::vector<double> row{1.0 * dt_ms, 1.0 * sign, 1.0 * apart_ms};
+    for (const Jumps& jumps : kJumps)
+      row.push_back(smallest_found(p, dt_ms, sign, apart_ms, jumps));
+    trace.row(row);
+  };
   for (const int dt_ms : {2, 5, 9}) {
     for (const int sign : {1, -1}) {
-      for (int apart_ms = dt_ms; apart_ms < 1200; apart_ms += apart_ms < 140 ? 7 : 95) {
-        std::vector<double> row{1.0 * dt_ms, 1.0 * sign, 1.0 * apart_ms};
-        for (const Jumps& jumps : kJumps)
-          row.push_back(smallest_found(p, dt_ms, sign, apart_ms, jumps));
-        trace.row(row);
-      }
+      for (int apart_ms = dt_ms; apart_ms < 1200; apart_ms += apart_ms < 140 ? 11 : 155)
+        record(dt_ms, sign, apart_ms);
     }
   }
+  for (const int apart_ms : {99, 100, 101, 102, 999, 1000, 1001}) record(1, 1, apart_ms);
+  p.counts_per_metre = 300.0f;
+  for (const int apart_ms : {90, 150, 400}) record(5, apart_ms == 400 ? -1 : 1, apart_ms);
   EXPECT_EQ(trace.difference(1e-8), "");
 }
 
@@ -238,10 +245,10 @@ TEST(GoldenTurnMonitor, WeighsTurnsAndSlopesAsRecorded) {
   for (int i = 0; i < 4800; ++i) {
     Turning now;
     const double mps = 0.1 * zigzag(i, 1900);
-    const double turn = 0.04 * zigzag(i, 700);
+    const double turn = 0.02 * zigzag(i, 700);
     now.left_mps = mps - turn;
     now.right_mps = mps + turn;
-    now.accel_x = static_cast<int>(130.0 + 900.0 * zigzag(i, 1300) * zigzag(i, 4100));
+    now.accel_x = static_cast<int>(130.0 + 1900.0 * zigzag(i, 1300) * zigzag(i, 4100));
     const auto verdict = run.step(now, 5);
     verdicts += 1 << verdict;
     if (i % 16 == 8) {
@@ -260,7 +267,8 @@ TEST(GoldenTurnMonitor, TakesAsLongAsRecordedToFindAFault) {
                      "accel_x", "share", "ms", "verdict"}};
   constexpr double kPairs[][2] = {{0.1, 0.1},     {-0.07, -0.07}, {0.05, 0.12},  {0.13, 0.045},
                                   {-0.12, -0.05}, {-0.03, -0.1},  {0.08, -0.08}, {-0.05, 0.09},
-                                  {0.0, 0.1},     {0.09, 0.013},  {0.1, 0.081},  {-0.02, 0.02}};
+                                  {0.0, 0.1},     {0.09, 0.013},  {0.1, 0.081},  {-0.02, 0.02},
+                                  {0.004, 0.11},  {-0.003, 0.1}};
   int n = 0;
   for (const auto& pair : kPairs) {
     for (const double counted : {0.0, 0.4, 0.7, 0.85, 1.0, 1.2}) {

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <type_traits>
+#include <vector>
 
 #include "../support/golden_trace.h"
 #include "../support/wire_host.h"
@@ -14,6 +16,7 @@
 #include "firmware/fake_robot.h"
 #include "firmware/host_link.h"
 #include "firmware/imu.h"
+#include "firmware/parameters.h"
 #include "firmware/quadrature.h"
 #include "scripted_hal.h"
 #include "trace_inputs.h"
@@ -54,6 +57,20 @@ TEST(GoldenFailSafe, SwitchesOffAsRecorded) {
                1.0 * hal.duties.right, 1.0 * fail_safe.ticks(), 1.0 * trip.faults,
                trip.faults != 0 ? 1.0 * (hal.now_us - trip.at_us) : 0.0,
                trip.faults != 0 ? 1.0 * trip.silence_ms : 0.0});
+  }
+  EXPECT_EQ(trace.difference(1e-8), "");
+}
+
+TEST(GoldenFailSafe, TripsAsRecordedIfTheMainLoopNeverRuns) {
+  GoldenTrace trace{"firmware/golden_fail_safe_alone.csv", {"ms", "trip", "silence_ms"}};
+  ScriptedHal hal;
+  FailSafe fail_safe(hal);
+  fail_safe.watch(hal.now_us);
+  for (int ms = 1; ms < 1100; ++ms) {
+    hal.now_us += 1000;
+    fail_safe.tick();
+    const Trip trip = fail_safe.take_trip();
+    if (trip.faults != 0) trace.row({1.0 * ms, 1.0 * trip.faults, 1.0 * trip.silence_ms});
   }
   EXPECT_EQ(trace.difference(1e-8), "");
 }
@@ -138,7 +155,7 @@ TEST(GoldenImu, SurvivesFailuresAsRecorded) {
   GoldenTrace trace{"firmware/golden_imu.csv",
                     {"sample", "accel_x", "accel_y", "accel_z", "temperature", "gyro_x", "gyro_y",
                      "gyro_z", "age", "missing", "stale", "fresh", "errors", "calls", "recoveries",
-                     "other_age", "other_calls", "clock"}};
+                     "other_age", "other_errors", "other_calls", "clock"}};
   // Never answers, answers later; fails for a growing number of reads; freezes.
   ScriptedHal hal;
   hal.imu_answers = false;
@@ -151,7 +168,8 @@ TEST(GoldenImu, SurvivesFailuresAsRecorded) {
                1.0 * v.gyro[0], 1.0 * v.gyro[1], 1.0 * v.gyro[2], 1.0 * imu.age(),
                imu.missing() ? 1.0 : 0.0, imu.stale() ? 1.0 : 0.0, imu.fresh() ? 1.0 : 0.0,
                1.0 * imu.errors(), 1.0 * hal.i2c_calls, 1.0 * hal.recoveries,
-               1.0 * not_started.age(), 1.0 * other_hal.i2c_calls, 1.0 * hal.reg(0x6B)});
+               1.0 * not_started.age(), 1.0 * not_started.errors(), 1.0 * other_hal.i2c_calls,
+               1.0 * hal.reg(0x6B)});
   };
   row(-2);
   imu.start();
@@ -168,9 +186,52 @@ TEST(GoldenImu, SurvivesFailuresAsRecorded) {
     hal.imu_answers = i > 63 && (i < 150 || i >= 700 || i % 40 >= length) && (i < 1060 || i > 1380);
     hal.imu_frozen = i > 800 && i < 900;
     imu.update();
+    other_hal.imu_answers = i / 3 * 37 % 11 < 4;
     not_started.update();
     if (i < 140 || i % 4 == 3 || (i > 800 && i < 830)) row(i);
   }
+  EXPECT_EQ(trace.difference(1e-8), "");
+}
+
+TEST(GoldenParameters, AreRefusedAsRecorded) {
+  GoldenTrace trace{"firmware/golden_parameters.csv", {"field", "value", "bad_field"}};
+  using wire::Parameters;
+  int number = 0;
+  const auto judge = [&](auto field, double value) {
+    Parameters p = uneven_parameters();
+    p.*field = static_cast<std::remove_reference_t<decltype(p.*field)>>(value);
+    trace.row({1.0 * number, value, 1.0 * bad_field(p)});
+  };
+  constexpr float Parameters::*kFloats[] = {
+      &Parameters::counts_per_metre,  &Parameters::wheelbase_m,
+      &Parameters::wheelbase_tight_m, &Parameters::wheelbase_spin_m,
+      &Parameters::turn_slip_share,   &Parameters::slip_left,
+      &Parameters::slip_right,        &Parameters::max_track_mps,
+      &Parameters::max_track_mps2,    &Parameters::feed_forward,
+      &Parameters::dead_band,         &Parameters::speed_kp,
+      &Parameters::speed_ki,          &Parameters::yaw_kp,
+      &Parameters::max_yaw_radps,     &Parameters::gyro_z_radps_per_lsb};
+  for (const auto field : kFloats) {
+    ++number;
+    for (const double bound :
+         {0.0, 1e-5, 1e-2, 0.05, 0.5, 0.9, 1.0, 2.0, 10.0, 20.0, 50.0, 100.0, 1000.0, 1e6}) {
+      for (const double sign : {1.0, -1.0}) {
+        if (sign < 0.0 && bound > 1.0) continue;
+        for (const double beside : {-0.01, 0.01}) judge(field, sign * bound * (1.0 + beside));
+        if (bound == 0.0) judge(field, sign * 1e-7);
+      }
+    }
+  }
+  constexpr std::uint16_t Parameters::*kIntegers[] = {
+      &Parameters::battery_cutoff_mv, &Parameters::stall_duty, &Parameters::stall_ms,
+      &Parameters::command_life_ms, &Parameters::yaw_window_ms};
+  for (const auto field : kIntegers) {
+    ++number;
+    for (const int bound : {1, 20, 50, 200, 1000, 10'000})
+      for (const int value : {bound - 1, bound, bound + 1}) judge(field, value);
+  }
+  ++number;
+  for (int flags = 0; flags < 256; flags += 5) judge(&Parameters::flags, flags);
   EXPECT_EQ(trace.difference(1e-8), "");
 }
 
@@ -227,6 +288,9 @@ TEST(GoldenFakeRobot, MovesAndMeasuresAsRecorded) {
   row(10'500, 0);
   for (int ms = 0; ms < 30; ++ms) robot.step(-300, 350);
   row(10'530, 0);
+  robot = FakeRobot();
+  for (int ms = 0; ms < 7; ++ms) robot.step(800, 640);
+  row(7, 0);
   std::array<std::uint8_t, Imu::kMeasuredBytes> bytes;
   for (const int reg : {0x3A, 0x3B, 0x3C, 0x75, 0x76}) {
     for (const int size : {1, 2, 13, 14}) {

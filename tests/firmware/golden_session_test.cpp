@@ -122,6 +122,12 @@ TEST(GoldenSession, IsHeldAsRecorded) {
   frame[3] ^= 4;
   rig.hal.received.insert(rig.hal.received.end(), frame.begin(), frame.end());
   rig.send(wire::FaultReport{});
+  const std::uint8_t payload[] = {1, 2, 3, 4, 5};
+  for (std::uint8_t type = 0x40; type < 0x49; ++type) {
+    std::vector<std::uint8_t> odd(wire::kMaxFrame);
+    odd.resize(wire::encode_frame(type, payload, 5, odd.data()));
+    if (type != 0x41) rig.hal.received.insert(rig.hal.received.end(), odd.begin(), odd.end());
+  }
   session.run(21);
   rig.send(wire::SyncRequest{53});
   session.run(9);
@@ -248,6 +254,34 @@ TEST(GoldenSession, DrivesAndFailsAsRecorded) {
     session.run(200);
     dead.send(dead.arm_message());
     session.run(200);
+  }
+  EXPECT_EQ(session.driving.difference(1e-8), "");
+  EXPECT_EQ(session.events.difference(1e-8), "");
+}
+
+TEST(GoldenSession, IsEndedByTheRecordedSilenceWhateverTheHostSaidLast) {
+  SessionTrace session("silence", 100);
+  for (int last = 0; last < 10; ++last) {
+    Rig& rig = session.plug();
+    rig.connect();
+    for (int ms = 0; ms < 1900; ms += 300) {
+      wire::Command command = rig.command();
+      wire::Arm arm = rig.arm_message();
+      wire::Parameters wrong = rig.parameters;
+      const std::uint32_t other_boot = last > 7 ? 1 : 0;
+      command.boot_nonce += other_boot;
+      arm.boot_nonce += other_boot;
+      wrong.boot_nonce += 1;
+      if (last == 1) ask(rig);
+      if (last == 2) hand_over_parameters(rig);
+      if (last == 3 || last == 8) rig.send(command);
+      if (last == 4 || last == 9) rig.send(arm);
+      if (last == 5) rig.send(wire::Disarm{static_cast<std::uint32_t>(ms)});
+      if (last == 6) rig.send(wire::Stop{static_cast<std::uint32_t>(ms)});
+      if (last == 7) rig.send(wire::SyncRequest{static_cast<std::uint16_t>(ms)});
+      if (last == 8) rig.send(wrong);
+      session.run(300);
+    }
   }
   EXPECT_EQ(session.driving.difference(1e-8), "");
   EXPECT_EQ(session.events.difference(1e-8), "");

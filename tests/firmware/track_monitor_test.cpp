@@ -133,6 +133,19 @@ TEST(FailSafe, ABlockedTrackIsStalled) {
   EXPECT_FALSE(rig.motors_on());
 }
 
+// On a stand the tracks turn and the body does not.
+TEST(FailSafe, WithoutTheGyroItDoesNotJudgeTheTracks) {
+  Rig rig;
+  rig.tracks_follow = true;
+  rig.parameters.flags = 0;
+  rig.parameters.turn_slip_share = 0.15f;
+  rig.drive(0.1f);
+  rig.disturbance_radps = 0.6;
+  rig.run(3000);
+  EXPECT_EQ(rig.program.faults(), 0);
+  EXPECT_EQ(rig.program.state(), wire::State::kRunning);
+}
+
 /// Drives straight on by the true yaw until a fault occurs or `ms` are over; returns the distance.
 double driven_m(Rig& rig, int ms) {
   const double from_m = rig.true_m;
