@@ -39,6 +39,16 @@ TEST_F(Arming, AFreshTokenArms) {
   EXPECT_EQ(rig.program.state(), State::kArmed);
 }
 
+TEST_F(Arming, ARefusalNamesEachCause) {
+  rig.hal.pack_mv = 5000;
+  rig.hal.imu_answers = false;
+  rig.run(400);
+  rig.streams = false;
+  rig.run(300);
+  EXPECT_EQ(arm(rig.arm_message()).detail,
+            mask(Fault::command_timeout) | mask(Fault::imu_stale) | mask(Fault::battery_low));
+}
+
 TEST_F(Arming, TheFirstTokenMayBeZero) {
   wire::Arm message = rig.arm_message();
   message.token = 0;

@@ -80,16 +80,16 @@ class LinkTrace : public test::ReceivedFrames {
 
 TEST(GoldenLink, SendsInTheRecordedOrderAsMuchAsTheLineTakes) {
   LinkTrace t;
-  for (int step = 1; step < 900; ++step) {
+  for (int step = 1; step < 1200; ++step) {
     t.hal.now_us += 1000;
     t.hal.waiting = static_cast<std::uint8_t>(step % 50);
     // Hardly any room for a while, then ever more of it.
-    const int phase = step % 150;
-    t.hal.room = static_cast<std::size_t>(phase < 60 ? phase % 14 : (phase - 60) * 7 % 83);
-    if (phase < 100) t.post(step);
+    const int phase = step % 300;
+    t.hal.room = static_cast<std::size_t>(phase < 150 ? phase % 14 : (phase - 150) * 7 % 83);
+    if (phase < 220) t.post(step);
     t.link.flush();
     t.write(step);
-    t.hal.room = static_cast<std::size_t>(step % 53);
+    t.hal.room = static_cast<std::size_t>(phase < 150 ? 0 : step % 53);
     t.link.flush();
     t.write(step);
   }

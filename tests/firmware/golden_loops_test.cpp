@@ -19,8 +19,10 @@ namespace {
 using test::GoldenTrace;
 
 TEST(GoldenSpeedLoop, FollowsAsRecorded) {
-  GoldenTrace trace{"firmware/golden_speed_loop.csv", {"target", "speed", "lag", "duty"}};
-  SpeedLoop loop;
+  GoldenTrace trace{"firmware/golden_speed_loop.csv",
+                    {"target", "speed", "lag", "duty", "pushed_duty"}};
+  // Another track is only pushed, from the start.
+  SpeedLoop loop, pushed;
   wire::Parameters p = uneven_parameters();
   double counts = 2147483600.0;  // wraps soon
   double mps = 0.0;
@@ -60,9 +62,11 @@ TEST(GoldenSpeedLoop, FollowsAsRecorded) {
                  static_cast<std::uint16_t>(dt_us), p);
     const float duty =
         loop.update(static_cast<float>(target), static_cast<float>(dt_us) * 1e-6f, p);
-    if (i % 2 == 0) continue;
+    pushed.measure(i % 200 < 7 ? i * 2 : 0, 5000, p);
+    const float pushed_duty = pushed.update(0.0f, 0.005f, p);
+    if (i % 2 == 0 && i > 60) continue;
     trace.row({target, static_cast<double>(loop.speed_mps()), static_cast<double>(loop.lag_m()),
-               static_cast<double>(duty)});
+               static_cast<double>(duty), static_cast<double>(pushed_duty)});
   }
   EXPECT_EQ(trace.difference(1e-8), "");
 }
@@ -262,8 +266,12 @@ TEST(GoldenTracks, TakeAsLongAsRecordedToFindAFault) {
           floor.accel_x = i < 10 ? 0 : 1200;
           run.step({0.05f, 0.09f}, floor, i);
           if (i < 59) continue;
-          run.tracks.begin();
-          run.fail_safe.enable();
+          if (number % 2 == 0) {
+            run.tracks.begin();
+            run.fail_safe.enable();
+          } else {
+            run.tracks.forget_turn();
+          }
         }
         floor.accel_x = 20;
         int i = 0;

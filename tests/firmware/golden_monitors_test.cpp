@@ -29,6 +29,7 @@ class TrackTrace {
            std::uint16_t dt_ms = 5) {
     int stalled = 0, reversed = 0;
     double sum = 0.0;
+    trace.row({1.0 * scenario, -1.0, 0.0, 0.0, static_cast<double>(monitor.missing_m()), 0.0});
     for (int i = 0; i < steps; ++i) {
       const Drive now = drive(i);
       counts += now.mps * dt_ms * 1e-3 * static_cast<double>(p.counts_per_metre);
@@ -121,8 +122,9 @@ int verdict_ms(TrackMonitor& monitor, const wire::Parameters& p, int duty, doubl
 }
 
 TEST(GoldenTrackMonitor, TakesAsLongAsRecordedToFindAFault) {
-  GoldenTrace trace{"firmware/golden_track_faults.csv",
-                    {"stall_ms", "duty", "mps", "load", "dt_ms", "with_estimate", "without"}};
+  GoldenTrace trace{
+      "firmware/golden_track_faults.csv",
+      {"stall_ms", "duty", "mps", "load", "dt_ms", "with_estimate", "weak_estimate", "without"}};
   for (const int stall_ms : {120, 333, 1900}) {
     for (const int duty : {140, 160, 310, 449, 450, 640, 990}) {
       for (const double mps : {0.0, 0.0007, 0.004, 0.01, 0.06, -0.003, -0.08}) {
@@ -131,11 +133,13 @@ TEST(GoldenTrackMonitor, TakesAsLongAsRecordedToFindAFault) {
           wire::Parameters p = uneven_parameters();
           p.stall_ms = static_cast<std::uint16_t>(stall_ms);
           const int sign = duty % 20 == 0 ? -1 : 1;
-          TrackMonitor with, without;
+          TrackMonitor with, weak, without;
           const int ms = verdict_ms(with, p, sign * duty, sign * mps, dt_ms, load, 4000);
+          p.feed_forward = 0.7f;
+          const int weak_ms = verdict_ms(weak, p, sign * duty, sign * mps, dt_ms, load, 4000);
           p.feed_forward = 0.0f;
           trace.row({1.0 * stall_ms, 1.0 * sign * duty, mps, static_cast<double>(load), 1.0 * dt_ms,
-                     1.0 * ms,
+                     1.0 * ms, 1.0 * weak_ms,
                      1.0 * verdict_ms(without, p, sign * duty, sign * mps, dt_ms, load, 4000)});
         }
       }

@@ -62,15 +62,20 @@ TEST(GoldenFailSafe, SwitchesOffAsRecorded) {
 }
 
 TEST(GoldenFailSafe, TripsAsRecordedIfTheMainLoopNeverRuns) {
-  GoldenTrace trace{"firmware/golden_fail_safe_alone.csv", {"ms", "trip", "silence_ms"}};
+  GoldenTrace trace{"firmware/golden_fail_safe_alone.csv",
+                    {"ms", "trip", "silence_ms", "enabled", "ticks", "left"}};
   ScriptedHal hal;
   FailSafe fail_safe(hal);
-  fail_safe.watch(hal.now_us);
-  for (int ms = 1; ms < 1100; ++ms) {
+  hal.duties = {700, 800};
+  for (int ms = 0; ms < 1400; ++ms) {
+    const Trip trip = fail_safe.take_trip();
+    if (trip.faults != 0 || ms < 4)
+      trace.row({1.0 * ms, 1.0 * trip.faults, 1.0 * trip.silence_ms, fail_safe.enable() ? 1.0 : 0.0,
+                 1.0 * fail_safe.ticks(), 1.0 * hal.duties.left});
+    if (ms == 120) fail_safe.watch(hal.now_us);
+    fail_safe.drive(3, 4);
     hal.now_us += 1000;
     fail_safe.tick();
-    const Trip trip = fail_safe.take_trip();
-    if (trip.faults != 0) trace.row({1.0 * ms, 1.0 * trip.faults, 1.0 * trip.silence_ms});
   }
   EXPECT_EQ(trace.difference(1e-8), "");
 }
