@@ -57,7 +57,7 @@ class LinkTrace : public test::ReceivedFrames {
       if (*type == wire::Type::kAcknowledge) number = acknowledges.back().token;
       if (*type == wire::Type::kSyncReply) {
         number = sync_replies.back().id;
-        more = hal.now_us - sync_replies.back().sent_us;
+        more = static_cast<std::int32_t>(hal.now_us - sync_replies.back().sent_us);
       }
       if (*type == wire::Type::kFaultReport) number = reports.back().device_us;
       if (*type == wire::Type::kLog) {

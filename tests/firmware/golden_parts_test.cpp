@@ -316,7 +316,7 @@ TEST(GoldenQuadrature, CountsAsRecorded) {
   constexpr std::uint8_t kPhases[] = {0, 1, 3, 2};
   for (int i = 0; i < 4000; ++i) {
     int at = i % 1500 < 1100 ? i : -i;
-    if (i % 37 == 0) at += 2;
+    if (i % 37 == 0) ++at;
     const std::uint8_t phase = kPhases[(at % 4 + 4) % 4];
     take_edge<1>(forward, phase);
     take_edge<-1>(backward, phase);
