@@ -91,8 +91,9 @@ TEST(GoldenTrackMonitor, LearnsAndJudgesAsRecorded) {
     // Rolls back against its duty, pulled or not.
     t.run(4, 900, [&](int i) {
       const bool pulled = i % 300 >= 150;
-      return Drive{sign * (pulled ? 0.2 : 0.35), sign * 0.07 * zigzag(i, 150) - sign * 0.02,
-                   pulled ? 0.11f : 0.0f, false};
+      return Drive{sign * (pulled ? 0.2 : 0.35),
+                   sign * (pulled ? 0.05 * zigzag(i, 150) - 0.01 : -0.1), pulled ? 0.11f : 0.0f,
+                   false};
     });
     // Changes its direction and passes the dead band.
     t.run(
