@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -71,7 +72,61 @@ TEST(Climbable, ARampOnWhichTheRobotFallsOverIsRefused) {
   course.terrain.blocks.clear();
   EXPECT_EQ(error_of(course, tower), "");
   course.terrain.ramps[0].up_rad = 45 * kRadPerDeg;
-  EXPECT_THAT(error_of(course, tower), HasSubstr("ramp 1 cannot be climbed by robot tall"));
+  EXPECT_EQ(error_of(course, tower),
+            "course 3: ramp 1 cannot be climbed by robot tall: it is 45 deg steep, beyond 39 deg "
+            "it falls over; make the ramp flatter");
+}
+
+TEST(Climbable, ARampIsJudgedByItsSteeperSideToAHairOfTheLimit) {
+  const course::Robot any = robot(0.045);
+  const double limit_rad = std::atan(any.shape.axle_spacing_m / 2.0 / any.shape.com_height_m);
+  course::Course course = course_3();
+  course.terrain.blocks.clear();
+  for (double course::Ramp::*const side : {&course::Ramp::up_rad, &course::Ramp::down_rad}) {
+    course.terrain.ramps = course_3().terrain.ramps;
+    course::Ramp& ramp = course.terrain.ramps[0];
+    ramp.*side = limit_rad - 1e-9;
+    EXPECT_EQ(error_of(course, any), "");
+    ramp.*side = limit_rad + 1e-9;
+    EXPECT_THAT(error_of(course, any), HasSubstr("ramp 1"));
+    ramp.place.y_m = 3.0;
+    EXPECT_EQ(error_of(course, any), "") << "beside the path";
+  }
+}
+
+/// A path of 1 m along x and a wall across it.
+course::Course wall_at(double x_m, double depth_m, double y_m = 0.0, double width_m = 0.5) {
+  course::Course course;
+  course.name = "wall";
+  course.path = {course::Line{1.0}};
+  course.terrain.blocks.push_back({{x_m, y_m, 0.0}, 0.1, depth_m, width_m});
+  return course;
+}
+
+TEST(Climbable, AThinWallAnywhereOnThePathIsMet) {
+  for (double x = 0.003; x < 1.0; x += 0.0137)
+    EXPECT_NE(error_of(wall_at(x, 0.0102), robot(0.022)), "") << x;
+  EXPECT_EQ(error_of(wall_at(-0.03, 0.0102), robot(0.022)), "") << "behind the start";
+  EXPECT_EQ(error_of(wall_at(1.03, 0.0102), robot(0.022)), "") << "beyond the end";
+}
+
+TEST(Climbable, AWallIsMetByEitherTrackButNotBesideThem) {
+  const double track_m = robot(0.022).shape.gauge_m / 2.0;
+  for (const double side : {-1.0, 1.0}) {
+    EXPECT_NE(error_of(wall_at(0.5, 0.1, side * (track_m + 0.049), 0.1), robot(0.022)), "");
+    EXPECT_EQ(error_of(wall_at(0.5, 0.1, side * (track_m + 0.051), 0.1), robot(0.022)), "");
+  }
+  EXPECT_EQ(error_of(wall_at(0.5, 0.1, 0.0, 2.0 * track_m - 0.002), robot(0.022)), "")
+      << "between the tracks";
+}
+
+TEST(Climbable, TheFirstObstacleThatIsTooMuchIsNamed) {
+  course::Course course = wall_at(0.5, 0.1);
+  course.terrain.blocks.insert(course.terrain.blocks.begin(), {{0.2, 0.0, 0.0}, 0.03, 0.1, 0.5});
+  course.terrain.blocks.push_back({{0.8, 0.0, 0.0}, 0.2, 0.1, 0.5});
+  EXPECT_EQ(error_of(course, robot(0.022)),
+            "course wall: block 2 cannot be climbed by robot tall: it is 100 mm high, the limit is "
+            "40.2 mm; lower the block or, if the robot file is wrong, shape.com_height_m");
 }
 
 }  // namespace
