@@ -82,6 +82,10 @@ TEST(CheckClimb, RefusesWhatIsNoGeometry) {
   EXPECT_THROW(check_climb(geometry, {}), SetupError);
 }
 
+TEST(CheckClimb, IsPartOfEveryCurve) {
+  EXPECT_THROW(ClimbCurve({}, {0.2, 0.1}, RiserForm::kTrackHolds), SetupError);
+}
+
 TEST(CheckClimb, EveryLengthOfTheRobotIsPositiveAndFinite) {
   int length = 0;
   for (double ClimbGeometry::*const member :

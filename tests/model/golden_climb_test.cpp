@@ -167,6 +167,11 @@ TEST(GoldenTrace, OfClimbsBackAndForth) {
     until(m.slide_end + 0.02, 0.12);
     drive(trace, climb, 5, 0.01, 1, [](int i) { return i < 3 ? -0.12 : 0.09; });
   }
+  // A block so short that the far edge is passed before the fall begins.
+  StepClimb climb(kOther, {0.041, 0.009});
+  for (int i = 0; i < 3000 && climb.state().phase != ClimbPhase::kTip; ++i)
+    climb.advance(2e-4, 2e-3);
+  drive(trace, climb, 80, 0.002, 5, [](int) { return -0.2; });
   EXPECT_EQ(trace.difference(), "");
 }
 

@@ -94,12 +94,15 @@ TEST(Climbable, ARampIsJudgedByItsSteeperSideToAHairOfTheLimit) {
   }
 }
 
-/// A path of 1 m along x and a wall across it.
-course::Course wall_at(double x_m, double depth_m, double y_m = 0.0, double width_m = 0.5) {
+/// A straight path of 1 m and a wall across it, `along` and `aside` from its start.
+course::Course wall_at(double along, double depth_m, double aside = 0.0, double width_m = 0.5) {
+  const double yaw = 2.2, c = std::cos(yaw), s = std::sin(yaw);
   course::Course course;
   course.name = "wall";
+  course.start = {.x_m = 0.4, .y_m = -0.3, .yaw_rad = yaw};
   course.path = {course::Line{1.0}};
-  course.terrain.blocks.push_back({{x_m, y_m, 0.0}, 0.1, depth_m, width_m});
+  const course::Place place{0.4 + c * along - s * aside, -0.3 + s * along + c * aside, yaw};
+  course.terrain.blocks.push_back({place, 0.1, depth_m, width_m});
   return course;
 }
 
@@ -122,11 +125,16 @@ TEST(Climbable, AWallIsMetByEitherTrackButNotBesideThem) {
 
 TEST(Climbable, TheFirstObstacleThatIsTooMuchIsNamed) {
   course::Course course = wall_at(0.5, 0.1);
-  course.terrain.blocks.insert(course.terrain.blocks.begin(), {{0.2, 0.0, 0.0}, 0.03, 0.1, 0.5});
-  course.terrain.blocks.push_back({{0.8, 0.0, 0.0}, 0.2, 0.1, 0.5});
+  course.terrain.blocks.insert(course.terrain.blocks.begin(), wall_at(0.2, 0.1).terrain.blocks[0]);
+  course.terrain.blocks[0].height_m = 0.03;
+  course.terrain.blocks.push_back(wall_at(0.8, 0.1).terrain.blocks[0]);
   EXPECT_EQ(error_of(course, robot(0.022)),
             "course wall: block 2 cannot be climbed by robot tall: it is 100 mm high, the limit is "
             "40.2 mm; lower the block or, if the robot file is wrong, shape.com_height_m");
+  const course::Place place = course.terrain.blocks[1].place;
+  course.terrain.blocks.clear();
+  course.terrain.ramps = {{place, 0.05, 0.3, 0.1, 0.4, 0.5}, {place, 0.05, 0.3, 0.1, 1.3, 0.5}};
+  EXPECT_THAT(error_of(course, robot(0.022)), HasSubstr("ramp 2"));
 }
 
 }  // namespace

@@ -126,6 +126,58 @@ TEST(TerrainFollower, WhoBacksOffABlockStandsOnTheFloorAgain) {
   EXPECT_EQ(terrain_follower.state().pitch_rad, 0.0);
 }
 
+/// Drives along x, forward or back, until `x_m`.
+void drive_to(TerrainFollower& terrain_follower, Pose& pose, double x_m) {
+  const double distance_m = x_m > pose.x_m ? kDistanceM : -kDistanceM;
+  for (int i = 0; i < 10'000 && (x_m - pose.x_m) * distance_m > 0.0; ++i)
+    pose.x_m +=
+        distance_m * terrain_follower.advance(pose, distance_m, kStepS).incline.horizontal_fraction;
+}
+
+TEST(TerrainFollower, ALowBlockThatWasClimbedIsClimbedAgainOnlyAfterItWasFarAway) {
+  course::Terrain terrain = block_at_half_a_metre();
+  terrain.blocks[0].height_m = 0.015;
+  const World world(terrain, {});
+  const double touch_m = 0.45 - 0.133 / 2.0 - 0.0236;
+  TerrainFollower terrain_follower(world, {});
+  Pose pose{};
+  drive_to(terrain_follower, pose, touch_m + 0.005);
+  EXPECT_TRUE(terrain_follower.state().climbing);
+  for (int i = 0; i < 1000 && terrain_follower.state().climbing; ++i)
+    drive_to(terrain_follower, pose, pose.x_m + 1e-6);
+  EXPECT_GT(pose.x_m, 0.6);
+  drive_to(terrain_follower, pose, touch_m + 0.04);
+  EXPECT_FALSE(terrain_follower.state().climbing) << "back onto the block";
+  drive_to(terrain_follower, pose, touch_m - 0.02);
+  drive_to(terrain_follower, pose, touch_m + 0.005);
+  EXPECT_FALSE(terrain_follower.state().climbing) << "the block is the one that was left last";
+  drive_to(terrain_follower, pose, 0.1);
+  drive_to(terrain_follower, pose, touch_m + 0.005);
+  EXPECT_TRUE(terrain_follower.state().climbing);
+  drive_to(terrain_follower, pose, touch_m - 0.02);
+  EXPECT_FALSE(terrain_follower.state().climbing) << "backed off";
+  drive_to(terrain_follower, pose, touch_m + 0.005);
+  EXPECT_TRUE(terrain_follower.state().climbing);
+}
+
+TEST(TerrainFollower, ARestartEndsAClimbAndForgetsTheBlockBehind) {
+  const World world(block_at_half_a_metre(), {});
+  const double touch_m = 0.45 - 0.133 / 2.0 - 0.026;
+  TerrainFollower terrain_follower(world, {});
+  Pose pose{};
+  drive_to(terrain_follower, pose, touch_m + 0.02);
+  ASSERT_TRUE(terrain_follower.state().climbing);
+  terrain_follower.restart();
+  EXPECT_FALSE(terrain_follower.state().climbing);
+  EXPECT_EQ(terrain_follower.state().pitch_rad, 0.0);
+  terrain_follower.advance({}, kDistanceM, kStepS);
+  EXPECT_FALSE(terrain_follower.state().climbing);
+  drive_to(terrain_follower, pose, 0.7);
+  terrain_follower.restart();
+  terrain_follower.advance({.x_m = touch_m + 0.01}, kDistanceM, kStepS);
+  EXPECT_TRUE(terrain_follower.state().climbing);
+}
+
 TEST(TerrainFollower, ARealBodyClimbsWhenItsNoseRisesNotWhereTheMapHasTheBlock) {
   const World world(block_at_half_a_metre(), {});
   TerrainFollower terrain_follower(world, {});
