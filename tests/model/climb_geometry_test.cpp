@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -82,22 +83,36 @@ TEST(CheckClimb, RefusesWhatIsNoGeometry) {
   EXPECT_THROW(check_climb(geometry, {}), SetupError);
 }
 
+TEST(ClimbCurve, IsFiniteEvenWhereTheRearCannotReachTheGround) {
+  const ClimbGeometry small_wheels{.wheel_radius_m = 0.012, .com_height_m = 0.015};
+  const ClimbCurve curve(small_wheels, {0.036, 0.1}, RiserForm::kTrackHolds);
+  const double edge_at_the_axle_m = curve.marks().flat_begin + small_wheels.com_forward_m;
+  EXPECT_NEAR(curve.cross(edge_at_the_axle_m).angle_rad, kPi, 1e-6);
+}
+
 TEST(CheckClimb, IsPartOfEveryCurve) {
   EXPECT_THROW(ClimbCurve({}, {0.2, 0.1}, RiserForm::kTrackHolds), SetupError);
 }
 
 TEST(CheckClimb, EveryLengthOfTheRobotIsPositiveAndFinite) {
-  int length = 0;
-  for (double ClimbGeometry::*const member :
-       {&ClimbGeometry::axle_spacing_m, &ClimbGeometry::wheel_radius_m,
-        &ClimbGeometry::com_forward_m, &ClimbGeometry::com_height_m, &ClimbGeometry::body_length_m,
-        &ClimbGeometry::body_height_m}) {
-    ++length;
+  const struct {
+    double ClimbGeometry::*length;
+    const char* name;
+  } lengths[] = {{&ClimbGeometry::axle_spacing_m, "axle spacing"},
+                 {&ClimbGeometry::wheel_radius_m, "track radius"},
+                 {&ClimbGeometry::com_forward_m, "centre of mass ahead of the rear axle"},
+                 {&ClimbGeometry::com_height_m, "centre of mass height"},
+                 {&ClimbGeometry::body_length_m, "body length"},
+                 {&ClimbGeometry::body_height_m, "body height"}};
+  for (const auto& [length, name] : lengths) {
     for (const double value : {0.0, -0.1, std::numeric_limits<double>::quiet_NaN(),
                                std::numeric_limits<double>::infinity()}) {
       ClimbGeometry geometry;
-      geometry.*member = value;
-      EXPECT_THROW(check_climb(geometry, {}), SetupError) << "length " << length << ": " << value;
+      geometry.*length = value;
+      EXPECT_THAT([&] { check_climb(geometry, {}); },
+                  testing::ThrowsMessage<SetupError>(testing::HasSubstr(
+                      std::string(name) + " must be a positive length in metres")))
+          << value;
     }
   }
 }

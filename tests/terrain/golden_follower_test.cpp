@@ -143,6 +143,8 @@ TEST(GoldenTrace, OfWhereAClimbBegins) {
   }
   for (double pitch = -0.9; pitch < -0.2; pitch += 0.06)
     row(pitch, {.x_m = touch_m + 0.01}, Attitude{.roll_rad = 0.02, .pitch_rad = pitch});
+  for (double pitch = -0.4; pitch < -0.1; pitch += 0.05)
+    row(pitch, {.x_m = 2.31, .y_m = 0.01, .yaw_rad = kPi}, Attitude{.pitch_rad = pitch});
   for (double pitch = -0.1; pitch < 0.08; pitch += 0.0037)
     row(pitch, {.x_m = touch_m + 0.01}, Attitude{.roll_rad = 0.02, .pitch_rad = pitch});
   for (double roll = -0.08; roll < 0.08; roll += 0.0041)

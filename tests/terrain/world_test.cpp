@@ -110,6 +110,22 @@ TEST(World, BesideARampTheRobotIsOnTheFloor) {
   EXPECT_GT(half_on.roll_rad, 0.0) << "its left track is on the ramp";
 }
 
+TEST(World, ALongRampCarriesTheRobotFarFromItsMiddle) {
+  course::Terrain terrain = one_ramp();
+  terrain.ramps[0].top_m = 4.0;
+  const World world(terrain, {});
+  for (const double x : {-1.8, -1.2, 0.3, 1.7}) {
+    EXPECT_NEAR(world.at(heading_back(0.7 + x)).height_m, 0.2, 1e-6) << x;
+    EXPECT_EQ(world.at(heading_back(0.7 + x)).obstacle, ObstacleClass::kRamp) << x;
+  }
+}
+
+TEST(World, ManyPiecesAtOnePlaceCarryTheRobotAsOne) {
+  course::Terrain terrain = one_block();
+  for (int i = 0; i < 11; ++i) terrain.blocks.push_back(terrain.blocks[0]);
+  EXPECT_NEAR(World(terrain, {}).at(heading_back(1.2)).height_m, 0.037, 1e-6);
+}
+
 TEST(World, OnABlockTheRobotStandsLevelAtItsHeight) {
   const World world(one_block(), {});
   const ContactPose contact_pose = world.at(heading_back(1.2));
