@@ -176,7 +176,8 @@ TEST(GoldenTrace, OfClimbsBackAndForth) {
                                  climb.state().pitch_rad < pitch_rad);
          ++i)
       climb.advance(2e-4, 2e-3);
-    drive(trace, climb, 80, 0.002, 5, [&](int) { return pitch_rad < -1.0 ? -0.2 : -0.6; });
+    const double back_mps = pitch_rad < -1.0 ? -0.2 : -0.6;
+    drive(trace, climb, 80, 0.002, 5, [&](int) { return back_mps; });
   }
   EXPECT_EQ(trace.difference(), "");
 }
