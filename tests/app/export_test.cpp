@@ -175,8 +175,9 @@ TEST(ExportImages, WritesEachImageWithItsTime) {
                            messages::image_text(messages, at, jpegs[i]));
         }
         // Entries of other programs are left out.
-        for (const char* other : {"[]", "{", R"({"format":"png","data":"/9g="})",
-                                  R"({"format":"jpeg","data":"!"})", R"({"format":7,"data":[]})"})
+        for (const char* other :
+             {"[]", "{", R"({"format":"jpeg"})", R"({"format":"png","data":"/9g="})",
+              R"({"format":"jpeg","data":"!"})", R"({"format":7,"data":[]})"})
           recorder.message(messages::Channel::kCameraImage, now + kNsPerS, other);
       });
   const std::string out = folder.file("images");
