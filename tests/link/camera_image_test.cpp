@@ -104,6 +104,100 @@ TEST(CameraImage, ASegmentMayBeEmptyButNotShorterThanItsLength) {
   EXPECT_FALSE(decode_image(with_comment(1)));
 }
 
+/// A baseline frame header of 64 x 48 pixels with these values.
+std::string frame(unsigned kind, unsigned precision, unsigned components, unsigned length = 17) {
+  return "\xff" + std::string(1, static_cast<char>(kind)) + test::word(length) +
+         std::string(1, static_cast<char>(precision)) + test::word(48) + test::word(64) +
+         std::string(1, static_cast<char>(components)) + std::string(9, '\x11');
+}
+const std::string kScan = "\xff\xda" + test::word(8) + std::string("\1\1\0\0\x3f\0", 6);
+bool shows(const std::string& segments) {
+  return decode_image(encode(example("\xff\xd8" + segments + "content\xff\xd9"))).has_value();
+}
+
+TEST(CameraImage, FramesThatEveryBrowserShowsAreTaken) {
+  for (const unsigned kind : {0xc0U, 0xc1U, 0xc2U}) EXPECT_TRUE(shows(frame(kind, 8, 3) + kScan));
+  EXPECT_TRUE(shows(frame(0xc0, 8, 1) + kScan));
+  for (const unsigned kind : {0xbfU, 0xc3U, 0xc5U, 0x01U})
+    EXPECT_FALSE(shows(frame(kind, 8, 3) + kScan)) << kind;
+  for (const unsigned precision : {0U, 7U, 9U, 12U, 16U})
+    EXPECT_FALSE(shows(frame(0xc0, precision, 3) + kScan)) << precision;
+  for (const unsigned components : {0U, 2U, 4U, 255U})
+    EXPECT_FALSE(shows(frame(0xc0, 8, components) + kScan)) << components;
+}
+
+TEST(CameraImage, SegmentsOfEveryKindFromTheFirstFrameOnAreSkipped) {
+  const std::string good = frame(0xc2, 8, 3);
+  for (const unsigned kind : {0xc3U, 0xc4U, 0xd8U, 0xdbU, 0xe1U, 0xfeU})
+    EXPECT_TRUE(shows(frame(kind, 0, 0) + good + frame(kind, 0, 0) + kScan)) << kind;
+  EXPECT_FALSE(shows(frame(0xbf, 0, 0) + good + kScan));
+  EXPECT_FALSE(shows("\xfe\xc4" + test::word(2) + good + kScan)) << "it has no marker";
+}
+
+TEST(CameraImage, AFrameBelongsBeforeTheFirstScanAndAScanBehindIt) {
+  const std::string good = frame(0xc0, 8, 3);
+  EXPECT_FALSE(shows(kScan + good));
+  EXPECT_FALSE(shows(good));
+  EXPECT_FALSE(shows(""));
+  EXPECT_FALSE(shows(good + good + kScan));
+  // The scan is not read: its length does not matter.
+  EXPECT_TRUE(shows(good + "\xff\xda" + test::word(60'000)));
+  EXPECT_FALSE(shows(good + "\xff\xfe" + test::word(60'000) + kScan));
+  EXPECT_FALSE(shows(good + "\xff\xda" + test::word(1)));
+}
+
+TEST(CameraImage, AFrameHeaderHasRoomForItsNumberOfComponents) {
+  const std::string header = frame(0xc0, 8, 3, 8).substr(0, 10);
+  EXPECT_TRUE(shows(header + kScan));
+  EXPECT_FALSE(shows(frame(0xc0, 8, 3, 7).substr(0, 9) + kScan));
+}
+
+TEST(CameraImage, BothSidesArePixelsOfOneToTheMost) {
+  for (const unsigned side : {1U, 255U, 256U, 4096U}) {
+    EXPECT_TRUE(decode_image(datagram(side, 48))) << side;
+    EXPECT_TRUE(decode_image(datagram(64, side))) << side;
+  }
+  for (const unsigned side : {0U, 4097U, 4352U}) {
+    EXPECT_FALSE(decode_image(datagram(side, 48))) << side;
+    EXPECT_FALSE(decode_image(datagram(64, side))) << side;
+  }
+}
+
+TEST(CameraImage, ItsBeginningAndItsEndAreThoseOfAJpeg) {
+  const std::string good = test::jpeg(64, 48);
+  for (const std::size_t at : {std::size_t{0}, std::size_t{1}, good.size() - 2, good.size() - 1}) {
+    std::string bad = good;
+    bad[at] = '\x7e';
+    EXPECT_FALSE(decode_image(encode(example(bad)))) << at;
+  }
+  for (const char* bytes : {"\xff", "\xff\xd8", "\xff\xd8\xff", "\xff\xd8\xff\xd9"})
+    EXPECT_FALSE(decode_image(encode(example(bytes))));
+}
+
+TEST(CameraImage, ADatagramAndItsLineHaveAGreatestSize) {
+  const auto sized = [](std::size_t size) {
+    std::string jpeg = test::jpeg(64, 48);
+    const std::size_t now = encode(example(jpeg)).size();
+    return encode(example(jpeg.insert(jpeg.size() - 2, size - now, 'x')));
+  };
+  EXPECT_EQ(sized(kMaxImageDatagram).size(), kMaxImageDatagram);
+  EXPECT_TRUE(decode_image(sized(kMaxImageDatagram)));
+  EXPECT_FALSE(decode_image(sized(kMaxImageDatagram + 1)));
+  const auto with_line = [](std::size_t size) {
+    const std::string good = datagram();
+    return good.substr(0, 1) + std::string(size - good.find('\n'), ' ') + good.substr(1);
+  };
+  EXPECT_TRUE(decode_image(with_line(kMaxCameraDatagram)));
+  EXPECT_FALSE(decode_image(with_line(kMaxCameraDatagram + 1)));
+}
+
+TEST(CameraImage, EachOfItsKeysIsRequired) {
+  for (const char* key : {"format", "stream", "clock", "sequence", "stamp_us", "age_us"}) {
+    const std::string quoted = "\"" + std::string(key) + "\"";
+    EXPECT_FALSE(decode_image(image_with(quoted, "\"other\""))) << key;
+  }
+}
+
 TEST(CameraImage, ADetectionThatEndsItsLineIsNone) {
   const std::string detection = encode(CameraMessage{.clock = std::string(kClock)}) + "\n";
   // A receiver's buffer may still hold an image behind it.

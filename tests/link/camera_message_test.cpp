@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <vector>
 
 #include "../support/corrupted.h"
 
@@ -83,6 +84,67 @@ TEST(CameraMessage, WhatIsOutOfRangeIsRefused) {
   EXPECT_FALSE(
       decode_camera(changed("6b0c5b2e-0d6f-4a8e-9a5e-4cf2b0c9a111", std::string(65, 'a'))));
   EXPECT_FALSE(decode_camera(changed("{", "{\"pad\":\"" + std::string(1024, 'x') + "\",")));
+}
+
+TEST(CameraMessage, EachOfItsKeysIsRequired) {
+  for (const char* key : {"format", "stream", "clock", "sequence", "stamp_us", "age_us", "marker",
+                          "x_m", "y_m", "yaw_rad"}) {
+    const std::string quoted = "\"" + std::string(key) + "\"";
+    EXPECT_FALSE(decode_camera(changed(quoted, "\"other\""))) << key;
+    EXPECT_FALSE(decode_camera(changed(quoted + ":", quoted + ":null,\"more\":"))) << key;
+  }
+}
+
+TEST(CameraMessage, TheBoundsOfEachKeyBelongToItsRange) {
+  struct Range {
+    const char* value;
+    std::vector<const char*> good, bad;
+  };
+  const std::vector<Range> ranges = {
+      {"\"stream\":4294967295", {"0", "1", "4294967295"}, {"-1", "4294967296", "8589934591"}},
+      {"\"sequence\":412", {"0", "4294967295"}, {"-1", "4294967296", "9223372036854775808"}},
+      {"\"stamp_us\":9007199254740992",
+       {"0", "9007199254740992"},
+       {"-1", "9007199254740993", "9223372036854775808", "18446744073709551615"}},
+      {"\"age_us\":41250", {"0", "10000000"}, {"-1", "10000001", "20000000"}},
+      {"\"marker\":7", {"0", "1000000"}, {"-1", "1000001", "2000000"}},
+      {"\"x_m\":1.203411", {"1000", "-1000.0", "0"}, {"1000.001", "-1000.001", "2000"}},
+      {"\"y_m\":-0.41822", {"1000", "-1000.0", "0"}, {"1000.001", "-1000.001", "2000"}},
+      {"\"yaw_rad\":3.141593", {"100", "-100.0", "0"}, {"100.001", "-100.001", "200"}},
+  };
+  for (const Range& range : ranges) {
+    const std::string from = range.value;
+    const std::string key = from.substr(0, from.find(':') + 1);
+    for (const char* value : range.good)
+      EXPECT_TRUE(decode_camera(changed(from, key + value))) << key << value;
+    for (const char* value : range.bad)
+      EXPECT_FALSE(decode_camera(changed(from, key + value))) << key << value;
+  }
+}
+
+TEST(CameraMessage, AClockHasANameOfOneTo64Characters) {
+  const std::string& clock = example().clock;
+  for (const std::size_t size : {1U, 2U, 64U})
+    EXPECT_EQ(decode_camera(changed(clock, std::string(size, 'a')))->clock.size(), size);
+  EXPECT_FALSE(decode_camera(changed(clock, std::string(65, 'a'))));
+  EXPECT_FALSE(decode_camera(changed("\"" + clock + "\"", "5")));
+}
+
+TEST(CameraMessage, ADatagramHasAGreatestSize) {
+  const std::string good = encode(example());
+  EXPECT_TRUE(decode_camera(good + std::string(kMaxCameraDatagram - good.size(), ' ')));
+  EXPECT_FALSE(decode_camera(good + std::string(kMaxCameraDatagram - good.size() + 1, ' ')));
+}
+
+TEST(CameraMessage, PlacesAndAnglesAreRoundedToTheirSixthDigit) {
+  CameraMessage message = example();
+  message.x_m = 1.23456749;
+  message.y_m = -1.23456751;
+  message.yaw_rad = 0.0000005;
+  const auto back = decode_camera(encode(message));
+  EXPECT_DOUBLE_EQ(back->x_m, 1.234567);
+  EXPECT_DOUBLE_EQ(back->y_m, -1.234568);
+  EXPECT_DOUBLE_EQ(back->yaw_rad, 0.000001);
 }
 
 TEST(CameraMessage, CorruptedDatagramsAreRefusedOrStillInRange) {

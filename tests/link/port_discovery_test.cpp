@@ -2,10 +2,12 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 
+#include "../support/as_nobody.h"
 #include "../support/temporary_folder.h"
 #include "link/port_holder.h"
 
@@ -52,6 +54,40 @@ TEST(PortDiscovery, NamesWhatItKnows) {
   EXPECT_EQ(describe(other), "serial port");
   other.product = "Mill controller";
   EXPECT_EQ(describe(other), "Mill controller");
+}
+
+TEST(PortDiscovery, KnowsEachBoardByBothOfItsIds) {
+  struct Board {
+    int vendor_id, product_id;
+    PortKind kind;
+    const char* name;
+  };
+  const std::vector<Board> boards = {
+      {0x2341, 0x0042, PortKind::kMega, "Arduino Mega 2560"},
+      {0x2341, 0x0010, PortKind::kMega, "Arduino Mega 2560"},
+      {0x2341, 0x0210, PortKind::kMega, "Arduino Mega 2560"},
+      {0x2341, 0x0242, PortKind::kMega, "Arduino Mega 2560"},
+      {0x2a03, 0x0010, PortKind::kMega, "Arduino Mega 2560"},
+      {0x2a03, 0x0042, PortKind::kMega, "Arduino Mega 2560"},
+      {0x1a86, 0x7523, PortKind::kBridge, "CH340 bridge"},
+      {0x1a86, 0x5523, PortKind::kBridge, "CH341 bridge"},
+      {0x1a86, 0x55d4, PortKind::kBridge, "CH9102 bridge"},
+      {0x0403, 0x6001, PortKind::kBridge, "FTDI bridge"},
+      {0x0403, 0x6015, PortKind::kBridge, "FTDI bridge"},
+      {0x10c4, 0xea60, PortKind::kBridge, "CP210x bridge"},
+      {0x067b, 0x2303, PortKind::kBridge, "PL2303 bridge"},
+  };
+  ASSERT_EQ(known_ids().size(), boards.size());
+  for (std::size_t i = 0; i < boards.size(); ++i) {
+    const Board& board = boards[i];
+    const UsbId id{board.vendor_id, board.product_id};
+    EXPECT_EQ(known_ids()[i], id) << i;
+    const PortInfo known = port("a", board.vendor_id, board.product_id);
+    EXPECT_EQ(classify(known), board.kind) << i;
+    EXPECT_EQ(describe(known), board.name) << i;
+    EXPECT_EQ(classify(port("a", board.vendor_id, 1)), PortKind::kOther) << i;
+    EXPECT_EQ(classify(port("a", 1, board.product_id)), PortKind::kOther) << i;
+  }
 }
 
 class Auto : public ::testing::Test {
@@ -112,6 +148,16 @@ TEST_F(Auto, OfAServiceTakesNoneOfSeveral) {
   EXPECT_THAT(why_none(choose({mega_, bridge_}, false)), HasSubstr("a service does not guess"));
 }
 
+TEST_F(Auto, SaysOfEachPortWhyItIsSkipped) {
+  held_ = "/dev/ttyACM0";
+  const AutoChoice choice = choose({bridge_, mega_, other_bridge_});
+  EXPECT_TRUE(choice.open.empty());
+  EXPECT_EQ(why_none(choice),
+            "auto skips /dev/ttyACM0: held open by octoprint (pid 7); /dev/ttyUSB0: not the only "
+            "candidate (CH340 bridge); /dev/ttyUSB1: not the only candidate (FTDI bridge); if it "
+            "is the robot, name it with --port or link.port (see `tp100d ports`)");
+}
+
 TEST_F(Auto, SaysWhatToDoIfThereIsNothing) {
   EXPECT_THAT(why_none(choose({})), HasSubstr("plug the robot in"));
 }
@@ -154,6 +200,66 @@ TEST_F(Holder, IsWhoHasTheDeviceOpenUnderAnyOfItsNames) {
   EXPECT_EQ(of("/dev/null").name, "screen (pid 4711)");
   EXPECT_EQ(of("/dev/../dev/null").name, "screen (pid 4711)");
   EXPECT_EQ(of("/dev/zero").name, "");
+}
+
+TEST_F(Holder, OthersAreHiddenWhereTheFirstProcessIs) {
+  seen_from("pid:[4026531836]");
+  std::filesystem::remove(folder_.path() / "1");
+  EXPECT_TRUE(of("/dev/null").others_hidden);
+}
+
+TEST_F(Holder, OnlyNumbersAreProcessesAndNotThisOne) {
+  seen_from("pid:[4026531836]");
+  for (const std::string& name : {std::string("47x"), std::string("x47"), std::string("4/7"),
+                                  std::string(":"), std::to_string(::getpid())}) {
+    const auto fd = folder_.path() / name / "fd";
+    std::filesystem::create_directories(fd);
+    std::filesystem::create_symlink("/dev/null", fd / "3");
+  }
+  EXPECT_EQ(of("/dev/null").name, "");
+  for (const char* digits : {"9", "0"}) {
+    const auto fd = folder_.path() / digits / "fd";
+    std::filesystem::create_directories(fd);
+    std::filesystem::create_symlink("/dev/null", fd / "3");
+    EXPECT_EQ(of("/dev/null").name, "a program (pid " + std::string(digits) + ")");
+    std::filesystem::remove_all(folder_.path() / digits);
+  }
+}
+
+TEST_F(Holder, IsFoundAmongItsOtherFilesByTheNameOfAnyFile) {
+  seen_from("pid:[4026531836]");
+  has_open("/dev/zero");
+  const std::string file = folder_.file("data");
+  test::write_bytes(file, "x");
+  std::filesystem::create_symlink(file, folder_.path() / "4711/fd/4");
+  std::filesystem::create_symlink("/dev/full", folder_.path() / "4711/fd/5");
+  EXPECT_EQ(of(file).name, "screen (pid 4711)");
+  EXPECT_EQ(of("/dev/full").name, "screen (pid 4711)");
+  EXPECT_EQ(of("/dev/null").name, "");
+  EXPECT_EQ(of(folder_.file("other")).name, "");
+  EXPECT_FALSE(of("/dev/null").others_hidden);
+}
+
+// Elsewhere the look-up may wait for a disk.
+TEST_F(Holder, IsSoughtByItsDeviceInDevOnly) {
+  seen_from("pid:[4026531836]");
+  const std::string alias = folder_.file("alias");
+  std::filesystem::create_symlink("/dev/null", alias);
+  has_open(alias.c_str());
+  EXPECT_EQ(of("/dev/null").name, "");
+}
+
+TEST_F(Holder, OthersAreHiddenIfAProcessShowsNoFiles) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root can become nobody; run it as root";
+  seen_from("pid:[4026531836]");
+  has_open("/dev/null");
+  namespace fs = std::filesystem;
+  fs::permissions(folder_.path(), fs::perms::all);
+  fs::permissions(folder_.path() / "4711/fd", fs::perms::none);
+  const test::AsNobody nobody;
+  const PortHolder holder = of("/dev/null");
+  EXPECT_TRUE(holder.others_hidden);
+  EXPECT_EQ(holder.name, "");
 }
 
 TEST(PortDiscovery, ListsThisMachinesPortsWithoutFailing) {

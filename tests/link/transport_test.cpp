@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
+#include <grp.h>
 #include <gtest/gtest.h>
 #include <sys/file.h>
 #include <sys/stat.h>
@@ -14,8 +15,10 @@
 #include <filesystem>
 #include <fstream>
 
+#include "../support/as_nobody.h"
 #include "../support/temporary_folder.h"
 #include "core/error.h"
+#include "link/port_holder.h"
 #include "pty_pair.h"
 
 namespace tp100::link {
@@ -85,6 +88,96 @@ TEST_F(Transport, OpensAPseudoTerminalWhateverSpeedIsAsked) {
   EXPECT_TRUE(open_port(pty_.near(), options).is_open());
 }
 
+TEST_F(Transport, SetsTheSpeedThatIsAskedForOrLeavesIt) {
+  const std::vector<std::pair<int, speed_t>> speeds = {
+      {9600, B9600},     {19200, B19200},     {38400, B38400},     {57600, B57600},
+      {115200, B115200}, {230400, B230400},   {460800, B460800},   {500000, B500000},
+      {921600, B921600}, {1000000, B1000000}, {2000000, B2000000}, {123457, B2000000}};
+  for (const auto& [baud, speed] : speeds) {
+    PortOptions options;
+    options.baud = baud;
+    const Port port = open_port(pty_.near(), options);
+    termios settings{};
+    ASSERT_EQ(::tcgetattr(port.fd(), &settings), 0);
+    EXPECT_EQ(::cfgetospeed(&settings), speed) << baud;
+    EXPECT_EQ(::cfgetispeed(&settings), speed) << baud;
+  }
+}
+
+TEST_F(Transport, SetsEightBitsOneStopBitAndNoFlowControlWhateverWasSet) {
+  for (const bool hang_up : {false, true}) {
+    termios before{};
+    const int fd = ::open(pty_.near().c_str(), O_RDWR | O_NOCTTY);
+    ASSERT_EQ(::tcgetattr(fd, &before), 0);
+    before.c_cflag |= CSTOPB | CRTSCTS | PARENB;
+    before.c_cflag &= ~static_cast<tcflag_t>(CLOCAL | CREAD);
+    before.c_cflag ^= hang_up ? 0U : tcflag_t{HUPCL};
+    before.c_iflag |= IXON | ICRNL;
+    before.c_cc[VMIN] = 0;
+    before.c_cc[VTIME] = 7;
+    ASSERT_EQ(::tcsetattr(fd, TCSANOW, &before), 0);
+    ::close(fd);
+    const Port port = open_port(pty_.near(), {.hang_up = hang_up});
+    termios after{};
+    ASSERT_EQ(::tcgetattr(port.fd(), &after), 0);
+    EXPECT_EQ(after.c_cflag & (CSTOPB | CRTSCTS | PARENB), 0U);
+    EXPECT_EQ(after.c_cflag & (CLOCAL | CREAD), tcflag_t{CLOCAL | CREAD});
+    EXPECT_EQ(after.c_cflag & CSIZE, tcflag_t{CS8});
+    EXPECT_EQ((after.c_cflag & HUPCL) != 0, hang_up);
+    EXPECT_EQ(after.c_iflag & (IXON | ICRNL), 0U);
+    EXPECT_EQ(after.c_oflag & OPOST, 0U);
+    EXPECT_EQ(after.c_cc[VMIN], 1);
+    EXPECT_EQ(after.c_cc[VTIME], 0);
+  }
+}
+
+TEST_F(Transport, BytesFromBeforeTheOpeningAreDropped) {
+  const std::vector<std::uint8_t> old{1, 2, 3};
+  pty_.write(old);
+  const Port port = open_port(pty_.near(), {});
+  std::uint8_t bytes[8];
+  EXPECT_EQ(::read(port.fd(), bytes, sizeof bytes), -1);
+  pty_.write(std::vector<std::uint8_t>{9});
+  pollfd wait{port.fd(), POLLIN, 0};
+  EXPECT_EQ(::poll(&wait, 1, 5000), 1);
+  EXPECT_EQ(::read(port.fd(), bytes, sizeof bytes), 1);
+  EXPECT_EQ(bytes[0], 9);
+}
+
+TEST_F(Transport, APortMovesWithItsDescriptorAndClosesOnce) {
+  const auto is_valid = [](int fd) { return ::fcntl(fd, F_GETFD) >= 0; };
+  PtyPair other;
+  Port port = open_port(pty_.near(), {});
+  const int fd = port.fd();
+  Port moved(std::move(port));
+  EXPECT_FALSE(port.is_open());
+  EXPECT_EQ(moved.fd(), fd);
+  EXPECT_EQ(moved.path(), pty_.near());
+  EXPECT_TRUE(moved.pseudo_terminal());
+  Port target = open_port(other.near(), {});
+  const int replaced = target.fd();
+  target = std::move(moved);
+  EXPECT_FALSE(is_valid(replaced));
+  EXPECT_EQ(target.fd(), fd);
+  EXPECT_EQ(target.path(), pty_.near());
+  EXPECT_TRUE(target.pseudo_terminal());
+  Port& same = target;
+  target = std::move(same);
+  EXPECT_TRUE(is_valid(fd));
+  target.close();
+  EXPECT_FALSE(target.is_open());
+  EXPECT_FALSE(is_valid(fd));
+  const int again = ::fcntl(STDIN_FILENO, F_DUPFD, fd);
+  ASSERT_EQ(again, fd);
+  target.close();
+  target = Port();
+  EXPECT_TRUE(is_valid(fd)) << "it is no longer the port's";
+  ::close(again);
+  EXPECT_FALSE(Port().is_open());
+  EXPECT_FALSE(Port().pseudo_terminal());
+  EXPECT_TRUE(Port(0, "", true).is_open());
+}
+
 TEST_F(Transport, KnowsAPseudoTerminalByItsNumberOnly) {
   for (const unsigned number : {136U, 140U, 143U})
     EXPECT_TRUE(is_pseudo_terminal(S_IFCHR, ::makedev(number, 3)));
@@ -113,6 +206,30 @@ TEST_F(Transport, SaysThatAPortIsMissing) {
   EXPECT_THAT(message, Not(HasSubstr("\n")));
   std::filesystem::create_symlink(folder_.path() / "nowhere", folder_.path() / "dangling");
   EXPECT_THAT(failure(folder_.file("dangling")), HasSubstr("no such port"));
+}
+
+TEST_F(Transport, SaysWhoMayOpenAPort) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root can become nobody; run it as root";
+  ASSERT_EQ(::chmod(pty_.near().c_str(), 0600), 0);
+  struct stat status {};
+  ASSERT_EQ(::stat(pty_.near().c_str(), &status), 0);
+  const group* owner = ::getgrgid(status.st_gid);
+  const std::string name = owner == nullptr ? std::to_string(status.st_gid) : owner->gr_name;
+  const test::AsNobody nobody;
+  EXPECT_EQ(failure(pty_.near()), pty_.near() + ": no permission; run `sudo adduser $USER " + name +
+                                      "` and log in again");
+}
+
+TEST_F(Transport, SaysThatAPortThatItCannotSeeInUseIsBusy) {
+  const int holder = ::open(pty_.near().c_str(), O_RDWR | O_NOCTTY);
+  ASSERT_EQ(::flock(holder, LOCK_EX | LOCK_NB), 0);
+  // This process itself is not named.
+  const bool hidden = port_holder("/dev/null").others_hidden;
+  EXPECT_THAT(failure(pty_.near()),
+              HasSubstr(hidden ? ": port is busy, held by a program of another account or container"
+                               : ": port is busy; end that program or choose another port"));
+  ::close(holder);
+  EXPECT_TRUE(open_port(pty_.near(), {}).is_open());
 }
 
 TEST_F(Transport, RefusesASecondClientUntilTheFirstIsGone) {

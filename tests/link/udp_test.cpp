@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <string>
+
 #include "core/error.h"
 #include "udp_receiver.h"
 
@@ -33,6 +36,61 @@ TEST(Udp, WhatIsNoAddressIsAnErrorOfOneLine) {
   EXPECT_THROW(resolve({.host = "no.such.host.invalid", .port = 1}), SetupError);
 }
 
+TEST(Udp, AHostsNameHasAtMost253Characters) {
+  const auto with_host = [](std::size_t size) { return "udp:" + std::string(size, 'h') + ":5"; };
+  EXPECT_EQ(parse_udp(with_host(253), "--send").host.size(), 253U);
+  EXPECT_THROW(parse_udp(with_host(254), "--send"), SetupError);
+  for (const char* host : {"a b", "a:b", "a\tb", "a/b", ""})
+    EXPECT_THROW(parse_udp("udp:" + std::string(host) + ":5", "--send"), SetupError) << host;
+}
+
+TEST(Udp, AWrongAddressIsShownInPrintableCharacters) {
+  const auto message = [](const std::string& text) -> std::string {
+    try {
+      parse_udp(text, "--send");
+    } catch (const SetupError& error) {
+      return error.what();
+    }
+    return "no error";
+  };
+  EXPECT_THAT(message("a\x1f\x20z~\x7f\xff"
+                      "b"),
+              HasSubstr("--send a? z~??b: not an address"));
+  EXPECT_THAT(message(std::string(100, 'x') + "y"),
+              HasSubstr(" " + std::string(100, 'x') + ": not an address"));
+}
+
+TEST(Udp, AHostIsLookedUpWithItsPort) {
+  const sockaddr_in address = resolve({.host = "127.0.0.2", .port = 0x1234});
+  EXPECT_EQ(address.sin_family, AF_INET);
+  EXPECT_EQ(address.sin_addr.s_addr, htonl(0x7f000002));
+  EXPECT_EQ(address.sin_port, htons(0x1234));
+  try {
+    resolve({.host = "no.such.host.invalid", .port = 71});
+    ADD_FAILURE();
+  } catch (const SetupError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("udp:no.such.host.invalid:71: no such host ("));
+  }
+}
+
+TEST(Udp, WhereNothingMayBeSentIsAnErrorAtOnce) {
+  try {
+    UdpSender sender({.host = "255.255.255.255", .port = 9});
+    ADD_FAILURE() << "nobody asked for broadcasts";
+  } catch (const SetupError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("udp:255.255.255.255:9: cannot send there ("));
+  }
+}
+
+TEST(Udp, ADatagramThatTheSystemDoesNotTakeIsToldAndOneThatItTakesIsSentOnce) {
+  UdpReceiver receiver;
+  UdpSender sender({.port = receiver.port()});
+  EXPECT_FALSE(sender.send(std::string(65'508, 'x')));
+  EXPECT_TRUE(sender.send("small"));
+  EXPECT_EQ(receiver.wait(), "small");
+  EXPECT_EQ(receiver.wait(20), "");
+}
+
 TEST(Udp, DatagramsArriveAndAMissingListenerIsNoHarm) {
   auto receiver = std::make_unique<UdpReceiver>();
   UdpSender sender({.port = receiver->port()});
@@ -50,6 +108,10 @@ TEST(Udp, TheClockOfThisMachineHasOneName) {
   EXPECT_EQ(monotonic_clock_name(), monotonic_clock_name());
   EXPECT_FALSE(monotonic_clock_name().empty());
   EXPECT_LE(monotonic_clock_name().size(), 64U);
+  std::string boot_id;
+  if (std::ifstream("/proc/sys/kernel/random/boot_id") >> boot_id) {
+    EXPECT_EQ(monotonic_clock_name(), boot_id);
+  }
 }
 
 }  // namespace
