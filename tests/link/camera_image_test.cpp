@@ -44,6 +44,12 @@ TEST(CameraImage, IsWrittenAsDocumented) {
             "\n\xff\xd8");
 }
 
+TEST(CameraImage, TheNameOfItsClockIsWrittenAsUtf8) {
+  ImageMessage message = example("\xff\xd8");
+  message.clock = "h\xc3\xb6r\xff";
+  EXPECT_NE(encode(message).find("\"clock\":\"h\xc3\xb6r\xef\xbf\xbd\""), std::string::npos);
+}
+
 TEST(CameraImage, ComesBackAsItWent) {
   const std::string bytes = datagram();
   EXPECT_TRUE(is_image(bytes));

@@ -61,6 +61,25 @@ TEST(CameraIntake, TheClockOfAnotherMachineIsFoundToTheShortestWay) {
   EXPECT_GT(worst_s, 0.0001) << "the shortest delay remains as an error";
 }
 
+TEST(CameraIntake, AnOffsetLastsForTwoWindowsWithoutDatagramsAtMost) {
+  for (const HostNs silence_ns : {10 * kNsPerS - 1, 10 * kNsPerS}) {
+    ClockOffset offset;
+    offset.add(0, 5 * kNsPerMs);
+    const HostNs now = 5 * kNsPerMs + silence_ns;
+    offset.add(now - 9 * kNsPerMs, now);
+    EXPECT_EQ(offset.offset_ns(), silence_ns < 10 * kNsPerS ? 5 * kNsPerMs : 9 * kNsPerMs);
+  }
+}
+
+TEST(CameraIntake, AResetForgetsAllOffsets) {
+  ClockOffset offset;
+  offset.add(0, 5 * kNsPerMs);
+  offset.add(6 * kNsPerS, 6 * kNsPerS + 8 * kNsPerMs);
+  offset.reset();
+  offset.add(7 * kNsPerS, 7 * kNsPerS + 9 * kNsPerMs);
+  EXPECT_EQ(offset.offset_ns(), 9 * kNsPerMs);
+}
+
 TEST(CameraIntake, WhatIsTooOldOrFromTheFutureIsNotUsed) {
   CameraIntake intake("here", 400 * kNsPerMs);
   Sender sender;

@@ -30,6 +30,12 @@ TEST(CameraMessage, IsWrittenAsDocumented) {
                                R"("x_m":1.203411,"y_m":-0.41822,"yaw_rad":3.141593})");
 }
 
+TEST(CameraMessage, TheNameOfItsClockIsWrittenAsUtf8) {
+  CameraMessage message = example();
+  message.clock = "h\xc3\xb6r\xff";
+  EXPECT_NE(encode(message).find("\"clock\":\"h\xc3\xb6r\xef\xbf\xbd\""), std::string::npos);
+}
+
 TEST(CameraMessage, ComesBackAsItWent) {
   const auto back = decode_camera(encode(example()));
   ASSERT_TRUE(back.has_value());

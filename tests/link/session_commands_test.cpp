@@ -269,6 +269,25 @@ TEST(Session, ClockRequestsComeMoreOftenOnlyIfNothingElseIsSent) {
   }
 }
 
+TEST(Session, ACommandThatFoundNoRoomIsNoSignOfLife) {
+  SessionSettings settings = SessionRig::settings();
+  settings.clock_answer_ns = 2 * kNsPerS;
+  SessionRig rig(settings);
+  rig.connect();
+  rig.robot.answers_sync = false;
+  rig.run(300);
+  rig.commands = true;
+  rig.port_takes = false;
+  rig.run(350);
+  rig.commands = false;
+  rig.session.drop_output();
+  rig.port_takes = true;
+  rig.robot.received.sync_requests = 0;
+  rig.run(100);
+  ASSERT_EQ(rig.session.state(), SessionState::kReady);
+  EXPECT_EQ(rig.robot.received.sync_requests, 1) << "the robot has heard nothing for 0.4 s";
+}
+
 TEST(Session, DropsAndCountsWhatThePortDoesNotTake) {
   SessionRig rig;
   rig.commands = true;

@@ -86,6 +86,8 @@ TEST(Udp, ADatagramThatTheSystemDoesNotTakeIsToldAndOneThatItTakesIsSentOnce) {
   UdpReceiver receiver;
   UdpSender sender({.port = receiver.port()});
   EXPECT_FALSE(sender.send(std::string(65'508, 'x')));
+  EXPECT_TRUE(sender.send(""));
+  EXPECT_EQ(receiver.wait(), "");
   EXPECT_TRUE(sender.send("small"));
   EXPECT_EQ(receiver.wait(), "small");
   EXPECT_EQ(receiver.wait(20), "");
