@@ -63,6 +63,31 @@ TEST(ByteTrace, FramesAmongWhatIsNone) {
   EXPECT_EQ(trace.difference(), "");
 }
 
+TEST(FrameReader, BytesWithoutAnEndAreForeignAsSoonAsTheyAreTooMany) {
+  LinkCounters counters{};
+  FrameReader reader(counters);
+  for (int i = 0; i < 300; ++i) reader.push(0x55);
+  EXPECT_GT(counters.foreign_bytes, 200U);
+  EXPECT_EQ(counters.oversize, 0U);
+  reader.reset();
+  EXPECT_EQ(counters.foreign_bytes, 300U);
+  const auto frame = test::frame_of(wire::Disarm{7});
+  for (const std::uint8_t byte : frame) reader.push(byte);
+  EXPECT_EQ(reader.frame_bytes(), frame.size());
+  EXPECT_EQ(counters.foreign_bytes, 300U) << "the next port's first frame is whole";
+}
+
+TEST(FrameReader, AnEndlessFrameThatAPortCutsIsOversizeOnly) {
+  LinkCounters counters{};
+  FrameReader reader(counters);
+  for (const std::uint8_t byte : test::frame_of(wire::Disarm{7})) reader.push(byte);
+  for (int i = 0; i < 300; ++i) reader.push(0x55);
+  reader.reset();
+  EXPECT_EQ(counters.oversize, 1U);
+  EXPECT_EQ(counters.undersize, 0U);
+  EXPECT_EQ(counters.foreign_bytes, 0U);
+}
+
 TEST(ByteTrace, FramesThatWaitForThePort) {
   test::GoldenTrace trace("link/traces/output_queue.csv", {"result", "bytes", "first", "sum",
                                                            "frames_out", "bytes_out", "unwritten"});

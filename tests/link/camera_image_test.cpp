@@ -211,6 +211,8 @@ TEST(CameraImage, ADetectionThatEndsItsLineIsNone) {
   EXPECT_FALSE(is_image(std::string_view(buffer).substr(0, detection.size())));
   EXPECT_FALSE(is_image(std::string_view(buffer).substr(0, detection.size() + 1)));
   EXPECT_TRUE(is_image(buffer));
+  EXPECT_TRUE(is_image("\n\xff\xd8")) << "its line may be empty";
+  EXPECT_FALSE(is_image("\xff\xd8\xff\xd9")) << "it has no line";
 }
 
 TEST(CameraImage, ATruncatedImageIsRefused) {

@@ -87,6 +87,46 @@ std::string difference(const std::string& file, const TracedLine& line, int exch
   return trace.difference(1e-5);
 }
 
+TEST(ClockSync, ANewOneKnowsAndExpectsNothing) {
+  const ClockSync sync;
+  EXPECT_FALSE(sync.state().valid);
+  EXPECT_EQ(sync.late(), 0U);
+  EXPECT_EQ(sync.next_ns(), 0);
+  EXPECT_FALSE(sync.expects_reply(0));
+  EXPECT_EQ(sync.state_at(5).uncertainty_us, 0.0);
+}
+
+TEST(ClockSync, ExpectsAReplyFor30MsAndNotAfterAReset) {
+  ClockSync sync;
+  sync.reset(0);
+  sync.asked(1, 0, 0);
+  EXPECT_TRUE(sync.expects_reply(30 * kNsPerMs - 1));
+  EXPECT_FALSE(sync.expects_reply(30 * kNsPerMs));
+  sync.reset(1);
+  EXPECT_FALSE(sync.expects_reply(2));
+  EXPECT_EQ(sync.answered(1, 5, 5, 2, 0), ClockSync::Verdict::kUnmatched);
+}
+
+TEST(ClockSync, AReplyMayBeReadLittleBeforeItsRequestOnly) {
+  for (const HostNs early_ns : {200'000, 200'001}) {
+    ClockSync sync;
+    sync.reset(0);
+    sync.asked(1, kNsPerS, 0);
+    EXPECT_EQ(sync.answered(1, 5, 5, kNsPerS - early_ns, 0),
+              early_ns > 200'000 ? ClockSync::Verdict::kOutlier : ClockSync::Verdict::kAccepted);
+  }
+}
+
+TEST(ClockSync, AnAnswerIsLateForTheLast16RequestsAndUnknownForOlderOnes) {
+  ClockSync sync;
+  sync.reset(0);
+  for (std::uint16_t id = 1; id <= 20; ++id) sync.asked(id, id * kNsPerS, 0);
+  EXPECT_EQ(sync.answered(4, 5, 5, 20 * kNsPerS, 0), ClockSync::Verdict::kLate);
+  EXPECT_EQ(sync.answered(3, 5, 5, 20 * kNsPerS, 0), ClockSync::Verdict::kUnmatched);
+  EXPECT_EQ(sync.answered(21, 5, 5, 20 * kNsPerS, 0), ClockSync::Verdict::kUnmatched);
+  EXPECT_EQ(sync.late(), 1U);
+}
+
 TEST(ClockTrace, JitterEachWayAndDriftThatChanges) {
   TracedLine line;
   line.request_wire_ns = 140 * kNsPerUs;

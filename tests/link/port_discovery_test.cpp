@@ -50,6 +50,8 @@ TEST(PortDiscovery, NamesWhatItKnows) {
   EXPECT_EQ(describe(port("a", 0x2341, 0x0242)), "Arduino Mega 2560");
   EXPECT_EQ(describe(port("a", 0x1a86, 0x7523)), "CH340 bridge");
   EXPECT_EQ(classify(port("a", -1, -1)), PortKind::kOther);
+  EXPECT_EQ(PortInfo().vendor_id, -1);
+  EXPECT_EQ(PortInfo().product_id, -1);
   PortInfo other = port("a", 0x1d6b, 0x0104);
   EXPECT_EQ(describe(other), "serial port");
   other.product = "Mill controller";

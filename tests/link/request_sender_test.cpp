@@ -59,6 +59,20 @@ TEST_F(RequestSenderTest, AnArmWaitsForTheEndOfAStopAndADisarmDoesNot) {
   EXPECT_GT(waiting(), 0U);
 }
 
+TEST_F(RequestSenderTest, OnlyAnArmThatWasGivenUpAndIsAcceptedLateNeedsADisarm) {
+  sender_.arm(1, 2, 0);
+  sender_.poll(true, OneShotRequest::kLimitNs);
+  ASSERT_EQ(sender_.take_answer(), RequestAnswer::kFailed);
+  wire::Acknowledge refused = accepted(wire::Type::kArm, 1);
+  refused.result = static_cast<std::uint8_t>(wire::Result::kWrongState);
+  EXPECT_FALSE(sender_.on_acknowledge(refused, 0));
+  EXPECT_FALSE(sender_.on_acknowledge(accepted(wire::Type::kArm, 2), 0));
+  EXPECT_FALSE(sender_.on_acknowledge(accepted(wire::Type::kDisarm, 1), 0));
+  EXPECT_FALSE(sender_.on_acknowledge(accepted(wire::Type::kStop, 1), 0));
+  EXPECT_TRUE(sender_.on_acknowledge(accepted(wire::Type::kArm, 1), 0));
+  EXPECT_FALSE(sender_.on_acknowledge(accepted(wire::Type::kArm, 1), 0));
+}
+
 TEST_F(RequestSenderTest, IsOverdueAtItsLimitAndNotBefore) {
   const HostNs limit = OneShotRequest::kLimitNs;
   sender_.disarm(7);

@@ -157,6 +157,30 @@ TEST_F(IntakeTrace, EveryValueOfASample) {
   EXPECT_EQ(trace.difference(), "");
 }
 
+TEST_F(IntakeTrace, ANewSessionIsNotNonsenseFromTheBeginning) {
+  wire::Sample bad{};
+  bad.state = 99;
+  for (int i = 0; i < SampleIntake::kNonsense - 1; ++i) push(bad, 9'000'000);
+  EXPECT_FALSE(intake_.nonsense());
+  intake_.begin(false);
+  push(bad, 9'000'000);
+  EXPECT_FALSE(intake_.nonsense());
+}
+
+TEST_F(IntakeTrace, AnotherLimitIsThatOfEachTrack) {
+  for (const bool left : {true, false}) {
+    intake_.begin(true);
+    intake_.set_limit(1000.0);
+    wire::Sample sample{};
+    push(sample, 9'000'000);
+    sample.sequence = 1;
+    (left ? sample.left_counts : sample.right_counts) = 10;
+    const std::uint64_t before = counters_.implausible;
+    push(sample, 9'005'000);
+    EXPECT_EQ(counters_.implausible - before, 1U) << left;
+  }
+}
+
 TEST_F(IntakeTrace, OrderOfSamplesThatAreLateRepeatedAndImpossible) {
   test::GoldenTrace trace("link/traces/sample_order.csv",
                           {"pushed", "waiting", "nonsense", "lost", "duplicated", "reordered",

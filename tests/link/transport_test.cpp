@@ -113,6 +113,7 @@ TEST_F(Transport, SetsEightBitsOneStopBitAndNoFlowControlWhateverWasSet) {
     before.c_cflag &= ~static_cast<tcflag_t>(CLOCAL | CREAD);
     before.c_cflag ^= hang_up ? 0U : tcflag_t{HUPCL};
     before.c_iflag |= IXON | ICRNL;
+    ::cfsetspeed(&before, B9600);
     before.c_cc[VMIN] = 0;
     before.c_cc[VTIME] = 7;
     ASSERT_EQ(::tcsetattr(fd, TCSANOW, &before), 0);
@@ -124,6 +125,7 @@ TEST_F(Transport, SetsEightBitsOneStopBitAndNoFlowControlWhateverWasSet) {
     EXPECT_EQ(after.c_cflag & (CLOCAL | CREAD), tcflag_t{CLOCAL | CREAD});
     EXPECT_EQ(after.c_cflag & CSIZE, tcflag_t{CS8});
     EXPECT_EQ((after.c_cflag & HUPCL) != 0, hang_up);
+    EXPECT_EQ(::cfgetospeed(&after), speed_t{B500000});
     EXPECT_EQ(after.c_iflag & (IXON | ICRNL), 0U);
     EXPECT_EQ(after.c_oflag & OPOST, 0U);
     EXPECT_EQ(after.c_cc[VMIN], 1);
@@ -230,6 +232,23 @@ TEST_F(Transport, SaysThatAPortThatItCannotSeeInUseIsBusy) {
                                : ": port is busy; end that program or choose another port"));
   ::close(holder);
   EXPECT_TRUE(open_port(pty_.near(), {}).is_open());
+}
+
+TEST_F(Transport, NoOtherAccountOpensAPortThatIsOpen) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root can become nobody; run it as root";
+  ASSERT_EQ(::chmod(pty_.near().c_str(), 0666), 0);
+  const auto as_nobody = [&] {
+    const test::AsNobody nobody;
+    const int fd = ::open(pty_.near().c_str(), O_RDWR | O_NOCTTY);
+    const int error = fd < 0 ? errno : 0;
+    if (fd >= 0) ::close(fd);
+    return error;
+  };
+  EXPECT_EQ(as_nobody(), 0);
+  Port port = open_port(pty_.near(), {});
+  EXPECT_EQ(as_nobody(), EBUSY);
+  port.close();
+  EXPECT_EQ(as_nobody(), 0);
 }
 
 TEST_F(Transport, RefusesASecondClientUntilTheFirstIsGone) {

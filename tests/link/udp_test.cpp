@@ -61,6 +61,7 @@ TEST(Udp, AWrongAddressIsShownInPrintableCharacters) {
 }
 
 TEST(Udp, AHostIsLookedUpWithItsPort) {
+  EXPECT_THROW(resolve({.host = "::1", .port = 1}), SetupError) << "addresses are IPv4";
   const sockaddr_in address = resolve({.host = "127.0.0.2", .port = 0x1234});
   EXPECT_EQ(address.sin_family, AF_INET);
   EXPECT_EQ(address.sin_addr.s_addr, htonl(0x7f000002));
