@@ -15,7 +15,7 @@ SWAPS = {'<': '<=', '<=': '<', '>': '>=', '>=': '>', '==': '!=', '!=': '==', '+'
 # Two floating-point values are hardly ever equal: only the other direction makes a difference.
 FLOAT_SWAPS = SWAPS | {'<': '>', '<=': '>=', '>': '<', '>=': '<='}
 CALLS = {'min': 'max', 'max': 'min', 'sin': 'cos', 'cos': 'sin', 'floor': 'ceil', 'ceil': 'floor', 'abs': ''}
-NOTHING = {'{}', '0', '0.0', '0.0F', 'false', 'nullptr', 'std::nullopt', '""'}
+NOTHING = {'{}', '0', '0.0', '0.0f', '0.0F', 'false', 'nullptr', 'std::nullopt', '""'}
 FUNCTIONS = {CursorKind.FUNCTION_DECL, CursorKind.CXX_METHOD, CursorKind.CONSTRUCTOR, CursorKind.DESTRUCTOR,
              CursorKind.FUNCTION_TEMPLATE, CursorKind.CONVERSION_FUNCTION}
 LITERALS = {CursorKind.INTEGER_LITERAL, CursorKind.FLOATING_LITERAL}
@@ -56,6 +56,7 @@ class _Finder:
         self.text = text
         self.unit = unit
         self.found = {}      # Site: order
+        self.returns = True  # the function that is visited
         self.constants = {}  # name of the constant: its uses
         self.macros = [(c.extent.start.offset, c.extent.end.offset) for c in unit.cursor.get_children()
                        if c.kind == CursorKind.MACRO_INSTANTIATION and self.here(c)]
@@ -81,6 +82,7 @@ class _Finder:
             if child.kind == CursorKind.TRANSLATION_UNIT or not self.here(child):
                 continue
             if child.kind in FUNCTIONS:
+                self.returns = '[[noreturn]]' not in self.head(child)
                 for part in child.get_children():
                     if part.kind == CursorKind.COMPOUND_STMT or part.kind.is_expression():
                         self.visit(part, child, [])
@@ -89,6 +91,11 @@ class _Finder:
             elif child.kind in {CursorKind.NAMESPACE, CursorKind.CLASS_DECL, CursorKind.STRUCT_DECL,
                                 CursorKind.CLASS_TEMPLATE, CursorKind.UNEXPOSED_DECL, CursorKind.LINKAGE_SPEC}:
                 self.declarations(child)
+
+    def head(self, function):
+        """Its text up to the body, with the attributes before it."""
+        begin, end = self.range(function)
+        return self.text[self.text.rfind('\n', 0, begin) + 1:end].split('{')[0]
 
     def initial(self, declaration, above):
         """Visits only the value of a variable: other expressions in a declaration belong to its type."""
@@ -110,7 +117,9 @@ class _Finder:
         children = list(cursor.get_children())
         kind = cursor.kind
         if kind == CursorKind.VAR_DECL:
-            self.initial(cursor, above)
+            # The compiler evaluates a table.
+            if cursor.storage_class != StorageClass.STATIC or cursor.type.kind != TypeKind.CONSTANTARRAY:
+                self.initial(cursor, above)
             return
         if kind in {CursorKind.STATIC_ASSERT, CursorKind.TYPE_ALIAS_DECL}:
             return
@@ -170,7 +179,7 @@ class _Finder:
     def statement(self, cursor, children):
         begin, end = self.range(cursor)
         end = self.semicolon(end)
-        if end:
+        if end and (self.returns or not self.text.startswith('throw', begin)):
             self.add(begin, end, ';', statement=True)
 
     def returned(self, cursor, value):

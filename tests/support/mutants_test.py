@@ -32,7 +32,11 @@ struct Vector {
 };
 bool is_low(double value) { return value < kGain; }
 bool is_missing(const std::optional<int>& value) { return !value; }
+[[noreturn]] void fail(int value) {
+  throw value;
+}
 int share(int value) {
+  static const int kTable[2] = {1, 2};
   static_assert(1 + 1 == 2);
   if (value > 2) return std::min(value, 7);
   return TWICE(value);
@@ -87,7 +91,7 @@ def main():
         path = folder + '/small.cpp'
         with open(path, 'w', encoding='utf-8') as file:
             file.write(SOURCE)
-        found = [m for m in mutants.find(path, 'small.cpp', ['-std=c++20']) if m.line < 25 or 'sum.add' in m.before]
+        found = [m for m in mutants.find(path, 'small.cpp', ['-std=c++20']) if m.line < 29 or 'sum.add' in m.before]
         texts = {(m.before, m.after) for m in found}
         assert texts == FOUND, f'missing: {FOUND - texts}, too many: {texts - FOUND}'
 
