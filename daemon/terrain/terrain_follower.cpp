@@ -26,6 +26,11 @@ constexpr double kLevelRad = 2.0 * kRadPerDeg;
 // A climb detected late is caught up with in steps of this size, over at most this distance.
 constexpr double kNoticeStepM = 2e-4, kNoticedM = 0.05, kNoticeMps = 0.1;
 
+bool far(const Pose& pose, const course::Block& block) {
+  return magnitude(pose.x_m - block.place.x_m, pose.y_m - block.place.y_m) >
+         kAheadM + block.depth_m / 2.0;
+}
+
 }  // namespace
 
 model::ClimbGeometry climb_geometry(const course::ShapeValues& shape) {
@@ -57,12 +62,9 @@ void TerrainFollower::restart() {
 }
 
 bool TerrainFollower::begin_climb(const Pose& pose, const std::optional<Attitude>& measured) {
+  if (behind_ != nullptr && far(pose, *behind_)) behind_ = nullptr;
   const std::optional<BlockAhead> next = world_->next_block(pose, kAheadM);
-  if (!next) {
-    behind_ = nullptr;
-    return false;
-  }
-  if (next->block == behind_) return false;
+  if (!next || next->block == behind_) return false;
   const auto found = std::find_if(climbs_.begin(), climbs_.end(),
                                   [&](const Climb& c) { return c.block == next->block; });
   if (found == climbs_.end()) return false;

@@ -134,11 +134,10 @@ void drive_to(TerrainFollower& terrain_follower, Pose& pose, double x_m) {
         distance_m * terrain_follower.advance(pose, distance_m, kStepS).incline.horizontal_fraction;
 }
 
-TEST(TerrainFollower, ALowBlockThatWasClimbedIsClimbedAgainOnlyAfterItWasFarAway) {
+void expect_climbed_again_only_from_far_away(double height_m, double touch_m) {
   course::Terrain terrain = block_at_half_a_metre();
-  terrain.blocks[0].height_m = 0.015;
+  terrain.blocks[0].height_m = height_m;
   const World world(terrain, {});
-  const double touch_m = 0.45 - 0.133 / 2.0 - 0.0236;
   TerrainFollower terrain_follower(world, {});
   Pose pose{};
   drive_to(terrain_follower, pose, touch_m + 0.005);
@@ -158,6 +157,11 @@ TEST(TerrainFollower, ALowBlockThatWasClimbedIsClimbedAgainOnlyAfterItWasFarAway
   EXPECT_FALSE(terrain_follower.state().climbing) << "backed off";
   drive_to(terrain_follower, pose, touch_m + 0.005);
   EXPECT_TRUE(terrain_follower.state().climbing);
+}
+
+TEST(TerrainFollower, ABlockThatWasClimbedIsClimbedAgainOnlyAfterItWasFarAway) {
+  expect_climbed_again_only_from_far_away(0.015, 0.45 - 0.133 / 2.0 - 0.0236);
+  expect_climbed_again_only_from_far_away(0.037, 0.45 - 0.133 / 2.0 - 0.026);
 }
 
 TEST(TerrainFollower, ARestartEndsAClimbAndForgetsTheBlockBehind) {
