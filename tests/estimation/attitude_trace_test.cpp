@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -108,37 +109,59 @@ TEST(AttitudeTrace, SlopesKeepBeginningAndEndingWhereTheyDo) {
     // Waves that grow from nothing to 10 deg, and shorter ones on them.
     const double pitch_rad = kRadPerDeg * (0.004 * i * std::sin(0.051 * i) +
                                            (i % 2 == 0 ? 0.0 : 1.5 * std::sin(0.0031 * i)));
-    const Slope state = slope.update(pitch_rad, 0.0053 + 0.000001 * i);
-    if (i % 2 != 0) continue;
-    rows.add("slope", static_cast<double>(state));
+    const Slope before = slope.state();
+    if (slope.update(pitch_rad, 0.0053 + 0.000001 * i) == before) continue;
+    rows.add("step", i);
+    rows.add("slope", static_cast<double>(slope.state()));
     rows.end_row();
   }
   EXPECT_EQ(rows.difference("slope_trace.csv"), "");
 }
 
-/// A body that rises over `up_m` to `steepest_deg`, stays so, and comes down.
+/// A body whose front end climbs a line of one slope and, from some distance on, one of another;
+/// then it stays tilted, comes back to the level and may descend.
+class Body {
+ public:
+  double first_deg, second_deg, second_from_m, steepest_deg, top_m;
+  bool descends;
+
+  double nose_up_rad(double m) const {
+    constexpr double kLengthM = 0.133, kTiltedM = 0.05;
+    const double first = std::sin(first_deg * kRadPerDeg);
+    const double second = std::sin(second_deg * kRadPerDeg);
+    const double sine =
+        (first * std::min(m, second_from_m) + second * std::max(m - second_from_m, 0.0)) / kLengthM;
+    const double steepest = std::sin(steepest_deg * kRadPerDeg);
+    const double risen_m =
+        second_from_m + std::max(0.0, steepest * kLengthM - first * second_from_m) / second;
+    if (m < risen_m + kTiltedM) return std::asin(std::min(sine, steepest));
+    if (descends && m > risen_m + top_m && m < risen_m + top_m + 0.1)
+      return -steepest_deg * kRadPerDeg;
+    return 0.004 * std::sin(90.0 * m);
+  }
+};
+
 TEST(AttitudeTrace, ObstaclesKeepTheirClasses) {
   TraceRows rows;
   Draws draws(37);
   ObstacleState obstacle(0.133);
-  for (int i = 0; i < 48; ++i) {
-    if (i % 12 == 0) obstacle.restart();
+  for (int i = 0; i < 110; ++i) {
+    if (i % 11 == 10) obstacle.restart();
     SlopeState slope(AttitudeParameters{});
-    const double up_m = 0.03 + 0.004 * (i % 24), steepest_deg = 6.0 + 1.1 * (i % 17);
-    const double step_m = draws.sign() * draws.uniform(0.0004, 0.0023);
-    const double top_m = 0.3 + 0.015 * i;
-    const double pace = std::abs(step_m);
-    for (double m = 0.0; m < 2.0 * up_m + top_m + 0.2; m += pace) {
-      double nose_up_deg = 0.5 * std::sin(90.0 * m);
-      if (m < up_m)
-        nose_up_deg = steepest_deg * std::sqrt(m / up_m);
-      else if (m < up_m + 0.1)
-        nose_up_deg = steepest_deg;
-      else if (i % 3 != 0 && m > up_m + top_m && m < 2.0 * up_m + top_m)
-        nose_up_deg = -steepest_deg;
-      const double pitch_rad = -nose_up_deg * kRadPerDeg;
-      obstacle.update(pitch_rad, slope.update(pitch_rad, 0.02), step_m);
-      if (static_cast<int>(m / pace) % 16 != 0) continue;
+    const Body body{.first_deg = i < 55 ? 26.0 + 0.3 * i : 25.0,
+                    .second_deg = i < 55 ? 26.0 + 0.3 * i : 50.0,
+                    .second_from_m = i < 55 ? 0.0 : 0.02 + 0.001 * (i - 55),
+                    .steepest_deg = i < 55 ? 8.0 + i % 20 : 26.0,
+                    .top_m = draws.uniform(0.15, 1.25),
+                    .descends = i % 4 != 0};
+    const double step_m = draws.sign() * draws.uniform(0.0003, 0.0021);
+    for (double m = 0.0; m < 1.5; m += std::abs(step_m)) {
+      const double pitch_rad = -body.nose_up_rad(m);
+      const ObstacleClass before = obstacle.state();
+      obstacle.update(pitch_rad, slope.update(pitch_rad, 0.03), step_m);
+      if (obstacle.state() == before) continue;
+      rows.add("obstacle", i);
+      rows.add("m", m);
       rows.add("class", static_cast<double>(obstacle.state()));
       rows.end_row();
     }

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstdint>
+#include <cstddef>
 #include <limits>
 
 #include "core/arithmetic.h"
@@ -136,6 +138,7 @@ TEST(PoseFilterTrace, SamplesInAWrongOrderAndWrongOnesKeepTheirEffect) {
   noise.residual_window_s = 0.2;
   Followed followed(noise);
   PoseFilter& filter = followed.filter();
+  filter.begin({.x_m = 0.4, .y_m = 0.3, .yaw_rad = 2.6}, 0);
   TraceRows rows;
   const auto step = [&](int times) {
     for (int i = 0; i < times; ++i) followed.step();
@@ -171,11 +174,13 @@ TEST(PoseFilterTrace, SamplesInAWrongOrderAndWrongOnesKeepTheirEffect) {
   // Older and older ones, until the filter no longer remembers their time; each from within an
   // interval and from its end.
   for (int i = 0; i < 12; ++i) {
+    step(3);
+    show(followed.seen());
     for (int k = 0; k < 200; ++k) {
       followed.step();
-      if (k == 30 + i / 2) seen = followed.seen();
+      if (k == 45 - i) seen = followed.seen();
     }
-    if (i % 2 == 1) seen.measured_ns += 2 * kNsPerMs;
+    if (i % 3 == 1) seen.measured_ns += 2 * kNsPerMs;
     show(seen);
     step(2);
   }

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 #include "core/arithmetic.h"
@@ -31,6 +32,9 @@ FilterParameters short_windows() {
 class Drive {
  public:
   static constexpr double kStepS = 0.0101;
+  /// `unevenness`: of the floor, as what it does to the yaw rate [rad/s].
+  explicit Drive(std::uint32_t seed = 23, double unevenness = 0.01)
+      : draws_(seed), unevenness_(unevenness) {}
 
   /// The next interval.
   FilterInput next() {
@@ -42,7 +46,8 @@ class Drive {
     in.end_ns = end_ns_ - (step_ % 97 == 50 ? 40 * kNsPerMs : 0);
     const double half = 0.5 * 0.29 * rate_radps_;
     in.tracks = {(speed_mps_ - half) / 0.84, (speed_mps_ + half) / 0.89};
-    in.gyro_z_radps = rate_radps_ + 0.03 + pushed_radps_ + 0.002 * std::sin(0.7 * step_);
+    in.gyro_z_radps =
+        rate_radps_ + 0.03 + pushed_radps_ + 0.2 * unevenness_ * std::sin(0.7 * step_);
     in.gyro = gyro_;
     in.warming_degc = step_ % 61 == 33 ? draws_.uniform(0.7, 1.3) * draws_.sign() : 0.003;
     in.ground = ground_;
@@ -62,8 +67,8 @@ class Drive {
     if (kind != 16 && window_ % 9 == 0) speed_mps_ = std::copysign(0.12, speed_mps_);
     rate_radps_ =
         kind % 4 == 3 ? draws_.uniform(-0.7, 0.7) : rate_radps_ + draws_.uniform(-0.12, 0.12);
-    pushed_radps_ =
-        kind == 5 ? draws_.sign() * draws_.uniform(0.3, 0.7) : draws_.uniform(-0.01, 0.01);
+    pushed_radps_ = kind == 5 ? draws_.sign() * draws_.uniform(0.3, 0.7)
+                              : draws_.uniform(-1.0, 1.0) * unevenness_;
     gyro_ = kind != 9;
     ground_ = {.slip = {0.16, 0.11}};
     if (kind == 11 || kind == 12) {
@@ -76,7 +81,8 @@ class Drive {
     }
   }
 
-  Draws draws_{23};
+  Draws draws_;
+  double unevenness_;
   int step_ = 0, window_ = 0;
   HostNs end_ns_ = kNsPerS;
   double speed_mps_ = 0.1, rate_radps_ = 0.05, pushed_radps_ = 0.0;
@@ -129,6 +135,28 @@ TEST(OdometryTrace, ADriveOfManyWindowsKeepsItsValues) {
       add(rows, odometry);
   }
   EXPECT_EQ(rows.difference("odometry_trace.csv"), "");
+}
+
+TEST(OdometryTrace, FloorsFromEvenToRoughKeepTheirEffect) {
+  TraceRows rows;
+  for (const double unevenness : {1e-5, 3e-4, 3e-3, 2e-2}) {
+    model::TrackParameters tracks;
+    tracks.wheelbase_m = 0.29;
+    Odometry odometry(tracks, short_windows());
+    Drive drive(41, unevenness);
+    while (drive.step() < 2400) {
+      const Motion motion = odometry.advance(drive.next());
+      if (!motion.has_residual && motion.ground.tilt_radps == 0.0) continue;
+      rows.add("walk", std::log(motion.slip_walk_rtm));
+      rows.add("change", motion.turn_change);
+      rows.add("tilt", motion.ground.tilt_radps);
+      rows.add("bias", odometry.state().mean[kBias]);
+      for (const auto of : {kX, kBias, kSlipDifference, kTurnGain, kBiasPerDegc})
+        rows.add("sd" + std::to_string(of), std::log(odometry.state().covariance(of, of)));
+      rows.end_row();
+    }
+  }
+  EXPECT_EQ(rows.difference("odometry_floors_trace.csv"), "");
 }
 
 void add(TraceRows& rows, const CarriedEstimate& carried) {
