@@ -54,7 +54,7 @@ TEST(AttitudeTrace, ATiltingBodyKeepsItsAngles) {
     if (i % 10 == 0 || i == 700) add(rows, filter);
   }
   // Over the vertical.
-  for (int i = 0; i < 40; ++i) {
+  for (int i = 0; i < 90; ++i) {
     filter.update({0.0, 1.9, 0.0}, {0.0, 0.0, 0.0}, 0.0203);
     add(rows, filter);
   }
@@ -69,7 +69,7 @@ TEST(AttitudeTrace, ALevelKeepsBeingLearnedUpToItsBounds) {
         AttitudeFilter filter(AttitudeParameters{});
         // The least time after which the gyro counts is 0.2 s.
         for (int k = 0; k < (levelled ? 30 : 17) + i / 5; ++k)
-          filter.level({0.0, 0.0, 0.0}, {0.0, 0.0, kStandardGravityMps2}, 0.0103);
+          filter.level({0.006, -0.009, 0.004}, {0.0, 0.0, kStandardGravityMps2}, 0.0103);
         AttitudeFilter::Vector gyro{0.01, 0.02, 0.03};
         gyro[axis] = levelled || i % 2 == 0 ? 0.0041 * i : 0.2;
         const double tilt = i % 2 == 0 ? 0.0 : 0.0067 * i;
@@ -158,13 +158,22 @@ TEST(AttitudeTrace, ObstaclesKeepTheirClasses) {
     for (double m = 0.0; m < 1.5; m += std::abs(step_m)) {
       const double pitch_rad = -body.nose_up_rad(m);
       const ObstacleClass before = obstacle.state();
-      obstacle.update(pitch_rad, slope.update(pitch_rad, 0.03), step_m);
-      if (obstacle.state() == before) continue;
+      const ObstacleClass now = obstacle.update(pitch_rad, slope.update(pitch_rad, 0.03), step_m);
+      if (now == before && obstacle.state() == before) continue;
       rows.add("obstacle", i);
       rows.add("m", m);
-      rows.add("class", static_cast<double>(obstacle.state()));
+      rows.add("class", static_cast<double>(now));
       rows.end_row();
     }
+  }
+  // A robot that is switched on while it is tilted.
+  obstacle.restart();
+  for (int i = 0; i < 60; ++i) {
+    const Slope side = i < 3 ? Slope::kFlat : Slope::kUp;
+    rows.add("obstacle", -1);
+    rows.add("m", i);
+    rows.add("class", static_cast<double>(obstacle.update(-0.17, side, 0.0011)));
+    rows.end_row();
   }
   EXPECT_EQ(rows.difference("obstacle_trace.csv"), "");
 }
@@ -175,19 +184,21 @@ TEST(StandstillTrace, RestsOfEveryKindKeepTheirRates) {
   Sample sample;
   for (int i = 0; i < 9000; ++i) {
     const int scene = i / 300, at = i % 300;
-    sample.device_us += 5003;
+    sample.device_us += scene == 2 && at == 200 ? 3000000 : 5003;
     sample.imu_age = scene == 3 && at % 170 == 120 ? 1 : 0;
     sample.left_duty = scene == 4 && at == 150 ? 0.1 : 0.0;
     sample.right_duty = scene == 4 && at == 180 ? -0.1 : 0.0;
     if (scene == 5 && at % 60 == 0) ++sample.left_counts;
     if (scene == 6 && at % 60 == 0) --sample.right_counts;
+    if (scene == 6 && at % 60 == 30) --sample.left_counts;
     if (scene == 7 && at < 100) sample.left_counts += at % 3;
     if (scene == 8 && at == 120) standstill.restart();
     if (scene == 9 && at == 150) standstill.resume(0.05, true);
     double rate = 0.02 + 0.0004 * scene + 0.003 * std::sin(2.1 * i);
     if (scene >= 10 && scene < 18)  // noisier and noisier
       rate += (scene - 9) * 0.0021 * std::sin(1.7 * i);
-    if (scene >= 18 && scene < 24 && at == 140) rate += (scene - 17) * 0.0141;
+    if (scene >= 18 && scene < 24 && at == 140)  // jolts to either side
+      rate += (scene % 2 == 0 ? 0.031 : -0.031) * ((scene - 16) / 2);
     if (scene >= 24) rate = (scene % 2 == 0 ? 1.0 : -1.0) * (0.43 + 0.006 * (scene - 24));
     standstill.update(sample, rate);
     if (i % 15 != 10) continue;

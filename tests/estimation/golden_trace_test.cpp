@@ -175,6 +175,10 @@ TEST(PoseFilterTrace, SamplesInAWrongOrderAndWrongOnesKeepTheirEffect) {
   // interval and from its end.
   for (int i = 0; i < 12; ++i) {
     step(3);
+    // Two from within one interval.
+    seen = followed.seen();
+    seen.measured_ns -= 2 * kNsPerMs;
+    show(seen);
     show(followed.seen());
     for (int k = 0; k < 200; ++k) {
       followed.step();
@@ -240,16 +244,39 @@ TEST(PoseFilterTrace, BeginningsAndResumedFiltersKeepTheirValues) {
     filter.camera(future);
     if (i % 3 == 0) filter.interrupt();
     const CarriedFilter carried = filter.carried();
-    if (i % 3 == 1) filter.resume(carried);
+    if (i % 3 == 1) {
+      filter = PoseFilter(uneven_tracks(), FilterParameters{}, {}, kLens);
+      filter.resume(carried);
+    }
     add(states, followed, filter);
     filter.standstill({0.03, 0.001});
     for (int k = 0; k < 3; ++k) followed.step();
     filter.camera(followed.seen());
     add(rows, filter.carried());
     add(states, followed, filter);
+    // Long after the last image.
+    add(rows, filter.carried_from(start, now + 9 * kNsPerS));
+    filter.begin(start, now + 9 * kNsPerS);
+    add(states, followed, filter);
   }
   EXPECT_EQ(rows.difference("pose_filter_carried_trace.csv"), "");
   EXPECT_EQ(states.difference("pose_filter_begin_trace.csv"), "");
+}
+
+TEST(PoseFilterTrace, AResumedFilterRemembersNoImageThatFoundTheRobotMoved) {
+  TraceRows rows;
+  for (const bool resumed : {false, true}) {
+    Followed followed = watched();
+    PoseFilter& filter = followed.filter();
+    followed.x_m += 0.3;
+    for (int i = 0; i < 3; ++i) {
+      for (int k = 0; k < 5; ++k) followed.step();
+      filter.camera(followed.seen());
+      add(rows, filter.carried());
+      if (resumed && i == 0) filter.resume(filter.carried());
+    }
+  }
+  EXPECT_EQ(rows.difference("pose_filter_resumed_trace.csv"), "");
 }
 
 }  // namespace

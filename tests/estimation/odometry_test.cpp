@@ -88,6 +88,15 @@ TEST_F(OdometryTest, ATwistThatNoIntervalHasShownIsUnknown) {
   EXPECT_LT(odometry.twist_covariance().yaw_yaw, square(0.1));
 }
 
+// The relation of the clocks may jump back a little.
+TEST_F(OdometryTest, AMotionEndsAfterTheOneBeforeUntilTheSamplesBeginAnew) {
+  Odometry odometry(tracks_, noise_);
+  EXPECT_EQ(odometry.advance({.end_ns = 100, .dt_s = kDt}).end_ns, 100);
+  EXPECT_EQ(odometry.advance({.end_ns = 90, .dt_s = kDt}).end_ns, 101);
+  odometry.begin({});
+  EXPECT_EQ(odometry.advance({.end_ns = 1, .dt_s = kDt}).end_ns, 1);
+}
+
 TEST_F(OdometryTest, WithoutAGyroAnUnknownSlipDifferenceMakesTheTurnUncertain) {
   const auto turn_variance = [this](double slip_difference_sd) {
     noise_.slip_difference_sd = slip_difference_sd;

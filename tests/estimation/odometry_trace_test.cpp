@@ -130,6 +130,8 @@ TEST(OdometryTrace, ADriveOfManyWindowsKeepsItsValues) {
   while (drive.step() < 3600) {
     const Motion motion = odometry.advance(drive.next());
     if (drive.step() == 20) odometry.standstill({0.031, 0.002});
+    if ((motion.has_residual || motion.disturbed) && drive.step() % 5 == 0)
+      odometry.standstill({0.033, 0.02});
     if (motion.has_residual || (motion.disturbed && drive.step() % 3 == 0) ||
         drive.step() % 211 == 0)
       add(rows, odometry);
@@ -182,7 +184,7 @@ TEST(OdometryTrace, WhatIsCarriedAndWhatInterruptsKeepTheirValues) {
   run(100);
   odometry.standstill({0.031, 0.002});
   add(states, odometry);
-  run(115);
+  run(1015);
   odometry.begin({.x_m = 0.4, .y_m = 0.1, .yaw_rad = -0.3});
   add(rows, odometry.carried());
   run(20);  // the window ends later than without a begin
@@ -278,18 +280,28 @@ TEST(ModelCovarianceTrace, PiecesOfAFloorKeepWhatTheyShow) {
     noise.edge_m = edge_m;
     FloorSlip slip(noise);
     Draws draws(31);
-    for (int i = 0; i < 400; ++i) {
+    for (int i = 0; i < 1300; ++i) {
       const double distance_m =
           i % 40 < 3 ? 0.0 : draws.uniform(0.002, 0.006) * (i % 50 > 44 ? 0.05 : 1.0);
       const double turn_rad = draws.uniform(-0.02, 0.03);
       slip.add(0.0403 + (i % 80 > 70 ? 0.0013 * i : 0.0), distance_m, turn_rad,
                turn_rad + 2e-5 * i * draws.uniform(-1.0, 1.2), 0.27);
       if (i % 111 == 100) slip.skip();
-      if (i % 5 != 0) continue;
+      if (i % 13 != 0) continue;
       rows.add("density", slip.slip_density_m());
       rows.add("seen", slip.seen_m());
       rows.end_row();
     }
+  }
+  // Longer and longer pauses within a piece.
+  for (int i = 0; i < 40; ++i) {
+    FloorSlip slip{FilterParameters{}};
+    slip.add(0.1, 0.02, 0.003, 0.001, 0.27);
+    slip.add(0.23 * i, 0.001, 0.0, 0.0, 0.27);
+    slip.add(0.1, 0.035, 0.0, 0.002, 0.27);
+    rows.add("density", slip.slip_density_m());
+    rows.add("seen", slip.seen_m());
+    rows.end_row();
   }
   EXPECT_EQ(rows.difference("floor_slip_trace.csv"), "");
 }

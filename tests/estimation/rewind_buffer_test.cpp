@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "estimation/pose_filter.h"
@@ -44,6 +45,7 @@ TEST_F(RewindBufferTest, HoldsWhatWasPushedLast) {
   for (std::size_t i = 0; i < ends.size(); ++i)
     EXPECT_EQ(ends[i], 10 * (4 + static_cast<HostNs>(i)));
   EXPECT_EQ(buffer_->back().motion.end_ns, 10 * (kFull + 3));
+  EXPECT_EQ(std::as_const(*buffer_).back().motion.end_ns, 10 * (kFull + 3));
 }
 
 TEST_F(RewindBufferTest, FindsTheFirstStepThatEndsNoSooner) {
