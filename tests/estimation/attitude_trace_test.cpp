@@ -192,6 +192,7 @@ TEST(StandstillTrace, RestsOfEveryKindKeepTheirRates) {
     if (scene == 6 && at % 60 == 0) --sample.right_counts;
     if (scene == 6 && at % 60 == 30) --sample.left_counts;
     if (scene == 7 && at < 100) sample.left_counts += at % 3;
+    if (scene >= 10 && scene < 18 && at == 0) sample.left_counts += 5;
     if (scene == 8 && at == 120) standstill.restart();
     if (scene == 9 && at == 150) standstill.resume(0.05, true);
     double rate = 0.02 + 0.0004 * scene + 0.003 * std::sin(2.1 * i);
