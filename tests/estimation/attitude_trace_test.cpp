@@ -58,7 +58,7 @@ TEST(AttitudeTrace, ATiltingBodyKeepsItsAngles) {
     filter.update({0.0, 1.9, 0.0}, {0.0, 0.0, 0.0}, 0.0203);
     add(rows, filter);
   }
-  EXPECT_EQ(rows.difference("attitude_trace.csv"), "");
+  EXPECT_EQ(rows.difference("attitude.csv"), "");
 }
 
 TEST(AttitudeTrace, ALevelKeepsBeingLearnedUpToItsBounds) {
@@ -99,7 +99,7 @@ TEST(AttitudeTrace, ALevelKeepsBeingLearnedUpToItsBounds) {
     }
     rows.end_row();
   }
-  EXPECT_EQ(rows.difference("attitude_level_trace.csv"), "");
+  EXPECT_EQ(rows.difference("attitude_level.csv"), "");
 }
 
 TEST(AttitudeTrace, SlopesKeepBeginningAndEndingWhereTheyDo) {
@@ -115,7 +115,7 @@ TEST(AttitudeTrace, SlopesKeepBeginningAndEndingWhereTheyDo) {
     rows.add("slope", static_cast<double>(slope.state()));
     rows.end_row();
   }
-  EXPECT_EQ(rows.difference("slope_trace.csv"), "");
+  EXPECT_EQ(rows.difference("slope.csv"), "");
 }
 
 /// A body whose front end climbs a line of one slope and, from some distance on, one of another;
@@ -175,7 +175,7 @@ TEST(AttitudeTrace, ObstaclesKeepTheirClasses) {
     rows.add("class", static_cast<double>(obstacle.update(-0.17, side, 0.0011)));
     rows.end_row();
   }
-  EXPECT_EQ(rows.difference("obstacle_trace.csv"), "");
+  EXPECT_EQ(rows.difference("obstacle.csv"), "");
 }
 
 TEST(StandstillTrace, RestsOfEveryKindKeepTheirRates) {
@@ -210,7 +210,7 @@ TEST(StandstillTrace, RestsOfEveryKindKeepTheirRates) {
     rows.add("bias", standstill.bias_radps());
     rows.end_row();
   }
-  EXPECT_EQ(rows.difference("standstill_trace.csv"), "");
+  EXPECT_EQ(rows.difference("standstill.csv"), "");
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ TEST(CameraTrace, AnExpectedMarkerKeepsItsPlace) {
     rows.add("yaw", marker[2]);
     rows.end_row();
   }
-  EXPECT_EQ(rows.difference("camera_marker_trace.csv"), "");
+  EXPECT_EQ(rows.difference("camera_marker.csv"), "");
 }
 
 /// A robot whose pose is known within a centimetre and a degree, and its camera.
@@ -98,7 +98,7 @@ TEST(CameraTrace, TheNoiseOfASampleKeepsItsValues) {
         draws.uniform(-0.01, 0.01), draws.uniform(-0.01, 0.01), draws.uniform(-0.03, 0.03));
     add_outcome(rows, verdict, watched);
   }
-  EXPECT_EQ(rows.difference("camera_noise_trace.csv"), "");
+  EXPECT_EQ(rows.difference("camera_noise.csv"), "");
 }
 
 /// One story of two samples: the verdicts of both, and where the state is then.
@@ -129,7 +129,7 @@ TEST(CameraTrace, SamplesFartherAndFartherAwayKeepTheirVerdicts) {
       }
     }
   }
-  EXPECT_EQ(rows.difference("camera_gate_trace.csv"), "");
+  EXPECT_EQ(rows.difference("camera_gate.csv"), "");
 }
 
 TEST(CameraTrace, TwoSamplesKeepBeingOneStoryAsFarApart) {
@@ -143,7 +143,7 @@ TEST(CameraTrace, TwoSamplesKeepBeingOneStoryAsFarApart) {
       add_story(rows, watched, first, first + 0.0017 * i * apart);
     }
   }
-  EXPECT_EQ(rows.difference("camera_story_trace.csv"), "");
+  EXPECT_EQ(rows.difference("camera_story.csv"), "");
 }
 
 // Letters: a good sample, one that is only a little too far away, and ones that say the robot was
@@ -164,7 +164,7 @@ TEST(CameraTrace, SequencesOfSamplesKeepTheirVerdicts) {
       add_outcome(rows, verdict, watched);
     }
   }
-  EXPECT_EQ(rows.difference("camera_sequence_trace.csv"), "");
+  EXPECT_EQ(rows.difference("camera_sequence.csv"), "");
 }
 
 }  // namespace

@@ -88,7 +88,7 @@ TEST(MotionTrace, APredictionKeepsItsValues) {
     add_covariance(rows, "p", state.covariance);
     rows.end_row();
   }
-  EXPECT_EQ(rows.difference("motion_predict_trace.csv"), "");
+  EXPECT_EQ(rows.difference("motion_predict.csv"), "");
 }
 
 TEST(MotionTrace, ATwistAndItsCovarianceKeepTheirValues) {
@@ -118,7 +118,7 @@ TEST(MotionTrace, ATwistAndItsCovarianceKeepTheirValues) {
     rows.add("across", shift.across_m2);
     rows.end_row();
   }
-  EXPECT_EQ(rows.difference("motion_twist_trace.csv"), "");
+  EXPECT_EQ(rows.difference("motion_twist.csv"), "");
 }
 
 /// Tracks and gyro that disagree by up to twice the gate, and all that a measurement depends on.
@@ -151,7 +151,7 @@ TEST(MotionTrace, MeasurementsKeepTheirValues) {
     add_spread(rows, "sd", state.covariance, 3);
     rows.end_row();
   }
-  EXPECT_EQ(rows.difference("motion_measure_trace.csv"), "");
+  EXPECT_EQ(rows.difference("motion_measure.csv"), "");
 }
 
 TEST(MotionTrace, AResidualIsTakenUpToItsGate) {
@@ -169,7 +169,7 @@ TEST(MotionTrace, AResidualIsTakenUpToItsGate) {
     rows.add("bias", state.mean[kBias]);
     rows.end_row();
   }
-  EXPECT_EQ(rows.difference("motion_gate_trace.csv"), "");
+  EXPECT_EQ(rows.difference("motion_gate.csv"), "");
 }
 
 TEST(MotionTrace, ThePriorAndWhatADisturbanceLeavesKeepTheirValues) {
@@ -189,7 +189,7 @@ TEST(MotionTrace, ThePriorAndWhatADisturbanceLeavesKeepTheirValues) {
     model.measure(state, motion);
     add_spread(rows, "pushed", state.covariance, kStates);
     rows.end_row();
-    EXPECT_EQ(rows.difference(loud ? "motion_prior_loud_trace.csv" : "motion_prior_trace.csv"), "");
+    EXPECT_EQ(rows.difference(loud ? "motion_prior_loud.csv" : "motion_prior.csv"), "");
   }
 }
 

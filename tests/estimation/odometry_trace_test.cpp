@@ -136,7 +136,7 @@ TEST(OdometryTrace, ADriveOfManyWindowsKeepsItsValues) {
         drive.step() % 211 == 0)
       add(rows, odometry);
   }
-  EXPECT_EQ(rows.difference("odometry_trace.csv"), "");
+  EXPECT_EQ(rows.difference("odometry.csv"), "");
 }
 
 TEST(OdometryTrace, FloorsFromEvenToRoughKeepTheirEffect) {
@@ -158,7 +158,7 @@ TEST(OdometryTrace, FloorsFromEvenToRoughKeepTheirEffect) {
       rows.end_row();
     }
   }
-  EXPECT_EQ(rows.difference("odometry_floors_trace.csv"), "");
+  EXPECT_EQ(rows.difference("odometry_floors.csv"), "");
 }
 
 void add(TraceRows& rows, const CarriedEstimate& carried) {
@@ -210,8 +210,8 @@ TEST(OdometryTrace, WhatIsCarriedAndWhatInterruptsKeepTheirValues) {
   corrected.mean[kBias] -= 0.1;
   odometry.correct(corrected);
   add(states, odometry);
-  EXPECT_EQ(rows.difference("odometry_carried_trace.csv"), "");
-  EXPECT_EQ(states.difference("odometry_interrupted_trace.csv"), "");
+  EXPECT_EQ(rows.difference("odometry_carried.csv"), "");
+  EXPECT_EQ(states.difference("odometry_interrupted.csv"), "");
 }
 
 TEST(OdometryTrace, TheWalkOfTheSlipDifferenceKeepsItsLikelihoods) {
@@ -227,7 +227,7 @@ TEST(OdometryTrace, TheWalkOfTheSlipDifferenceKeepsItsLikelihoods) {
       rows.add("log" + std::to_string(k), walk.log_likelihoods()[k]);
     rows.end_row();
   }
-  EXPECT_EQ(rows.difference("slip_walk_trace.csv"), "");
+  EXPECT_EQ(rows.difference("slip_walk.csv"), "");
 }
 
 void add(TraceRows& rows, const CarriedModelCovariance& carried) {
@@ -269,7 +269,7 @@ TEST(ModelCovarianceTrace, ADriveKeepsItsValues) {
   add(rows, covariance.carried_from_start());
   add(rows, "pose", covariance.pose());
   rows.end_row();
-  EXPECT_EQ(rows.difference("model_covariance_trace.csv"), "");
+  EXPECT_EQ(rows.difference("model_covariance.csv"), "");
 }
 
 /// A floor that becomes rougher, whose pieces become longer and take longer.
@@ -303,7 +303,7 @@ TEST(ModelCovarianceTrace, PiecesOfAFloorKeepWhatTheyShow) {
     rows.add("seen", slip.seen_m());
     rows.end_row();
   }
-  EXPECT_EQ(rows.difference("floor_slip_trace.csv"), "");
+  EXPECT_EQ(rows.difference("floor_slip.csv"), "");
 }
 
 }  // namespace

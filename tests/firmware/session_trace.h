@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "../support/golden_trace.h"
 #include "rig.h"
+#include "support/golden_trace.h"
 
 namespace tp100::firmware {
 
@@ -14,7 +14,7 @@ namespace tp100::firmware {
 class SessionTrace {
  public:
   SessionTrace(const std::string& name, int period_ms)
-      : driving{"firmware/golden_" + name + "_samples.csv",
+      : driving{"firmware/" + name + "_samples.csv",
                 {"ms",           "state",      "faults",      "verdict",      "left_motor",
                  "right_motor",  "samples",    "sequence",    "age_us",       "left_counts",
                  "right_counts", "left_duty",  "right_duty",  "gyro_z",       "accel_x",
@@ -22,7 +22,7 @@ class SessionTrace {
                  "oversize",     "cobs",       "undersize",   "crc",          "unknown",
                  "unsent",       "good",       "idles",       "kicks",        "writes",
                  "i2c_calls",    "recoveries"}},
-        events{"firmware/golden_" + name + "_events.csv",
+        events{"firmware/" + name + "_events.csv",
                {"ms", "type", "a", "b", "c", "d", "e", "f", "g", "h"}},
         period_ms_(period_ms) {}
 

@@ -3,10 +3,10 @@
 
 #include <vector>
 
-#include "../support/golden_trace.h"
 #include "../support/wire_host.h"
 #include "link/frame_reader.h"
 #include "link/output_queue.h"
+#include "support/golden_trace.h"
 
 namespace tp100::link {
 namespace {
@@ -24,9 +24,8 @@ class Numbers {
 };
 
 TEST(ByteTrace, FramesAmongWhatIsNone) {
-  test::GoldenTrace trace("link/traces/frames.csv",
-                          {"read", "type", "size", "bytes", "sum", "good", "foreign", "crc", "cobs",
-                           "oversize", "undersize"});
+  test::GoldenTrace trace("link/frames.csv", {"read", "type", "size", "bytes", "sum", "good",
+                                              "foreign", "crc", "cobs", "oversize", "undersize"});
   LinkCounters counters{};
   FrameReader reader(counters);
   Numbers numbers;
@@ -89,8 +88,8 @@ TEST(FrameReader, AnEndlessFrameThatAPortCutsIsOversizeOnly) {
 }
 
 TEST(ByteTrace, FramesThatWaitForThePort) {
-  test::GoldenTrace trace("link/traces/output_queue.csv", {"result", "bytes", "first", "sum",
-                                                           "frames_out", "bytes_out", "unwritten"});
+  test::GoldenTrace trace("link/output_queue.csv", {"result", "bytes", "first", "sum", "frames_out",
+                                                    "bytes_out", "unwritten"});
   LinkCounters counters{};
   OutputQueue<160> queue(counters);
   Numbers numbers;

@@ -5,9 +5,9 @@
 #include <memory>
 #include <string>
 
-#include "../support/golden_trace.h"
 #include "jpeg.h"
 #include "link/camera_intake.h"
+#include "support/golden_trace.h"
 
 namespace tp100::link {
 namespace {
@@ -49,7 +49,7 @@ std::vector<double> row(const CameraCounters& counters, double used, double meas
 }
 
 TEST(CameraTrace, DetectionsOfTwoCamerasOnThreeClocks) {
-  test::GoldenTrace trace("link/traces/camera.csv", columns());
+  test::GoldenTrace trace("link/camera.csv", columns());
   CameraIntake intake("here", 300 * kNsPerMs);
   Numbers numbers;
   HostNs now = 100 * kNsPerS;
@@ -87,7 +87,7 @@ TEST(CameraTrace, DetectionsOfTwoCamerasOnThreeClocks) {
 }
 
 TEST(CameraTrace, ImagesMoreOftenAndLessOftenThanAskedFor) {
-  test::GoldenTrace trace("link/traces/camera_images.csv", columns());
+  test::GoldenTrace trace("link/camera_images.csv", columns());
   CameraIntake intake("here", 500 * kNsPerMs);
   Numbers numbers;
   HostNs now = 100 * kNsPerS;
@@ -111,7 +111,7 @@ TEST(CameraTrace, ImagesMoreOftenAndLessOftenThanAskedFor) {
 }
 
 TEST(CameraTrace, TheOffsetOfAClockThatDriftsAndWasDelayed) {
-  test::GoldenTrace trace("link/traces/clock_offset.csv", {"offset_us"});
+  test::GoldenTrace trace("link/clock_offset.csv", {"offset_us"});
   const auto offset_at = std::make_unique<ClockOffset>();
   ClockOffset& offset = *offset_at;
   Numbers numbers;

@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "../support/golden_trace.h"
 #include "link/clock_sync.h"
+#include "support/golden_trace.h"
 
 namespace tp100::link {
 namespace {
@@ -37,7 +37,7 @@ HostNs scattered(int i, HostNs below) {
 
 std::string difference(const std::string& file, const TracedLine& line, int exchanges) {
   test::GoldenTrace trace(
-      "link/traces/" + file + ".csv",
+      "link/" + file + ".csv",
       {"ms", "id", "verdict", "wait_us", "waits", "late", "valid", "reference_us", "error_us",
        "error_later_us", "drift_ppm", "uncertainty_us", "uncertainty_later_us"});
   ClockSync sync(line.answer_ns);
@@ -184,7 +184,7 @@ TEST(ClockTrace, LostAnswersAndALimitAboveThePeriod) {
 }
 
 TEST(ClockTrace, DeviceTimesRunThroughTheirWrapsAndBack) {
-  test::GoldenTrace trace("link/traces/device_clock.csv", {"wraps", "us"});
+  test::GoldenTrace trace("link/device_clock.csv", {"wraps", "us"});
   DeviceClock clock;
   HostNs now = 5 * kNsPerS;
   std::int64_t true_us = 0xFFFF'0000;
@@ -205,7 +205,7 @@ TEST(ClockTrace, DeviceTimesRunThroughTheirWrapsAndBack) {
 
 TEST(ClockTrace, ExchangesOfASession) {
   test::GoldenTrace trace(
-      "link/traces/robot_clock.csv",
+      "link/robot_clock.csv",
       {"ms", "kind", "bytes", "valid", "error_us", "uncertainty_us", "fitted_uncertainty_us",
        "late", "expects", "replies", "rejected", "corrupted", "missed", "unwritten"});
   for (const std::uint32_t baud : {57'600U, 500'000U, 0U}) {

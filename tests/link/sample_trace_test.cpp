@@ -5,14 +5,14 @@
 #include <cmath>
 #include <vector>
 
-#include "../support/golden_trace.h"
 #include "link/sample_intake.h"
+#include "support/golden_trace.h"
 
 namespace tp100::link {
 namespace {
 
 TEST(SampleTrace, CountsOfATrackWithJumpsOfEverySizeAndGap) {
-  test::GoldenTrace trace("link/traces/encoder_counts.csv", {"taken", "counts", "behind"});
+  test::GoldenTrace trace("link/encoder_counts.csv", {"taken", "counts", "behind"});
   EncoderCount track(6000.0);
   std::int32_t board = 2'147'480'000;
   std::int64_t sum = board;
@@ -113,7 +113,7 @@ class IntakeTrace : public ::testing::Test {
 
 TEST_F(IntakeTrace, EveryValueOfASample) {
   test::GoldenTrace trace(
-      "link/traces/samples.csv",
+      "link/samples.csv",
       {"sequence", "lost",  "device_us", "measured_us", "left",  "right", "gx",    "gy",
        "gz",       "ax",    "ay",        "az",          "degc",  "v",     "dl",    "dr",
        "state",    "fault", "command",   "age",         "lost+", "early", "taken", "implausible"});
@@ -182,7 +182,7 @@ TEST_F(IntakeTrace, AnotherLimitIsThatOfEachTrack) {
 }
 
 TEST_F(IntakeTrace, OrderOfSamplesThatAreLateRepeatedAndImpossible) {
-  test::GoldenTrace trace("link/traces/sample_order.csv",
+  test::GoldenTrace trace("link/sample_order.csv",
                           {"pushed", "waiting", "nonsense", "lost", "duplicated", "reordered",
                            "implausible", "early", "samples", "gap"});
   intake_.begin(true);

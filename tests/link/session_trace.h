@@ -8,8 +8,8 @@
 #include <variant>
 #include <vector>
 
-#include "../support/golden_trace.h"
 #include "session_rig.h"
+#include "support/golden_trace.h"
 
 namespace tp100::link {
 
@@ -18,9 +18,9 @@ class SessionTrace {
   SessionTrace(const std::string& name, int sampled_ms,
                const SessionSettings& settings = SessionRig::settings())
       : rig(settings),
-        happened_("link/traces/" + name + "_events.csv",
+        happened_("link/" + name + "_events.csv",
                   {"ms", "kind", "a", "b", "c", "d", "e", "f", "g", "h"}),
-        states_("link/traces/" + name + "_states.csv", columns()),
+        states_("link/" + name + "_states.csv", columns()),
         sampled_ms_(sampled_ms) {
     rig.port_takes = false;
     rig.mangle = [this](std::vector<std::uint8_t>& bytes) { delay(bytes); };

@@ -19,9 +19,9 @@ namespace tp100::test {
 
 class GoldenTrace {
  public:
-  /// `file`: a CSV file with one line of names, relative to tests/.
+  /// `file`: a CSV file with one line of names, relative to tests/golden/.
   GoldenTrace(const std::string& file, std::vector<std::string> columns)
-      : path_(source_path("tests/" + file)), columns_(std::move(columns)) {}
+      : path_(source_path("tests/golden/" + file)), columns_(std::move(columns)) {}
 
   /// One value per column.
   void row(std::vector<double> values) { rows_.push_back(std::move(values)); }

@@ -59,7 +59,7 @@ void drive(GoldenTrace& trace, TerrainFollower& follower, Pose& pose, int steps,
 }
 
 TEST(GoldenTrace, OfAFollowerByTheMap) {
-  GoldenTrace trace("terrain/golden_follower.csv", kColumns);
+  GoldenTrace trace("terrain/follower.csv", kColumns);
   const World world(course_of_obstacles(), kShape);
   TerrainFollower follower(world, kShape);
   const auto forth = [](int i) { return 6e-4 * (1.0 + 0.5 * std::sin(0.05 * i)); };
@@ -88,7 +88,7 @@ TEST(GoldenTrace, OfAFollowerByTheMap) {
 }
 
 TEST(GoldenTrace, OfAFollowerThatFallsAlmostWithoutTravel) {
-  GoldenTrace trace("terrain/golden_follower_fall.csv", kColumns);
+  GoldenTrace trace("terrain/follower_fall.csv", kColumns);
   const World world(course_of_obstacles(), kShape);
   for (const double distance_m : {0.0, 6e-7, -1.3e-6, 2.4e-6, 4e-5, -4e-5, 3e-4}) {
     TerrainFollower follower(world, kShape);
@@ -107,7 +107,7 @@ TEST(GoldenTrace, OfAFollowerThatFallsAlmostWithoutTravel) {
 }
 
 TEST(GoldenTrace, OfAFollowerOfARealBody) {
-  GoldenTrace trace("terrain/golden_follower_real.csv", kColumns);
+  GoldenTrace trace("terrain/follower_real.csv", kColumns);
   const World world(course_of_obstacles(), kShape);
   TerrainFollower follower(world, kShape);
   Pose pose{.x_m = 0.1, .y_m = -0.01, .yaw_rad = -0.03};
@@ -126,7 +126,7 @@ TEST(GoldenTrace, OfAFollowerOfARealBody) {
 TEST(GoldenTrace, OfWhereAClimbBegins) {
   std::vector<std::string> columns = kColumns;
   columns.front() = "varied";
-  GoldenTrace trace("terrain/golden_climb_begins.csv", columns);
+  GoldenTrace trace("terrain/climb_begins.csv", columns);
   const World world(course_of_obstacles(), kShape);
   const auto row = [&](double varied, const Pose& pose, std::optional<Attitude> measured) {
     TerrainFollower follower(world, kShape);

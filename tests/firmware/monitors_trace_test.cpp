@@ -5,9 +5,9 @@
 #include <cmath>
 #include <functional>
 
-#include "../support/golden_trace.h"
 #include "../support/wire_host.h"
 #include "firmware/track_monitor.h"
+#include "support/golden_trace.h"
 #include "trace_inputs.h"
 
 namespace tp100::firmware {
@@ -47,7 +47,7 @@ class TrackTrace {
     }
   }
 
-  GoldenTrace trace{"firmware/golden_track_monitor.csv",
+  GoldenTrace trace{"firmware/track_monitor.csv",
                     {"scenario", "step", "stalled", "reversed", "missing_m", "sum_m"}};
   TrackMonitor monitor;
   wire::Parameters p = uneven_parameters();
@@ -124,7 +124,7 @@ int verdict_ms(TrackMonitor& monitor, const wire::Parameters& p, int duty, doubl
 
 TEST(GoldenTrackMonitor, TakesAsLongAsRecordedToFindAFault) {
   GoldenTrace trace{
-      "firmware/golden_track_faults.csv",
+      "firmware/track_faults.csv",
       {"stall_ms", "duty", "mps", "load", "dt_ms", "with_estimate", "weak_estimate", "without"}};
   for (const int stall_ms : {120, 333, 1900}) {
     for (const int duty : {140, 160, 310, 449, 450, 640, 990}) {
@@ -182,7 +182,7 @@ int smallest_found(const wire::Parameters& p, int dt_ms, int sign, int apart_ms,
 }
 
 TEST(GoldenTrackMonitor, ToleratesASingleJumpOfTheRecordedSize) {
-  GoldenTrace trace{"firmware/golden_track_jumps.csv",
+  GoldenTrace trace{"firmware/track_jumps.csv",
                     {"dt_ms", "sign", "apart_ms", "one", "onwards", "to_and_fro", "back",
                      "fro_and_to", "slowly_back", "slowly_fro_and_to"}};
   wire::Parameters p = uneven_parameters();
@@ -244,7 +244,7 @@ class TurnRun {
 };
 
 TEST(GoldenTurnMonitor, WeighsTurnsAndSlopesAsRecorded) {
-  GoldenTrace trace{"firmware/golden_turn_duties.csv", {"step", "slope", "turn", "verdicts"}};
+  GoldenTrace trace{"firmware/turn_duties.csv", {"step", "slope", "turn", "verdicts"}};
   TurnRun run;
   int verdicts = 0;
   for (int i = 0; i < 4800; ++i) {
@@ -267,7 +267,7 @@ TEST(GoldenTurnMonitor, WeighsTurnsAndSlopesAsRecorded) {
 }
 
 TEST(GoldenTurnMonitor, TakesAsLongAsRecordedToFindAFault) {
-  GoldenTrace trace{"firmware/golden_turn_faults.csv",
+  GoldenTrace trace{"firmware/turn_faults.csv",
                     {"left_mps", "right_mps", "left_counted", "right_counted", "offset_radps",
                      "accel_x", "share", "ms", "verdict"}};
   constexpr double kPairs[][2] = {{0.1, 0.1},     {-0.07, -0.07}, {0.05, 0.12},  {0.13, 0.045},

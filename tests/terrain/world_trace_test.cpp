@@ -61,8 +61,8 @@ void drive(GoldenTrace& trace, const World& world, int steps, const At& at) {
 }
 
 TEST(GoldenTrace, OfTheContactOnRampsAndBlocks) {
-  GoldenTrace trace("terrain/golden_world.csv", {"x_m", "height_m", "slope_rad", "pitch_rad",
-                                                 "roll_rad", "obstacle", "slip_offset", "floor_m"});
+  GoldenTrace trace("terrain/world.csv", {"x_m", "height_m", "slope_rad", "pitch_rad", "roll_rad",
+                                          "obstacle", "slip_offset", "floor_m"});
   const World world(obstacles(), kLopsided);
   for (const course::Ramp& ramp : {kRamp, kPeak}) {
     for (const double yaw : {0.0, 0.37, -0.52, kPi / 2.0, kPi + 0.2}) {
@@ -85,7 +85,7 @@ TEST(GoldenTrace, OfTheContactOnRampsAndBlocks) {
 }
 
 TEST(GoldenTrace, OfTheTiltThatAWorldSettlesAtFromManyPitches) {
-  GoldenTrace trace("terrain/golden_tilts.csv", {"height_m", "pitch_rad", "roll_rad"});
+  GoldenTrace trace("terrain/tilts.csv", {"height_m", "pitch_rad", "roll_rad"});
   for (const course::ShapeValues& shape : {course::ShapeValues{}, kLopsided}) {
     const World world(obstacles(), shape);
     for (int i = 0; i < 150; ++i) {
@@ -100,7 +100,7 @@ TEST(GoldenTrace, OfTheTiltThatAWorldSettlesAtFromManyPitches) {
 }
 
 TEST(GoldenTrace, OfTheNextBlock) {
-  GoldenTrace trace("terrain/golden_next_block.csv", {"height_m", "distance_m", "depth_m"});
+  GoldenTrace trace("terrain/next_block.csv", {"height_m", "distance_m", "depth_m"});
   course::Terrain terrain = obstacles();
   terrain.blocks.push_back({{2.4, 0.2, 0.3}, 0.03, 0.2, 0.6});
   const World world(terrain, kLopsided);
@@ -116,7 +116,7 @@ TEST(GoldenTrace, OfTheNextBlock) {
 }
 
 TEST(GoldenTrace, OfProfiles) {
-  GoldenTrace trace("terrain/golden_profiles.csv",
+  GoldenTrace trace("terrain/profiles.csv",
                     {"radius_m", "half_width_m", "empty", "begin_m", "end_m", "height_m",
                      "further_m", "wheels_m", "weighted_m", "grounds"});
   for (const Outline& outline : {outline_of(kRamp), outline_of(kPeak), outline_of(kBlock)}) {
@@ -147,7 +147,7 @@ TEST(GoldenTrace, OfProfiles) {
 }
 
 TEST(GoldenTrace, OfSupportLines) {
-  GoldenTrace trace("terrain/golden_support_lines.csv", {"before", "after", "rise", "height"});
+  GoldenTrace trace("terrain/support_lines.csv", {"before", "after", "rise", "height"});
   std::uint32_t random = 12345;
   const auto next = [&random] {
     random = random * 1664525U + 1013904223U;

@@ -1,10 +1,11 @@
 // Golden traces of the whole firmware in scripted sessions.
 
+#include "session_trace.h"
+
 #include <gtest/gtest.h>
 
 #include <vector>
 
-#include "session_trace.h"
 #include "trace_inputs.h"
 
 namespace tp100::firmware {

@@ -130,7 +130,7 @@ TEST(PoseFilterTrace, ADriveUnderALateCameraKeepsItsValues) {
     }
     if (count % 36 == 0) add(rows, followed, filter);
   }
-  EXPECT_EQ(rows.difference("pose_filter_trace.csv"), "");
+  EXPECT_EQ(rows.difference("pose_filter.csv"), "");
 }
 
 TEST(PoseFilterTrace, SamplesInAWrongOrderAndWrongOnesKeepTheirEffect) {
@@ -188,7 +188,7 @@ TEST(PoseFilterTrace, SamplesInAWrongOrderAndWrongOnesKeepTheirEffect) {
     show(seen);
     step(2);
   }
-  EXPECT_EQ(rows.difference("pose_filter_order_trace.csv"), "");
+  EXPECT_EQ(rows.difference("pose_filter_order.csv"), "");
 }
 
 void add(TraceRows& rows, const CarriedFilter& carried) {
@@ -259,8 +259,8 @@ TEST(PoseFilterTrace, BeginningsAndResumedFiltersKeepTheirValues) {
     filter.begin(start, now + 9 * kNsPerS);
     add(states, followed, filter);
   }
-  EXPECT_EQ(rows.difference("pose_filter_carried_trace.csv"), "");
-  EXPECT_EQ(states.difference("pose_filter_begin_trace.csv"), "");
+  EXPECT_EQ(rows.difference("pose_filter_carried.csv"), "");
+  EXPECT_EQ(states.difference("pose_filter_begin.csv"), "");
 }
 
 TEST(PoseFilterTrace, AResumedFilterRemembersNoImageThatFoundTheRobotMoved) {
@@ -276,7 +276,7 @@ TEST(PoseFilterTrace, AResumedFilterRemembersNoImageThatFoundTheRobotMoved) {
       if (resumed && i == 0) filter.resume(filter.carried());
     }
   }
-  EXPECT_EQ(rows.difference("pose_filter_resumed_trace.csv"), "");
+  EXPECT_EQ(rows.difference("pose_filter_resumed.csv"), "");
 }
 
 }  // namespace

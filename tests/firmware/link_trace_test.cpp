@@ -4,10 +4,10 @@
 
 #include <vector>
 
-#include "../support/golden_trace.h"
 #include "../support/wire_host.h"
 #include "firmware/host_link.h"
 #include "scripted_hal.h"
+#include "support/golden_trace.h"
 
 namespace tp100::firmware {
 namespace {
@@ -74,7 +74,7 @@ class LinkTrace : public test::ReceivedFrames {
 
   ScriptedHal hal;
   HostLink link{hal};
-  test::GoldenTrace trace{"firmware/golden_link.csv",
+  test::GoldenTrace trace{"firmware/link.csv",
                           {"step", "type", "number", "more", "text", "bytes", "unsent", "bad"}};
 };
 

@@ -22,7 +22,7 @@ constexpr ClimbGeometry kOther{.axle_spacing_m = 0.151,
                                .body_height_m = 0.07};
 
 TEST(GoldenTrace, OfEveryPartOfTheClimb) {
-  GoldenTrace trace("model/golden_climb_curve.csv",
+  GoldenTrace trace("model/climb_curve.csv",
                     {"travel_m", "angle_rad", "rate_radpm", "axle_x_m", "axle_z_m", "held_x_m",
                      "held_z_m", "direction_x", "direction_z", "bend_radpm2"});
   const auto row = [&](double travel_m, const Lean& lean, double bend = 0.0) {
@@ -52,7 +52,7 @@ TEST(GoldenTrace, OfEveryPartOfTheClimb) {
 
 TEST(GoldenTrace, OfTheMarksAndLimitsOfClimbs) {
   GoldenTrace trace(
-      "model/golden_climb_marks.csv",
+      "model/climb_marks.csv",
       {"height_m", "riser_end", "wrap_end", "cross_end", "flat_begin", "flat_end", "nose_begin",
        "nose_end", "slide_end", "touch_x_m", "limit_m", "tip_rad", "gyration_m2"});
   for (int i = 0; i < 24; ++i) {
@@ -103,7 +103,7 @@ void drive(GoldenTrace& trace, StepClimb& climb, int steps, double dt_s, int eve
 }
 
 TEST(GoldenTrace, OfClimbsOverBlocksOfManyShapes) {
-  GoldenTrace trace("model/golden_climbs.csv", kStateColumns);
+  GoldenTrace trace("model/climbs.csv", kStateColumns);
   struct Shape {
     ClimbGeometry geometry{};
     BlockShape block{};
@@ -132,7 +132,7 @@ TEST(GoldenTrace, OfClimbsOverBlocksOfManyShapes) {
 }
 
 TEST(GoldenTrace, OfClimbsBackAndForth) {
-  GoldenTrace trace("model/golden_climbs_back.csv", kStateColumns);
+  GoldenTrace trace("model/climbs_back.csv", kStateColumns);
   for (const TipStart start : {TipStart::kBalance, TipStart::kLiftOff}) {
     StepClimb climb(kOther, {0.041, 0.093}, RiserForm::kTrackHolds, start);
     const ClimbMarks& m = climb.curve().marks();
@@ -183,7 +183,7 @@ TEST(GoldenTrace, OfClimbsBackAndForth) {
 }
 
 TEST(GoldenTrace, OfClimbsInLongSteps) {
-  GoldenTrace trace("model/golden_climbs_long.csv", kStateColumns);
+  GoldenTrace trace("model/climbs_long.csv", kStateColumns);
   for (const double dt_s : {0.09, 0.8, 4.0, 30.0}) {
     StepClimb climb(kOther, {0.041, 0.093});
     for (int i = 1; i <= 12; ++i)

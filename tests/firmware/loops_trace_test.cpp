@@ -5,12 +5,12 @@
 #include <cmath>
 #include <vector>
 
-#include "../support/golden_trace.h"
 #include "../support/wire_host.h"
 #include "firmware/number.h"
 #include "firmware/parameters.h"
 #include "firmware/tracks.h"
 #include "scripted_hal.h"
+#include "support/golden_trace.h"
 #include "trace_inputs.h"
 
 namespace tp100::firmware {
@@ -19,8 +19,7 @@ namespace {
 using test::GoldenTrace;
 
 TEST(GoldenSpeedLoop, FollowsAsRecorded) {
-  GoldenTrace trace{"firmware/golden_speed_loop.csv",
-                    {"target", "speed", "lag", "duty", "pushed_duty"}};
+  GoldenTrace trace{"firmware/speed_loop.csv", {"target", "speed", "lag", "duty", "pushed_duty"}};
   // Another track is only pushed, from the start.
   SpeedLoop loop, pushed;
   wire::Parameters p = uneven_parameters();
@@ -72,7 +71,7 @@ TEST(GoldenSpeedLoop, FollowsAsRecorded) {
 }
 
 TEST(GoldenYawLoop, RemembersTurnsAsRecorded) {
-  GoldenTrace trace{"firmware/golden_turn_history.csv",
+  GoldenTrace trace{"firmware/turn_history.csv",
                     {"sequence", "gyro", "found", "oldest", "back_us", "by_gyro", "by_tracks"}};
   const wire::Parameters p = uneven_parameters();
   TurnHistory history;
@@ -103,7 +102,7 @@ TEST(GoldenYawLoop, RemembersTurnsAsRecorded) {
 }
 
 TEST(GoldenYawLoop, TurnsWishesIntoTrackSpeedsAsRecorded) {
-  GoldenTrace trace{"firmware/golden_track_speeds.csv",
+  GoldenTrace trace{"firmware/track_speeds.csv",
                     {"speed", "error", "rate", "left", "right", "near_left", "near_right"}};
   const wire::Parameters p = uneven_parameters();
   TrackSpeeds near = TrackSpeeds();
@@ -122,7 +121,7 @@ TEST(GoldenYawLoop, TurnsWishesIntoTrackSpeedsAsRecorded) {
 }
 
 TEST(GoldenNumbers, AreAsRecorded) {
-  GoldenTrace trace{"firmware/golden_numbers.csv",
+  GoldenTrace trace{"firmware/numbers.csv",
                     {"value", "clamped", "wrapped", "within", "smaller", "larger", "distance"}};
   for (int i = -120; i <= 120; ++i) {
     const float value = static_cast<float>(i) * 0.25f;
@@ -210,7 +209,7 @@ class TracksRun {
 };
 
 TEST(GoldenTracks, DriveAndFindFaultsAsRecorded) {
-  GoldenTrace trace{"firmware/golden_tracks.csv",
+  GoldenTrace trace{"firmware/tracks.csv",
                     {"run", "left_counts", "right_counts", "left_duty", "right_duty", "left_motor",
                      "right_motor", "left_verdicts", "right_verdicts"}};
   // A drive with arcs on an uneven floor, then one hindrance after the other.
@@ -249,7 +248,7 @@ TEST(GoldenTracks, DriveAndFindFaultsAsRecorded) {
 
 TEST(GoldenTracks, TakeAsLongAsRecordedToFindAFault) {
   GoldenTrace trace{
-      "firmware/golden_tracks_faults.csv",
+      "firmware/tracks_faults.csv",
       {"left_mps", "right_mps", "left_share", "right_share", "accel_x", "steps", "left", "right"}};
   constexpr double kShares[][2] = {{0.0, 0.0}, {0.0, 0.5}, {0.3, 0.3}, {0.5, 0.25},
                                    {0.2, 0.6}, {0.6, 0.6}, {1.0, 1.0}};

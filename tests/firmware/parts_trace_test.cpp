@@ -8,7 +8,6 @@
 #include <type_traits>
 #include <vector>
 
-#include "../support/golden_trace.h"
 #include "../support/wire_host.h"
 #include "firmware/battery.h"
 #include "firmware/command_gate.h"
@@ -19,6 +18,7 @@
 #include "firmware/parameters.h"
 #include "firmware/quadrature.h"
 #include "scripted_hal.h"
+#include "support/golden_trace.h"
 #include "trace_inputs.h"
 
 namespace tp100::firmware {
@@ -28,7 +28,7 @@ using test::GoldenTrace;
 
 TEST(GoldenFailSafe, SwitchesOffAsRecorded) {
   GoldenTrace trace{
-      "firmware/golden_fail_safe.csv",
+      "firmware/fail_safe.csv",
       {"ms", "enabled", "left", "right", "ticks", "trip", "trip_ago_us", "silence_ms"}};
   ScriptedHal hal;
   hal.now_us = 0xFFF00000U;
@@ -62,7 +62,7 @@ TEST(GoldenFailSafe, SwitchesOffAsRecorded) {
 }
 
 TEST(GoldenFailSafe, TripsAsRecordedIfTheMainLoopNeverRuns) {
-  GoldenTrace trace{"firmware/golden_fail_safe_alone.csv",
+  GoldenTrace trace{"firmware/fail_safe_alone.csv",
                     {"ms", "trip", "silence_ms", "enabled", "ticks", "left"}};
   ScriptedHal hal;
   FailSafe fail_safe(hal);
@@ -81,7 +81,7 @@ TEST(GoldenFailSafe, TripsAsRecordedIfTheMainLoopNeverRuns) {
 }
 
 TEST(GoldenCommandGate, JudgesAsRecorded) {
-  GoldenTrace trace{"firmware/golden_command_gate.csv",
+  GoldenTrace trace{"firmware/command_gate.csv",
                     {"case", "verdict", "fresh", "life_us", "last", "speed", "answered_ago_us",
                      "answered_gyro", "fresh_ms"}};
   wire::Parameters p = test::good_parameters();
@@ -157,7 +157,7 @@ TEST(GoldenCommandGate, JudgesAsRecorded) {
 }
 
 TEST(GoldenImu, SurvivesFailuresAsRecorded) {
-  GoldenTrace trace{"firmware/golden_imu.csv",
+  GoldenTrace trace{"firmware/imu.csv",
                     {"sample", "accel_x", "accel_y", "accel_z", "temperature", "gyro_x", "gyro_y",
                      "gyro_z", "age", "missing", "stale", "fresh", "errors", "calls", "recoveries",
                      "other_age", "other_errors", "other_calls", "clock"}};
@@ -199,7 +199,7 @@ TEST(GoldenImu, SurvivesFailuresAsRecorded) {
 }
 
 TEST(GoldenParameters, AreRefusedAsRecorded) {
-  GoldenTrace trace{"firmware/golden_parameters.csv", {"field", "value", "bad_field"}};
+  GoldenTrace trace{"firmware/parameters.csv", {"field", "value", "bad_field"}};
   using wire::Parameters;
   int number = 0;
   const auto judge = [&](auto field, double value) {
@@ -242,7 +242,7 @@ TEST(GoldenParameters, AreRefusedAsRecorded) {
 
 TEST(GoldenBattery, FiltersAndCutsOffAsRecorded) {
   GoldenTrace trace{
-      "firmware/golden_battery.csv",
+      "firmware/battery.csv",
       {"sample", "mv", "below", "low", "supply_mv", "by_supply_mv", "always_low", "always_below"}};
   Battery battery;
   Battery always_low;
@@ -266,7 +266,7 @@ TEST(GoldenBattery, FiltersAndCutsOffAsRecorded) {
 }
 
 TEST(GoldenFakeRobot, MovesAndMeasuresAsRecorded) {
-  GoldenTrace trace{"firmware/golden_fake_robot.csv",
+  GoldenTrace trace{"firmware/fake_robot.csv",
                     {"ms", "left", "right", "mv", "accel_x", "accel_y", "accel_z", "temperature",
                      "gyro_x", "gyro_y", "gyro_z"}};
   FakeRobot robot;
@@ -310,7 +310,7 @@ TEST(GoldenFakeRobot, MovesAndMeasuresAsRecorded) {
 }
 
 TEST(GoldenQuadrature, CountsAsRecorded) {
-  GoldenTrace trace{"firmware/golden_quadrature.csv",
+  GoldenTrace trace{"firmware/quadrature.csv",
                     {"edge", "forward", "backward", "missed", "missed_too"}};
   Quadrature forward{}, backward{};
   constexpr std::uint8_t kPhases[] = {0, 1, 3, 2};

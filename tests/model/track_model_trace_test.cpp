@@ -1,5 +1,3 @@
-#include "support/golden_trace.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,6 +7,7 @@
 #include "core/arithmetic.h"
 #include "model/model_form.h"
 #include "model/track_model.h"
+#include "support/golden_trace.h"
 
 namespace tp100::model {
 namespace {
@@ -63,7 +62,7 @@ std::vector<TrackParameters> robots() {
 }
 
 TEST(GoldenTrace, OfTheTrackModelOverSlopesAndTurns) {
-  GoldenTrace trace("model/golden_track_model.csv",
+  GoldenTrace trace("model/track_model.csv",
                     {"x_m", "y_m", "z_m", "pitch_rad", "yaw_rad", "vx_mps", "vy_mps",
                      "yaw_rate_radps", "slip_left", "slip_right"});
   for (const TrackParameters& robot : robots()) {
@@ -94,7 +93,7 @@ TEST(GoldenTrace, OfTheTrackModelOverSlopesAndTurns) {
 }
 
 TEST(GoldenTrace, OfTurnsFromStraightToTheSpot) {
-  GoldenTrace trace("model/golden_turns.csv",
+  GoldenTrace trace("model/turns.csv",
                     {"wide", "tight", "medium", "arc", "spin", "curved", "wheelbase_m", "x_icr_m",
                      "slip", "inherited_m", "vx_mps", "vy_mps", "yaw_rate_radps"});
   const auto row = [&](double left, double right) {
@@ -116,7 +115,7 @@ TEST(GoldenTrace, OfTurnsFromStraightToTheSpot) {
 }
 
 TEST(GoldenTrace, OfTheSlipOnSlopes) {
-  GoldenTrace trace("model/golden_slip.csv",
+  GoldenTrace trace("model/slip.csv",
                     {"table_left",        "table_right",         "fit_left",
                      "fit_right",         "table_downhill_left", "table_downhill_right",
                      "fit_downhill_left", "fit_downhill_right",  "outside",
@@ -153,8 +152,7 @@ TEST(GoldenTrace, OfTheSlipOnSlopes) {
 }
 
 TEST(GoldenTrace, OfDeadReckoningByEachForm) {
-  GoldenTrace trace("model/golden_forms.csv",
-                    {"form", "x_m", "y_m", "z_m", "pitch_rad", "yaw_rad"});
+  GoldenTrace trace("model/forms.csv", {"form", "x_m", "y_m", "z_m", "pitch_rad", "yaw_rad"});
   double number = 0.0;
   const auto drive = [&](const ModelForm& form, const TrackParameters& robot, double lag_s) {
     DeadReckoning reckoning(form, robot, {.x_m = 0.3, .y_m = -0.2, .yaw_rad = 0.7}, lag_s);
@@ -180,7 +178,7 @@ TEST(GoldenTrace, OfDeadReckoningByEachForm) {
 TEST(GoldenTrace, OfTheParametersThatEachFormKeeps) {
   std::vector<std::string> columns;
   for (const ParameterRow& of : kTrackParameters) columns.emplace_back(of.key);
-  GoldenTrace trace("model/golden_parameters.csv", columns);
+  GoldenTrace trace("model/parameters.csv", columns);
   const auto row = [&](const TrackParameters& parameters) {
     std::vector<double> values;
     for (const ParameterRow& of : kTrackParameters) values.push_back(parameters.*of.value);
@@ -196,7 +194,7 @@ TEST(GoldenTrace, OfTheParametersThatEachFormKeeps) {
 }
 
 TEST(GoldenTrace, OfTheEquivalentWheelbase) {
-  GoldenTrace trace("model/golden_wheelbase.csv", {"wheelbase_m"});
+  GoldenTrace trace("model/wheelbase.csv", {"wheelbase_m"});
   trace.row({equivalent_wheelbase_m({})});
   for (int i = 0; i < 20; ++i) {
     trace.row({equivalent_wheelbase_m({.length_m = 0.14 + 0.05 * std::sin(0.7 * i),
