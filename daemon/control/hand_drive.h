@@ -3,6 +3,7 @@
 // the robot and of the fence.
 
 #include <optional>
+#include <utility>
 
 #include "control/parameters.h"
 #include "control/track_limits.h"
@@ -51,7 +52,7 @@ class HandDrive {
   static constexpr HostNs kSilenceNs = 2 * kNsPerS;
 
   /// Without a fence nothing limits where the robot goes.
-  explicit HandDrive(std::optional<course::Fence> fence) : fence_(fence) {}
+  explicit HandDrive(std::optional<course::Fence> fence) : fence_(std::move(fence)) {}
 
   /// A drive begins; inputs from before it do not count.
   void restart(HostNs now);

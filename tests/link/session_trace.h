@@ -202,8 +202,10 @@ class SessionTrace {
       const auto m = sent<wire::Command>();
       row(kind, low(m.boot_nonce), m.sequence, m.answers, low(m.expiry_us), high(m.expiry_us),
           size);
-      row(kind + 0.5, m.x_m, m.y_m, m.yaw_rad, m.desired_yaw_rad, m.yaw_rate_radps, m.speed_mps,
-          m.gyro_bias_radps);
+      row(kind + 0.5, static_cast<double>(m.x_m), static_cast<double>(m.y_m),
+          static_cast<double>(m.yaw_rad), static_cast<double>(m.desired_yaw_rad),
+          static_cast<double>(m.yaw_rate_radps), static_cast<double>(m.speed_mps),
+          static_cast<double>(m.gyro_bias_radps));
     } else if (type == wire::Type::kArm) {
       const auto m = sent<wire::Arm>();
       row(kind, low(m.boot_nonce), high(m.boot_nonce), low(m.token), high(m.token),
