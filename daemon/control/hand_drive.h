@@ -70,7 +70,7 @@ class HandDrive {
   VelocityInput newest_{};
   double speed_mps_ = 0.0;
   double yaw_rate_radps_ = 0.0;
-  double ahead_rad_ = 0.0;  // desired yaw - yaw
+  double ahead_rad_ = 0.0;              // desired yaw - yaw
   std::optional<double> last_yaw_rad_;  // of this drive
   bool holds_yaw_ = false;
 };
