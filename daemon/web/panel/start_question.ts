@@ -2,7 +2,7 @@
 // it go on from where it is estimated to be? Nothing moves before one of them is chosen.
 import { degrees, fixed } from '../state/format.ts';
 import type { State } from '../state/messages.ts';
-import { h, setText } from './dom.ts';
+import { h, setAttribute, setText } from './dom.ts';
 
 export type Place = 'start' | 'here';
 
@@ -10,6 +10,7 @@ export class StartQuestion {
   readonly element = h('div', { class: 'question', role: 'dialog', 'aria-labelledby': 'question-text', hidden: '' });
   private readonly text = h('p', { id: 'question-text' });
   private readonly first: HTMLButtonElement;
+  private readonly starts: HTMLButtonElement[];
 
   constructor(chosen: (from: Place) => void) {
     const button = (id: string, text: string, press: () => void): HTMLButtonElement => {
@@ -21,16 +22,15 @@ export class StartQuestion {
       return element;
     };
     this.first = button('start-cancel', 'Cancel', () => undefined);
-    this.element.append(
-      this.text,
-      this.first,
+    this.starts = [
       button('start-placed', 'Placed back at the start: start there', () => {
         chosen('start');
       }),
       button('start-here', 'Go on from here', () => {
         chosen('here');
       }),
-    );
+    ];
+    this.element.append(this.text, this.first, ...this.starts);
   }
 
   get open(): boolean {
@@ -47,13 +47,17 @@ export class StartQuestion {
     this.element.hidden = true;
   }
 
-  /** Closes by itself when the question no longer applies. */
+  /** Closes by itself when the question no longer applies; waits while nothing may start, as when the robot is carried to the start. */
   show(state: State | undefined, mayStart: boolean): void {
     if (!this.open) return;
     const at = state?.go_on_from;
-    if (at === undefined || !mayStart) {
+    if (at === undefined) {
       this.close();
       return;
+    }
+    for (const start of this.starts) {
+      start.disabled = !mayStart;
+      setAttribute(start, 'title', mayStart ? '' : (state?.why_not_start ?? ''));
     }
     const place = `x ${fixed(at.x_m, 2)} m, y ${fixed(at.y_m, 2)} m, yaw ${degrees(at.yaw_rad, 0)}\u00b0`;
     const along = `${fixed(state?.progress_m, 2)} of ${fixed(state?.length_m, 2)} m along the course`;

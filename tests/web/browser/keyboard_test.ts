@@ -78,6 +78,8 @@ describe('without a mouse', () => {
     await page.waitForFunction(
       () => document.activeElement?.id === 'start-cancel' && document.querySelector('#question-text')?.textContent.includes('along the course') === true,
     );
+    // A sample that comes late disables it for a moment.
+    await until(() => page.isEnabled('#start-placed'), 'it may start from there');
     await page.keyboard.press('Tab');
     expect(await page.evaluate(() => document.activeElement?.id)).toBe('start-placed');
     await page.keyboard.press('Enter');

@@ -73,6 +73,11 @@ describe('STOP', () => {
     await page.waitForSelector('#start-here');
     await picture(page, 'question');
     expect(await page.textContent('#question-text')).toContain(`${stopped_m.toFixed(2)} of 4.06 m along the course`);
+    // The question waits while nothing may start.
+    setting.pair.robot.freeze();
+    await until(async () => !(await page.isEnabled('#start-here')), 'the robot is silent');
+    setting.pair.robot.thaw();
+    await until(async () => (await page.isVisible('#start-here')) && (await page.isEnabled('#start-here')), 'it may go on');
     await page.keyboard.press('Space');
     await page.waitForSelector('#start-here', { state: 'hidden' });
     expect(await run(page)).toBe('aborted');
