@@ -35,7 +35,7 @@ int16_t word(const uint8_t* bytes) {
 Imu::Imu(Hal& hal)
     : hal_(hal), values_(), started_(false), age_(kNever), failures_(0), wait_(0), errors_(0) {}
 
-bool Imu::start() {
+void Imu::start() {
   started_ = false;
   wait_ = kRetrySamples;
   uint8_t identity = 0;
@@ -46,11 +46,10 @@ bool Imu::start() {
   if (!good) {
     ++errors_;
     if (failures_ < 255) ++failures_;
-    return false;
+    return;
   }
   failures_ = 0;
   started_ = true;
-  return true;
 }
 
 void Imu::update() {

@@ -27,7 +27,7 @@ class Imu {
   explicit Imu(Hal& hal);
   /// Identifies and configures the sensor: gyro +-1000 deg/s, accelerometer +-4 g, 1 kHz, low pass
   /// of 42 Hz. About 1 ms.
-  bool start();
+  void start();
   /// Reads all values; call once per sample.
   void update();
 
