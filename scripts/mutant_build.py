@@ -47,7 +47,8 @@ static inline __attribute__((unused)) bool tp100_is_mutant(int id) {
     'sign-compare stringop-overflow stringop-overread maybe-uninitialized uninitialized return-type bool-compare '
     'int-in-bool-context tautological-compare logical-op div-by-zero shift-count-overflow empty-body narrowing '
     'shift-count-negative float-equal sequence-point aggressive-loop-optimizations overflow free-nonheap-object '
-    'bool-operation duplicated-branches restrict dangling-pointer ignored-qualifiers misleading-indentation dangling-else').split())
+    'bool-operation duplicated-branches restrict dangling-pointer ignored-qualifiers misleading-indentation '
+    'dangling-else').split())
 MUTANT_C = '''#include <fcntl.h>
 #include <stdlib.h>
 #include <sys/mman.h>
