@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "control/arming.h"
-#include "scripted.h"
 #include "support/golden_trace.h"
+#include "support/sequence.h"
 
 namespace tp100::control {
 namespace {
@@ -172,7 +172,7 @@ class ArmingScript {
 
   void set(RobotState state) { sample_.state = state; }
 
-  Sequence any_;
+  test::Sequence any_;
   Arming arming_;
   ArmingInputs in_{};
   Sample sample_{};

@@ -14,8 +14,8 @@
 #include "control/progress.h"
 #include "control/track_limits.h"
 #include "lagging_robot.h"
-#include "scripted.h"
 #include "support/golden_trace.h"
+#include "support/sequence.h"
 
 namespace tp100::control {
 namespace {
@@ -34,7 +34,7 @@ TEST(DriveTrace, EachLawSteersByAllErrors) {
     parameters.law = name_of_law;
     laws.push_back(make_law(parameters, limits));
   }
-  Sequence any(3);
+  test::Sequence any(3);
   for (int i = 0; i < 300; ++i) {
     const double size = i % 4 == 0 ? 3.0 : 0.5;
     PathErrors errors;
@@ -93,7 +93,7 @@ TEST(DriveTrace, TracksGetWhatTheirLimitsLeave) {
   test::GoldenTrace trace("control/track_limits.csv",
                           {"i", "asked", "within", "along", "left", "right", "default_asked",
                            "default_within", "default_along", "default_left", "default_right"});
-  Sequence any(5);
+  test::Sequence any(5);
   for (int i = 0; i < 400; ++i) {
     TrackLimits limits;
     limits.wheelbase_m = any.between(0.2, 0.4);
@@ -144,7 +144,7 @@ TEST(DriveTrace, ProgressFollowsARobotThatWeaves) {
   test::GoldenTrace trace = progress_trace("control/progress.csv");
   const course::Path path(joined_course());
   Progress progress(path);
-  Sequence any(8);
+  test::Sequence any(8);
   double x_m = -0.4, y_m = 0.2;
   for (int i = 0; i < 400; ++i) {
     // On along the path with a wobble, sometimes thrown back or ahead.
@@ -197,7 +197,7 @@ TEST(DriveTrace, CornersAreGuidedAround) {
   test::GoldenTrace trace("control/corners.csv",
                           {"angle_deg", "x_icr_m", "radius_m", "stop_before_m", "reach_m",
                            "worst_m", "speed0", "speed1", "speed2", "speed3", "speed4", "speed5"});
-  Sequence any(13);
+  test::Sequence any(13);
   for (int i = 0; i < 45; ++i) {
     double angle_deg = any.between(-178.0, 178.0);
     double x_icr_m = any.between(0.002, 0.05) * (i % 3 == 0 ? -1.0 : 1.0);

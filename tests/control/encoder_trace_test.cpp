@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "control/monitor.h"
-#include "scripted.h"
 #include "support/golden_trace.h"
+#include "support/sequence.h"
 
 namespace tp100::control {
 namespace {
@@ -69,7 +69,7 @@ TEST(EncoderTrace, TheGainIsLearnedWhereTheTrackRunsEvenlyAndFreely) {
   test::GoldenTrace trace("control/duty_learning.csv",
                           {"case", "learned", "after_turn", "after_slope", "after_faster",
                            "after_jolts", "after_gaps", "blocked"});
-  Sequence any(21);
+  test::Sequence any(21);
   for (int i = 0; i < 60; ++i) {
     const MotorModel motor{.dead_band = any.between(0.05, 0.2),
                            .feed_forward = any.between(2.5, 5.0)};
@@ -123,7 +123,7 @@ TEST(EncoderTrace, TheGainIsLearnedWhereTheTrackRunsEvenlyAndFreely) {
 TEST(EncoderTrace, GyroAndTracksMayDifferForSoLong) {
   test::GoldenTrace trace("control/turn_balance.csv", {"case", "steady", "slow", "swinging",
                                                        "obstacle", "after_pulse", "restarted"});
-  Sequence any(22);
+  test::Sequence any(22);
   for (int i = 0; i < 120; ++i) {
     const double wheelbase_m = any.between(0.2, 0.35), share = any.between(0.0, 0.08);
     const double side = i % 2 == 0 ? 1.0 : -1.0;

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "control/hand_drive.h"
-#include "scripted.h"
 #include "support/golden_trace.h"
+#include "support/sequence.h"
 
 namespace tp100::control {
 namespace {
@@ -30,7 +30,7 @@ TEST(HandDriveTrace, TheFenceLimitsTheSpeed) {
   test::GoldenTrace trace("control/speed_inside.csv",
                           {"x_m", "y_m", "yaw_rad", "wanted_mps", "rectangle_mps", "dented_mps",
                            "areas_mps", "default_mps", "narrow_mps"});
-  Sequence any(31);
+  test::Sequence any(31);
   course::Fence narrow = kRectangle;
   narrow.min_y_m = 0.1;
   narrow.max_y_m = 0.25;

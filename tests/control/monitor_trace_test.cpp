@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "control/monitor.h"
-#include "scripted.h"
 #include "support/golden_trace.h"
+#include "support/sequence.h"
 
 namespace tp100::control {
 namespace {
@@ -272,7 +272,7 @@ TEST(MonitorTrace, EachConditionEndsARunInItsTime) {
 TEST(MonitorTrace, ATrackThatMissesDistanceIsNoticedInItsTime) {
   test::GoldenTrace trace("control/missing_distance.csv",
                           {"case", "left", "right", "turn", "steps_left", "steps_right"});
-  Sequence any(41);
+  test::Sequence any(41);
   for (int i = 0; i < 70; ++i) {
     const double mps = any.between(0.02, 0.16), radps = i % 4 == 0 ? 0.0 : any.between(-0.4, 0.4);
     const double pitch_rad = i % 3 == 0 ? any.between(-0.2, 0.2) : 0.0;

@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "core/processor.h"
+#include "support/sequence.h"
 
 namespace tp100 {
 namespace {
@@ -34,13 +35,10 @@ TEST(Magnitude, IsNotFused) {
 /// A hash of the last bits of `function` at 20 000 arguments.
 template <class Function>
 std::uint64_t last_bits(Function function) {
-  std::uint64_t hash = 14695981039346656037u, state = 1;
-  const auto place = [&] {
-    state = state * 6364136223846793005u + 1442695040888963407u;
-    return static_cast<double>(state >> 11) * 0x1p-52 - 1.0;
-  };
+  std::uint64_t hash = 14695981039346656037u;
+  test::Sequence places(1);
   for (int i = 0; i < 20'000; ++i) {
-    const double x = place(), y = place();
+    const double x = places.between(-1.0, 1.0), y = places.between(-1.0, 1.0);
     hash = (hash ^ std::bit_cast<std::uint64_t>(function(x, y))) * 1099511628211u;
   }
   return hash;

@@ -1,7 +1,7 @@
 #pragma once
 // Inputs of scripted runs. They are exact on every processor: no function of libm.
 
-#include "../support/wire_host.h"
+#include "support/wire_host.h"
 
 namespace tp100::firmware {
 

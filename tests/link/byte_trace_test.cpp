@@ -3,32 +3,21 @@
 
 #include <vector>
 
-#include "../support/wire_host.h"
 #include "link/frame_reader.h"
 #include "link/output_queue.h"
+#include "numbers.h"
 #include "support/golden_trace.h"
+#include "support/wire_host.h"
 
 namespace tp100::link {
 namespace {
-
-/// Numbers that look random.
-class Numbers {
- public:
-  std::size_t below(std::size_t limit) {
-    state_ = state_ * 1664525U + 1013904223U;
-    return (state_ >> 10U) % limit;
-  }
-
- private:
-  std::uint32_t state_ = 12345;
-};
 
 TEST(ByteTrace, FramesAmongWhatIsNone) {
   test::GoldenTrace trace("link/frames.csv", {"read", "type", "size", "bytes", "sum", "good",
                                               "foreign", "crc", "cobs", "oversize", "undersize"});
   LinkCounters counters{};
   FrameReader reader(counters);
-  Numbers numbers;
+  Numbers numbers(12345);
   for (int i = 0; i < 700; ++i) {
     std::vector<std::uint8_t> bytes =
         numbers.below(2) == 0
@@ -92,7 +81,7 @@ TEST(ByteTrace, FramesThatWaitForThePort) {
                                                     "bytes_out", "unwritten"});
   LinkCounters counters{};
   OutputQueue<160> queue(counters);
-  Numbers numbers;
+  Numbers numbers(12345);
   for (int i = 0; i < 900; ++i) {
     std::size_t result = 0;
     const std::size_t what = numbers.below(12);

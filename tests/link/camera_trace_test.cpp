@@ -7,21 +7,11 @@
 
 #include "jpeg.h"
 #include "link/camera_intake.h"
+#include "numbers.h"
 #include "support/golden_trace.h"
 
 namespace tp100::link {
 namespace {
-
-class Numbers {
- public:
-  std::int64_t below(std::int64_t limit) {
-    state_ = state_ * 1664525U + 1013904223U;
-    return static_cast<std::int64_t>(state_ >> 10U) % limit;
-  }
-
- private:
-  std::uint32_t state_ = 99;
-};
 
 std::vector<std::string> columns() {
   return {"used",  "measured_us", "sequence", "x",         "y",
@@ -51,7 +41,7 @@ std::vector<double> row(const CameraCounters& counters, double used, double meas
 TEST(CameraTrace, DetectionsOfTwoCamerasOnThreeClocks) {
   test::GoldenTrace trace("link/camera.csv", columns());
   CameraIntake intake("here", 300 * kNsPerMs);
-  Numbers numbers;
+  Numbers numbers(99);
   HostNs now = 100 * kNsPerS;
   std::uint32_t sequence = 40;
   for (int i = 0; i < 600; ++i) {
@@ -60,7 +50,8 @@ TEST(CameraTrace, DetectionsOfTwoCamerasOnThreeClocks) {
                  : 23 * kNsPerMs + numbers.below(9000) * kNsPerUs;
     if (i == 333) now += 11 * kNsPerS;
     const HostNs ahead_ns = i < 200 ? 0 : (7000 + i / 300) * kNsPerS + i * 11 * kNsPerUs;
-    const HostNs age_ns = (30 + numbers.below(60) + (i % 29 == 7 ? 200 + i / 5 : 0)) * kNsPerMs;
+    const HostNs age_ns =
+        (HostNs{30} + numbers.below(60) + (i % 29 == 7 ? 200 + i / 5 : 0)) * kNsPerMs;
     const HostNs delay_ns = (i % 8 == 3 ? 15'000 : 300) * kNsPerUs + numbers.below(2000) * kNsPerUs;
     const HostNs early_ns = i % 37 == 12 ? age_ns + delay_ns + (7 + i / 37) * kNsPerMs : 0;
     sequence += 1 + (i % 11 == 5 ? 3U : 0U);
@@ -89,7 +80,7 @@ TEST(CameraTrace, DetectionsOfTwoCamerasOnThreeClocks) {
 TEST(CameraTrace, ImagesMoreOftenAndLessOftenThanAskedFor) {
   test::GoldenTrace trace("link/camera_images.csv", columns());
   CameraIntake intake("here", 500 * kNsPerMs);
-  Numbers numbers;
+  Numbers numbers(99);
   HostNs now = 100 * kNsPerS;
   const std::string jpeg = test::jpeg(640, 480);
   for (int i = 0; i < 400; ++i) {
@@ -114,7 +105,7 @@ TEST(CameraTrace, TheOffsetOfAClockThatDriftsAndWasDelayed) {
   test::GoldenTrace trace("link/clock_offset.csv", {"offset_us"});
   const auto offset_at = std::make_unique<ClockOffset>();
   ClockOffset& offset = *offset_at;
-  Numbers numbers;
+  Numbers numbers(99);
   HostNs now = 50 * kNsPerS;
   trace.row({static_cast<double>(offset.offset_ns())});
   for (int i = 0; i < 500; ++i) {

@@ -1,11 +1,10 @@
 #pragma once
-// Inputs of the scripted runs that golden traces record.
+// Numbers that look random, for tests whose inputs must be the same with every compiler.
 
 #include <cstdint>
 
-namespace tp100::control {
+namespace tp100::test {
 
-/// Numbers that look random, the same with every compiler.
 class Sequence {
  public:
   explicit Sequence(std::uint64_t seed) : state_(seed) {}
@@ -23,4 +22,4 @@ class Sequence {
   std::uint64_t state_;
 };
 
-}  // namespace tp100::control
+}  // namespace tp100::test
