@@ -1,6 +1,5 @@
 #include "identify/least_squares.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
@@ -12,6 +11,24 @@
 
 namespace tp100::identify {
 namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using Lu = Eigen::PartialPivLU<MatrixXd>;
+
+// Eigen's templates for products and solutions are compiled once here, not once per expression
+// below: that takes half of the time.
+MatrixXd product(const MatrixXd& a, const MatrixXd& b) { return a * b; }
+VectorXd product(const MatrixXd& a, const VectorXd& b) { return a * b; }
+MatrixXd solve(const Lu& a, const MatrixXd& b) { return a.solve(b); }
+VectorXd solve(const Lu& a, const VectorXd& b) { return a.solve(b); }
+MatrixXd inverse(const MatrixXd& a) { return Lu(a).inverse(); }
+MatrixXd identity(Eigen::Index size) { return MatrixXd::Identity(size, size); }
+void add_outer_product(MatrixXd& sum, double weight, const VectorXd& a, const VectorXd& b) {
+  for (Eigen::Index column = 0; column < b.size(); ++column)
+    for (Eigen::Index row = 0; row < a.size(); ++row)
+      sum(row, column) += weight * a[row] * b[column];
+}
 
 constexpr double kTail = 0.025;
 
@@ -41,18 +58,18 @@ double samples_together(const std::vector<double>& residuals) {
 }
 
 RunSums::RunSums(Eigen::Index shared, Eigen::Index own)
-    : information_(Eigen::MatrixXd::Zero(shared, shared)),
-      cross_(Eigen::MatrixXd::Zero(shared, own)),
-      own_information_(Eigen::MatrixXd::Zero(own, own)),
+    : information_(MatrixXd::Zero(shared, shared)),
+      cross_(MatrixXd::Zero(shared, own)),
+      own_information_(MatrixXd::Zero(own, own)),
       own_inverse_(own, own),
-      score_(Eigen::VectorXd::Zero(shared)),
-      own_score_(Eigen::VectorXd::Zero(own)) {}
+      score_(VectorXd::Zero(shared)),
+      own_score_(VectorXd::Zero(own)) {}
 
-void RunSums::add(const Eigen::VectorXd& by_shared, const Eigen::VectorXd& by_own, double residual,
+void RunSums::add(const VectorXd& by_shared, const VectorXd& by_own, double residual,
                   double weight) {
-  information_.noalias() += weight * by_shared * by_shared.transpose();
-  cross_.noalias() += weight * by_shared * by_own.transpose();
-  own_information_.noalias() += weight * by_own * by_own.transpose();
+  add_outer_product(information_, weight, by_shared, by_shared);
+  add_outer_product(cross_, weight, by_shared, by_own);
+  add_outer_product(own_information_, weight, by_own, by_own);
   score_ += weight * residual * by_shared;
   own_score_ += weight * residual * by_own;
 }
@@ -61,13 +78,15 @@ void RunSums::eliminate() {
   // An own parameter without any information stays where it is.
   for (Eigen::Index i = 0; i < own_information_.rows(); ++i)
     if (own_information_(i, i) == 0.0) own_information_(i, i) = 1.0;
-  own_inverse_ = own_information_.inverse();
-  information_ -= cross_ * own_inverse_ * cross_.transpose();
-  score_ -= cross_ * own_inverse_ * own_score_;
+  own_inverse_ = inverse(own_information_);
+  const MatrixXd by_own = product(cross_, own_inverse_);
+  information_ -= product(by_own, MatrixXd(cross_.transpose()));
+  score_ -= product(by_own, own_score_);
 }
 
-Eigen::VectorXd RunSums::own_step(const Eigen::VectorXd& shared_step) const {
-  return own_inverse_ * (own_score_ - cross_.transpose() * shared_step);
+VectorXd RunSums::own_step(const VectorXd& shared_step) const {
+  return product(own_inverse_,
+                 VectorXd(own_score_ - product(MatrixXd(cross_.transpose()), shared_step)));
 }
 
 Summed::Summed(const std::vector<RunSums>& runs, const PriorSums& prior)
@@ -76,29 +95,28 @@ Summed::Summed(const std::vector<RunSums>& runs, const PriorSums& prior)
     information_ += run.information();
     score_ += run.score();
   }
-  covariance_ = information_.inverse();
+  covariance_ = inverse(information_);
 }
 
-Eigen::VectorXd Summed::step(double damping) const {
-  Eigen::MatrixXd damped = information_;
+VectorXd Summed::step(double damping) const {
+  MatrixXd damped = information_;
   damped.diagonal() *= 1.0 + damping;
-  return damped.ldlt().solve(score_);
+  return solve(Lu(damped), score_);
 }
 
-Eigen::VectorXd Summed::half_intervals() const {
+VectorXd Summed::half_intervals() const {
   const Eigen::Index size = score_.size();
-  const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(size, size);
-  Eigen::MatrixXd scatter = Eigen::MatrixXd::Zero(size, size);
-  Eigen::VectorXd shares = Eigen::VectorXd::Zero(size);
+  MatrixXd scatter = MatrixXd::Zero(size, size);
+  VectorXd shares = VectorXd::Zero(size);
   for (const RunSums& run : runs_) {
-    const Eigen::MatrixXd others = identity - run.information() * covariance_;
-    const Eigen::VectorXd score = others.partialPivLu().solve(run.score());
-    scatter += score * score.transpose();
-    const Eigen::MatrixXd by_run = covariance_ * run.information() * covariance_;
+    const MatrixXd others = identity(size) - product(run.information(), covariance_);
+    const VectorXd score = solve(Lu(others), run.score());
+    add_outer_product(scatter, 1.0, score, score);
+    const MatrixXd by_run = product(product(covariance_, run.information()), covariance_);
     for (Eigen::Index i = 0; i < size; ++i) shares[i] += square(by_run(i, i) / covariance_(i, i));
   }
-  const Eigen::MatrixXd clustered = covariance_ * scatter * covariance_;
-  Eigen::VectorXd half(size);
+  const MatrixXd clustered = product(product(covariance_, scatter), covariance_);
+  VectorXd half(size);
   for (Eigen::Index i = 0; i < size; ++i) {
     half[i] = kNormal95 * std::sqrt(covariance_(i, i));
     const double runs = shares[i] > 0.0 ? 1.0 / shares[i] : 1.0;
@@ -110,9 +128,9 @@ Eigen::VectorXd Summed::half_intervals() const {
 }
 
 double Summed::condition() const {
-  const Eigen::VectorXd scale = information_.diagonal().cwiseSqrt().cwiseInverse();
-  const Eigen::MatrixXd scaled = scale.asDiagonal() * information_ * scale.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scaled, Eigen::EigenvaluesOnly);
+  const VectorXd scale = information_.diagonal().cwiseSqrt().cwiseInverse();
+  const MatrixXd scaled = scale.asDiagonal() * information_ * scale.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(scaled, Eigen::EigenvaluesOnly);
   // Of the Jacobian, not of its square.
   return std::sqrt(solver.eigenvalues().maxCoeff() /
                    std::max(solver.eigenvalues().minCoeff(), 1e-16));
@@ -122,31 +140,30 @@ namespace {
 
 /// With runs whose values differ from the common ones.
 struct Candidate {
-  Eigen::MatrixXd covariance;
+  MatrixXd covariance;
   double deviance;  // -2 log of the restricted likelihood, but for a constant
 };
 
 Candidate with_spread(const std::vector<RunSums>& runs, const PriorSums& prior,
-                      const Eigen::MatrixXd& spread) {
-  const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(spread.rows(), spread.cols());
-  Eigen::MatrixXd information = prior.information;
-  Eigen::VectorXd score = prior.score;
+                      const MatrixXd& spread) {
+  MatrixXd information = prior.information;
+  VectorXd score = prior.score;
   double deviance = 0.0;
   for (const RunSums& run : runs) {
-    const Eigen::PartialPivLU<Eigen::MatrixXd> scaled(identity + run.information() * spread);
-    const Eigen::VectorXd own = scaled.solve(run.score());
-    information += scaled.solve(run.information());
+    const Lu scaled(identity(spread.rows()) + product(run.information(), spread));
+    const VectorXd own = solve(scaled, run.score());
+    information += solve(scaled, run.information());
     score += own;
-    deviance += std::log(std::abs(scaled.determinant())) - run.score().dot(spread * own);
+    deviance += std::log(std::abs(scaled.determinant())) - run.score().dot(product(spread, own));
   }
-  const Eigen::PartialPivLU<Eigen::MatrixXd> all(information);
-  deviance += std::log(std::abs(all.determinant())) - score.dot(all.solve(score));
+  const Lu all(information);
+  deviance += std::log(std::abs(all.determinant())) - score.dot(solve(all, score));
   return {all.inverse(), deviance};
 }
 
 }  // namespace
 
-Intervals::Intervals(const std::vector<RunSums>& runs, const PriorSums& prior, Eigen::VectorXd unit)
+Intervals::Intervals(const std::vector<RunSums>& runs, const PriorSums& prior, VectorXd unit)
     : unit_(std::move(unit)) {
   Candidate best = with_spread(runs, prior, spread(0.0));
   for (double sd = kLeastBetween; runs.size() > 1 && sd < kMaxBetween; sd *= kBetweenStep) {
@@ -158,22 +175,20 @@ Intervals::Intervals(const std::vector<RunSums>& runs, const PriorSums& prior, E
   covariance_ = std::move(best.covariance);
 }
 
-Eigen::MatrixXd Intervals::spread(double between) const {
+MatrixXd Intervals::spread(double between) const {
   return (between * unit_).array().square().matrix().asDiagonal();
 }
 
-Eigen::VectorXd Intervals::half() const {
+VectorXd Intervals::half() const {
   return kNormal95 * (covariance_ + spread(between_)).diagonal().array().sqrt();
 }
 
-Eigen::VectorXd Intervals::narrowed_by(const RunSums& run) const {
-  const Eigen::MatrixXd identity =
-      Eigen::MatrixXd::Identity(covariance_.rows(), covariance_.cols());
-  const Eigen::MatrixXd of_runs = spread(between_);
-  const Eigen::MatrixXd information =
-      (identity + run.information() * of_runs).partialPivLu().solve(run.information());
-  const Eigen::MatrixXd after =
-      (identity + covariance_ * information).partialPivLu().solve(covariance_);
+VectorXd Intervals::narrowed_by(const RunSums& run) const {
+  const MatrixXd unit = identity(covariance_.rows());
+  const MatrixXd of_runs = spread(between_);
+  const MatrixXd information =
+      solve(Lu(unit + product(run.information(), of_runs)), run.information());
+  const MatrixXd after = solve(Lu(unit + product(covariance_, information)), covariance_);
   return ((covariance_ + of_runs).diagonal().array() / (after + of_runs).diagonal().array()).sqrt();
 }
 
