@@ -12,20 +12,29 @@ target_compile_options(tp100_options INTERFACE
   # Bit-identical runs need the same rounding at every optimisation level and on every processor: no fused multiply-add,
   # and no vectorised Eigen, which sums in another order and fuses on ARM.
   -ffp-contract=off
+  # ccache needs the first with precompiled headers; the second makes GCC collect garbage less often (6 to 8 % of time).
+  $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess> $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=400000>
   # Every checkout gives the same objects, so that the compiler cache works across checkouts.
   -fmacro-prefix-map=${CMAKE_SOURCE_DIR}/=)
 target_compile_definitions(tp100_options INTERFACE EIGEN_DONT_VECTORIZE)
 if(TP100_SANITIZE)
   target_compile_options(tp100_options INTERFACE
     -fsanitize=${TP100_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer
-    # With sanitizers, GCC warns of impossible paths.
-    -Wno-null-dereference $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
+    # With sanitizers, GCC warns of impossible paths; the thread sanitizer's does not know fences, as Asio has them.
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized;-Wno-tsan>)
   target_link_options(tp100_options INTERFACE -fsanitize=${TP100_SANITIZE})
   if(TP100_SANITIZE MATCHES "address.*undefined")
     # The address sanitizer detects these too, and they take a third of the compile time.
     target_compile_options(tp100_options INTERFACE -fno-sanitize=null,object-size)
   endif()
 endif()
+
+# The headers of libraries that most sources include are read once for all of them.
+file(WRITE ${CMAKE_BINARY_DIR}/headers.cpp "")
+add_library(tp100_headers OBJECT ${CMAKE_BINARY_DIR}/headers.cpp)
+target_link_libraries(tp100_headers PRIVATE tp100_options Eigen3::Eigen nlohmann_json::nlohmann_json)
+target_precompile_headers(tp100_headers PRIVATE <algorithm> <array> <chrono> <cmath> <filesystem> <fstream> <functional>
+  <map> <memory> <optional> <span> <string> <vector> <Eigen/LU> <nlohmann/json.hpp>)
 
 # tp100_library(FOLDER [DEPENDS folders...] [SOURCES generated files...] [EXCLUDE <regex>]
 #               [LIBRARIES targets...] [PRIVATE_LIBRARIES targets...])
@@ -51,6 +60,7 @@ function(tp100_library folder)
     add_library(${name} STATIC ${sources})
     target_include_directories(${name} PUBLIC ${view})
     target_link_libraries(${name} PUBLIC ${LIB_DEPENDS} ${LIB_LIBRARIES} PRIVATE tp100_options ${LIB_PRIVATE_LIBRARIES})
+    target_precompile_headers(${name} REUSE_FROM tp100_headers)
   else()
     add_library(${name} INTERFACE)
     target_include_directories(${name} INTERFACE ${view})
