@@ -24,25 +24,34 @@ bool lists_all(const fs::path& proc) {
          fs::exists(proc / "1", error);
 }
 
-/// The device behind `path`; nothing if it is no device.
-std::optional<dev_t> device_of(const fs::path& path) {
+/// Status of the device behind `path`; nothing if it is no device.
+std::optional<struct stat> device_at(const fs::path& path) {
   struct stat status {};
   if (::stat(path.c_str(), &status) != 0 || !S_ISCHR(status.st_mode)) return std::nullopt;
-  return status.st_rdev;
+  return status;
 }
 
-/// Whether the process has the device open; nothing if that cannot be determined.
+/// Whether an open file, of which `target` is the name, is the device.
+bool is_same(const fs::path& file, const std::string& target, const struct stat& device) {
+  // Only in /dev: elsewhere the look-up may wait for a disk.
+  if (!target.starts_with("/dev/")) return false;
+  const std::optional<struct stat> open = device_at(file);
+  // Several nodes may lead to one device, but each container numbers its own terminals.
+  return open && open->st_rdev == device.st_rdev &&
+         (!target.starts_with("/dev/pts/") || open->st_dev == device.st_dev);
+}
+
+/// Whether the process has the device, or else any file of that name, open; nothing if that cannot
+/// be determined.
 std::optional<bool> holds(const fs::path& process, const std::string& real_path,
-                          std::optional<dev_t> device) {
+                          const std::optional<struct stat>& device) {
   std::error_code error;
   fs::directory_iterator fd(process / "fd", error);
   if (error == std::errc::permission_denied) return std::nullopt;
   for (const fs::directory_iterator end; !error && fd != end; fd.increment(error)) {
     std::error_code unreadable;
     const std::string target = fs::read_symlink(fd->path(), unreadable);
-    if (target == real_path) return true;
-    // Another node of the same device. Only in /dev: elsewhere the look-up may wait for a disk.
-    if (device && target.starts_with("/dev/") && device_of(fd->path()) == device) return true;
+    if (device ? is_same(fd->path(), target, *device) : target == real_path) return true;
   }
   return false;
 }
@@ -52,7 +61,7 @@ std::optional<bool> holds(const fs::path& process, const std::string& real_path,
 PortHolder port_holder(const std::string& real_path, const fs::path& proc) {
   PortHolder holder;
   holder.others_hidden = !lists_all(proc);
-  const std::optional<dev_t> device = device_of(real_path);
+  const std::optional<struct stat> device = device_at(real_path);
   std::error_code error;
   for (fs::directory_iterator process(proc, error), end; !error && process != end;
        process.increment(error)) {

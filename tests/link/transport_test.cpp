@@ -20,6 +20,7 @@
 #include "core/error.h"
 #include "link/port_holder.h"
 #include "pty_pair.h"
+#include "support/container_terminal.h"
 
 namespace tp100::link {
 namespace {
@@ -281,6 +282,13 @@ TEST_F(Transport, NamesTheProgramThatHoldsAPort) {
   for (const int fd : {ready[0], ready[1], finish[0], finish[1]}) ::close(fd);
   EXPECT_THAT(message, HasSubstr("port is busy, held by "));
   EXPECT_THAT(message, HasSubstr("pid"));
+}
+
+TEST_F(Transport, NamesNoProgramThatHoldsATerminalOfTheSameNameInAContainer) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root makes a terminal of a container; run it as root";
+  const test::ContainerTerminal other(pty_.near());
+  ASSERT_TRUE(other.is_held());
+  EXPECT_EQ(port_holder(pty_.near()).name, "");
 }
 
 TEST_F(Transport, RefusesWhatIsNoSerialPort) {

@@ -18,6 +18,7 @@
 #include "firmware/version.h"
 #include "process.h"
 #include "sim/robot/pty.h"
+#include "support/container_terminal.h"
 #include "support/paths.h"
 
 namespace tp100::test {
@@ -237,6 +238,15 @@ TEST_F(FlashOf, ABusyPortNamesItsHolder) {
   expect_refused({"--port", board.device()},
                  {"busy", "(pid " + std::to_string(::getpid()) + ")", "end that program"});
   ::close(held);
+}
+
+TEST_F(FlashOf, ATerminalOfTheSameNameInAContainerIsNoHolder) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root makes a terminal of a container; run it as root";
+  const sim::Pty board("");
+  const ContainerTerminal other(board.device());
+  ASSERT_TRUE(other.is_held());
+  const Finished finished = flash({"--port", board.device(), "--dry-run"});
+  EXPECT_EQ(finished.status, 0) << finished.output;
 }
 
 TEST_F(FlashOf, WhatIsNoPortIsLeftAlone) {
