@@ -148,9 +148,10 @@ bool goes_on(const std::string& stats) {
          eventually([&] { return figure(stats, "cycles") >= begun + 100.0; });
 }
 
-std::string short_course(const TemporaryFolder& folder) {
+std::string short_course(const TemporaryFolder& folder, double length_m) {
   std::ofstream(folder.file("short.toml"))
-      << "[[segment]]\ntype = \"line\"\nlength_m = 0.5\n[fence]\nmin_x_m = -0.1\nmax_x_m = 1\n"
+      << "[[segment]]\ntype = \"line\"\nlength_m = " << length_m
+      << "\n[fence]\nmin_x_m = -0.1\nmax_x_m = 1\n"
          "min_y_m = -0.5\nmax_y_m = 0.5\n";
   return folder.file("short.toml");
 }

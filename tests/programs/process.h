@@ -64,8 +64,9 @@ double figure(const std::string& stats, const std::string& name);
 /// minute.
 bool goes_on(const std::string& stats);
 
-/// Writes a course that takes about six seconds into the folder and returns the file's path.
-std::string short_course(const TemporaryFolder& folder);
+/// Writes a straight course into the folder, by default one of about six seconds, and returns the
+/// file's path.
+std::string short_course(const TemporaryFolder& folder, double length_m = 0.5);
 
 /// Number of lines in `text`.
 std::size_t lines(const std::string& text);
