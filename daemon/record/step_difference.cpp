@@ -86,7 +86,8 @@ class Lister {
       entries.push_back({prefix_ + name, shown(value)});
     } else {
       const std::string outer = prefix_;
-      prefix_ += std::string(name) + ".";
+      prefix_ += name;
+      prefix_ += '.';
       visit_fields(*this, value);
       prefix_ = outer;
     }
