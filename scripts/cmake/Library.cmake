@@ -29,6 +29,10 @@ if(TP100_SANITIZE)
   endif()
 endif()
 
+# clang's precompiled headers depend on the path of the checkout, so that the compiler cache would serve only one.
+if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
+  set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
+endif()
 # The headers of libraries that most sources include are read once for all of them.
 file(WRITE ${CMAKE_BINARY_DIR}/headers.cpp "")
 add_library(tp100_headers OBJECT ${CMAKE_BINARY_DIR}/headers.cpp)
