@@ -48,8 +48,9 @@ class ContainerTerminal {
     // Inherited descriptors are the terminals of this machine.
     for (int fd = 3; fd < 1024; ++fd)
       if (::fcntl(fd, F_GETFD) >= 0 && ::isatty(fd) != 0) ::close(fd);
+    // Private, so that the mount does not reach this machine; "/" is no mount in a chroot.
     if (::unshare(CLONE_NEWNS) != 0 ||
-        ::mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0 ||
+        ::mount(nullptr, "/dev/pts", nullptr, MS_PRIVATE, nullptr) != 0 ||
         ::mount("devpts", "/dev/pts", "devpts", 0, "newinstance,ptmxmode=0666") != 0)
       return false;
     // They are numbered from 0.
