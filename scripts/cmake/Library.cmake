@@ -20,7 +20,7 @@ target_compile_definitions(tp100_options INTERFACE EIGEN_DONT_VECTORIZE)
 if(TP100_SANITIZE)
   target_compile_options(tp100_options INTERFACE
     -fsanitize=${TP100_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer
-    # With sanitizers, GCC warns of impossible paths; the thread sanitizer's does not know fences, as Asio has them.
+    # With sanitizers, GCC warns of impossible paths, and its thread sanitizer of fences, which Asio uses.
     $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized;-Wno-tsan>)
   target_link_options(tp100_options INTERFACE -fsanitize=${TP100_SANITIZE})
   if(TP100_SANITIZE MATCHES "address.*undefined")

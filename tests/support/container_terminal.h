@@ -41,7 +41,6 @@ class ContainerTerminal {
   ContainerTerminal& operator=(const ContainerTerminal&) = delete;
 
   bool is_held() const { return is_held_; }
-  pid_t process() const { return child_; }
 
  private:
   static bool hold(const std::string& path) {
