@@ -47,6 +47,12 @@ enum class OperatorRequest : std::uint8_t {
   kResume,  ///< continue a paused run
 };
 
+/// Whether the request can make motors turn, and so needs a person's consent (core/consent.h).
+constexpr bool moves(OperatorRequest request) {
+  return request == OperatorRequest::kStart || request == OperatorRequest::kGoOn ||
+         request == OperatorRequest::kDrive || request == OperatorRequest::kResume;
+}
+
 /// Names as in the events of a run.
 inline constexpr std::array<EnumName<OperatorRequest>, 7> kOperatorRequestNames = {{
     {OperatorRequest::kStart, "start"},

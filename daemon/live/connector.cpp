@@ -45,6 +45,7 @@ void Connector::take_back(const loop::LostPort& lost, HostNs now) {
   next_try_ns_ = now + retry_ns_;
   retry_ns_ = std::min(2 * retry_ns_, kLongestRetryNs);
   const bool silent = lost.end == loop::PortEnd::kSilent;
+  if (!silent) came_later_ = true;
   if (silent && !robot_) silent_.insert(device_file(path_));
   std::string line = path_ + ": ";
   if (silent) {
@@ -69,6 +70,7 @@ void Connector::try_open(HostNs now) {
     port_ = open_next();
   } catch (const SetupError& error) {
     if (!found_ && !settings_.wait) throw;
+    came_later_ = true;
     say_once(std::string(error.what()) + "; waiting");
     next_try_ns_ = now + retry_ns_;
     retry_ns_ = std::min(2 * retry_ns_, kLongestRetryNs);

@@ -49,6 +49,8 @@ class Connector {
   /// loop.
   void stop() { stopped_ = true; }
 
+  /// Whether the robot was plugged in, or in again, after the program's start.
+  bool came_later() const { return came_later_; }
   /// Port in use, or the last one.
   const std::string& path() const { return path_; }
   bool pseudo_terminal() const { return pseudo_terminal_; }
@@ -78,6 +80,7 @@ class Connector {
   bool pseudo_terminal_ = false;
   bool found_ = false;
   bool stopped_ = false;
+  bool came_later_ = false;
   bool several_reported_ = false;
 };
 

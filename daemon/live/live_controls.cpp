@@ -49,50 +49,60 @@ const LiveKey* live_key(std::string_view name) {
 
 }  // namespace
 
-std::string LiveControls::request_start(OperatorRequest request) {
-  const std::lock_guard lock(mutex_);
+// The rules that every motion obeys, whichever door asks for it.
+std::string LiveControls::why_not_move(const Consent& consent, HostNs now) const {
   if (ending_) return kShuttingDown;
   if (setup_.changing()) return kChanging;
   if (self_test_.wheels_up().on()) return selftest::kTracksRun;
-  return cycle_.request(request) ? std::string() : kBusy;
+  return to_string(cycle_.consents().judge(consent, now));
 }
 
-std::string LiveControls::request(OperatorRequest request) {
-  return cycle_.request(request) ? std::string() : kBusy;
+std::string LiveControls::move(OperatorRequest request, const Consent& consent, HostNs now) {
+  const std::lock_guard lock(mutex_);
+  std::string why = why_not_move(consent, now);
+  if (!why.empty()) return why;
+  return cycle_.request(request, consent) ? std::string() : kBusy;
 }
 
 std::string LiveControls::hold() {
   self_test_.wheels_up().stop();
-  return request(OperatorRequest::kHold);
+  return cycle_.request(OperatorRequest::kHold) ? std::string() : kBusy;
+}
+
+std::string LiveControls::pause() {
+  return cycle_.request(OperatorRequest::kPause) ? std::string() : kBusy;
 }
 
 void LiveControls::stop() {
-  cycle_.request(OperatorRequest::kStop);
+  cycle_.stop();
   self_test_.wheels_up().stop();
 }
 
-std::string LiveControls::wheels_up_begin(const server::Driver& viewer, HostNs now,
-                                          std::string& token) {
+std::string LiveControls::wheels_up_begin(const server::Driver& viewer, const Consent& consent,
+                                          HostNs now, std::string& token) {
   const std::lock_guard lock(mutex_);
-  if (ending_) return kShuttingDown;
-  if (setup_.changing()) return kChanging;
+  std::string why = why_not_move(consent, now);
+  if (!why.empty()) return why;
   if (driving(now)) return server::kUnderWay;
-  std::string why = self_test_.wheels_up().begin(viewer, now, token);
-  if (why.empty()) cycle_.give_up_port();
-  return why;
+  why = self_test_.wheels_up().begin(viewer, now, token);
+  if (!why.empty()) return why;
+  // A STOP since the consent was judged: the check forgot it when it began.
+  if (stop_count() != consent.stops_seen) self_test_.wheels_up().stop();
+  cycle_.give_up_port();
+  return {};
 }
 
-std::string LiveControls::drive_take(const server::Driver& driver, HostNs now, std::string& token) {
+std::string LiveControls::drive_take(const server::Driver& driver, const Consent& consent,
+                                     HostNs now, std::string& token) {
   const std::lock_guard lock(mutex_);
-  if (ending_) return kShuttingDown;
-  if (setup_.changing()) return kChanging;
-  if (self_test_.wheels_up().on()) return selftest::kTracksRun;
+  const std::string why = why_not_move(consent, now);
+  if (!why.empty()) return why;
   if (!driving(now)) wheel_.clear();
   const std::optional<std::string> taken = wheel_.take(driver, now);
   if (!taken) return wheel_.figures(now).by + " drives; ask for a release";
   // The previous driver's token is no longer valid.
   cycle_.velocity({.at_ns = now});
-  if (!cycle_.request(OperatorRequest::kDrive)) {
+  if (!cycle_.request(OperatorRequest::kDrive, consent)) {
     wheel_.clear();
     return kBusy;
   }
@@ -141,6 +151,11 @@ std::string LiveControls::set(const messages::ParameterText& parameter,
   const auto change = change_for(parameter, value);
   if (!change) return parameter.name + " cannot be changed while the daemon runs";
   return cycle_.change(*change) ? std::string() : kBusy;
+}
+
+void LiveControls::choose(const server::SetupChoice& choice, Answer answer) {
+  if (self_test_.wheels_up().on()) return answer(selftest::kTracksRun, {});
+  setup_.choose(choice, std::move(answer));
 }
 
 // Viewers get no path of this machine.
@@ -228,6 +243,11 @@ void LiveControls::note_port(const std::string& line) {
 void LiveControls::set_start(const StartFacts& facts) {
   const std::lock_guard lock(mutex_);
   start_ = facts;
+}
+
+bool LiveControls::emulator() {
+  const std::lock_guard lock(mutex_);
+  return start_.emulator;
 }
 
 StartConsent LiveControls::start_consent() {

@@ -34,24 +34,22 @@ class LiveControls : public server::Controls {
         self_test_(self_test) {}
 
   // The server's thread, or another one whose clients drive:
-  std::string start() override { return request_start(OperatorRequest::kStart); }
-  std::string go_on() override { return request_start(OperatorRequest::kGoOn); }
+  std::string move(OperatorRequest request, const Consent& consent, HostNs now) override;
   std::string hold() override;
-  std::string pause() override { return request(OperatorRequest::kPause); }
-  std::string resume() override { return request(OperatorRequest::kResume); }
+  std::string pause() override;
+  std::uint64_t stop_count() override { return cycle_.consents().stops(); }
   void stop() override;
   std::string set(const messages::ParameterText& parameter,
                   const messages::ParameterValue& value) override;
-  std::string drive_take(const server::Driver& driver, HostNs now, std::string& token) override;
+  std::string drive_take(const server::Driver& driver, const Consent& consent, HostNs now,
+                         std::string& token) override;
   std::string drive(const server::DriveRequest& request, HostNs now) override;
   std::string drive_release(const std::string& token, HostNs now) override;
   void drive_lost(const std::string& id, HostNs now) override;
   messages::DriverFigures driver(HostNs now) override;
   void record_start(const std::string& name, RecordAnswer answer) override;
   void record_stop(RecordAnswer answer) override;
-  void choose(const server::SetupChoice& choice, Answer answer) override {
-    setup_.choose(choice, std::move(answer));
-  }
+  void choose(const server::SetupChoice& choice, Answer answer) override;
   void place(const std::optional<Pose>& at, Answer answer) override {
     setup_.place(at, std::move(answer));
   }
@@ -75,7 +73,7 @@ class LiveControls : public server::Controls {
     self_test_.examine(part, std::move(answer));
   }
   HostNs motors_off_ns() override { return self_test_.wheels_up().motors_off_ns(); }
-  std::string wheels_up_begin(const server::Driver& viewer, HostNs now,
+  std::string wheels_up_begin(const server::Driver& viewer, const Consent& consent, HostNs now,
                               std::string& token) override;
   std::string wheels_up_watch(const server::WheelsUpWatch& watch, HostNs now,
                               std::string& json) override {
@@ -93,6 +91,8 @@ class LiveControls : public server::Controls {
   void note_port(const std::string& line);
   /// Sets the facts that the supervisor knows; the cycle knows whether a run has begun.
   void set_start(const StartFacts& facts);
+  /// Whether the robot is an emulated one, by those facts.
+  bool emulator();
   void set_privileges(const std::vector<loop::Privilege>& privileges);
   /// Appends the result of a check of the tracks that has ended.
   void drain_events(std::vector<messages::Event>& events);
@@ -104,8 +104,7 @@ class LiveControls : public server::Controls {
   }
 
  private:
-  std::string request(OperatorRequest request);
-  std::string request_start(OperatorRequest request);
+  std::string why_not_move(const Consent& consent, HostNs now) const;
   bool driving(HostNs now);
 
   LiveCycle& cycle_;

@@ -13,18 +13,15 @@ LiveCycle::LiveCycle(const link::SessionSettings& settings, const bridge::Parame
                      std::shared_ptr<const course::Course> course, bool leave_silent_port)
     : cycle_(settings, parameters, std::move(course)), leave_silent_port_(leave_silent_port) {}
 
-bool LiveCycle::request(OperatorRequest request) {
-  if (request == OperatorRequest::kStop) {
-    stop_asked_.store(true, std::memory_order_release);
-    return true;
-  }
-  const std::lock_guard lock(asking_);
-  return requests_.push({request, false});
+// Counted first: a consent from before this STOP, still in the queue, does not count any more.
+void LiveCycle::stop() {
+  consents_.press_stop();
+  stop_asked_.store(true, std::memory_order_release);
 }
 
-bool LiveCycle::request_first_start() {
+bool LiveCycle::request(OperatorRequest request, const Consent& consent) {
   const std::lock_guard lock(asking_);
-  return requests_.push({OperatorRequest::kStart, true});
+  return requests_.push({request, consent});
 }
 
 bool LiveCycle::change(const ParameterChange& change) {
@@ -50,8 +47,9 @@ bool LiveCycle::received(std::span<const std::uint8_t> bytes, HostNs now) {
 }
 
 void LiveCycle::step(HostNs now) {
-  take_inputs(now);
-  cycle_.step(now);
+  const bool pressed = take_inputs(now);
+  // A STOP that nobody pressed: an external world's, or of motors that run unasked.
+  if (cycle_.step(now).request == RobotRequest::kStop && !pressed) consents_.press_stop();
 }
 
 void LiveCycle::wrote(HostNs) {
@@ -73,7 +71,7 @@ void LiveCycle::pass_run_state(HostNs now) {
   faults_ = snapshot.faults & ~kRobotFaults;
   if (!changed && (more == 0 || run_state_ != RunState::kAborted)) return;
   if (changed) {
-    has_run_.store(true, std::memory_order_release);
+    consents_.set_ran();
     shown_run_state_.store(snapshot.run_state, std::memory_order_release);
   }
   push(RunChange{.at_ns = now,
@@ -113,19 +111,29 @@ void LiveCycle::take_setup(HostNs now) {
     request->made = true;
     request->step = cycle_.steps() + 1;
     // From now on only a person can start; nothing starts by itself.
-    if (request->change.step) has_run_.store(true, std::memory_order_release);
+    if (request->change.step) consents_.set_ran();
   }
   setup_asked_.store(nullptr, std::memory_order_relaxed);
   setup_done_.store(request, std::memory_order_release);
 }
 
-void LiveCycle::take_inputs(HostNs now) {
-  take_setup(now);
+void LiveCycle::take_requests(HostNs now) {
   Asked asked;
   while (requests_.pop(asked)) {
-    if (shutting_down_ || (asked.only_first && has_run())) continue;
-    cycle_.request(asked.request);
+    if (shutting_down_) continue;
+    const ConsentLoss loss =
+        moves(asked.request) ? consents_.judge(asked.consent, now) : ConsentLoss::kNone;
+    if (loss == ConsentLoss::kNone) {
+      cycle_.request(asked.request);
+    } else {
+      push(RequestDropped{now, asked.request, asked.consent.by, loss});
+    }
   }
+}
+
+bool LiveCycle::take_inputs(HostNs now) {
+  take_setup(now);
+  take_requests(now);
   ParameterChange change;
   for (std::size_t i = 0; i < StepInputs::Changes::kCapacity && changes_.pop(change); ++i)
     cycle_.change(change);
@@ -137,8 +145,9 @@ void LiveCycle::take_inputs(HostNs now) {
   WorldSample received;
   for (std::size_t i = 0; i < kWaitingWorld && world_.pop(received); ++i) cycle_.world(received);
   // Last, so that no other request of the same step can undo it.
-  if (stop_asked_.exchange(false, std::memory_order_acq_rel))
-    cycle_.request(OperatorRequest::kStop);
+  const bool stop = stop_asked_.exchange(false, std::memory_order_acq_rel);
+  if (stop) cycle_.request(OperatorRequest::kStop);
+  return stop;
 }
 
 void LiveCycle::pass_events() {
@@ -166,7 +175,7 @@ void LiveCycle::publish(HostNs now) {
 bool LiveCycle::take_port_drop() {
   const bool asked = give_up_port_.exchange(false, std::memory_order_acq_rel);
   if (asked && !under_way(run_state_) && !motors_on(cycle_.outputs().snapshot.sample)) {
-    has_run_.store(true, std::memory_order_release);
+    consents_.set_ran();
     drop_port_ = true;
   }
   return std::exchange(drop_port_, false);

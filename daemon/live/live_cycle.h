@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "bridge/cycle.h"
+#include "core/consent.h"
 #include "core/histogram.h"
 #include "core/step_record.h"
 #include "loop/fixed_rate_loop.h"
@@ -31,8 +32,15 @@ struct RunChange {
   Pose place{};             ///< where the robot is estimated to be, in the course's world
   double progress_m = 0.0;  ///< ... along the course
 };
+/// A request that was dropped because its consent does not count any more.
+struct RequestDropped {
+  HostNs at_ns = 0;
+  OperatorRequest request = OperatorRequest::kStart;
+  Requester by{};
+  ConsentLoss loss = ConsentLoss::kNone;
+};
 /// Something that happened, for log and supervisor.
-using LiveEvent = std::variant<SessionReport, RunChange>;
+using LiveEvent = std::variant<SessionReport, RunChange, RequestDropped>;
 
 /// Current state, published about ten times a second.
 struct LiveStatus {
@@ -73,14 +81,16 @@ class LiveCycle : public loop::LoopClient {
             std::shared_ptr<const course::Course> course, bool leave_silent_port);
 
   // Other threads.
-  /// Any thread but the real-time one. False: too many requests are waiting; a STOP is always
-  /// accepted.
-  bool request(OperatorRequest request);
-  /// Requests a start that is carried out only if no run has begun and no STOP was pressed before,
-  /// however late it arrives. Any thread but the real-time one. False: as request().
-  bool request_first_start();
+  /// The rule for all consents; every STOP is counted there.
+  const ConsentRule& consents() const { return consents_; }
+  /// STOP: counted, and carried out by the next step. Cannot be refused. Any thread.
+  void stop();
+  /// Any thread but the real-time one. A request that moves() needs a consent, which must still
+  /// count when the step takes the request; otherwise it is dropped, which is an event. False: too
+  /// many requests are waiting.
+  bool request(OperatorRequest request, const Consent& consent = kNobody);
   /// Whether a run has begun or STOP was pressed. Any thread.
-  bool has_run() const { return has_run_.load(std::memory_order_acquire); }
+  bool has_run() const { return consents_.ran(); }
   /// Any thread but the real-time one. False: too many changes are waiting.
   bool change(const ParameterChange& change);
   /// Any thread but the real-time one. False: too many inputs are waiting.
@@ -134,12 +144,15 @@ class LiveCycle : public loop::LoopClient {
   bool shut_down(HostNs now) override;
 
  private:
+  static constexpr Consent kNobody{.life_ns = -1};
   struct Asked {
     OperatorRequest request = OperatorRequest::kHold;
-    bool only_first = false;
+    Consent consent{};
   };
 
-  void take_inputs(HostNs now);
+  /// Whether STOP was among them.
+  bool take_inputs(HostNs now);
+  void take_requests(HostNs now);
   void take_setup(HostNs now);
   void time_sample(HostNs now);
   void pass_events();
@@ -155,8 +168,8 @@ class LiveCycle : public loop::LoopClient {
   loop::SpscQueue<VelocityInput, 32> velocities_;
   std::atomic<SetupRequest*> setup_asked_{nullptr};
   std::atomic<SetupRequest*> setup_done_{nullptr};
+  ConsentRule consents_;
   std::atomic<bool> stop_asked_{false};
-  std::atomic<bool> has_run_{false};
   std::atomic<bool> give_up_port_{false};
   loop::SpscQueue<CameraSample, 32> camera_;  ///< one second of images
   loop::SpscQueue<WorldSample, kWaitingWorld> world_;

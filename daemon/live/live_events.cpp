@@ -122,6 +122,15 @@ std::vector<Event> describe_run(const RunChange& event) {
   return out;
 }
 
+Event describe_dropped(const RequestDropped& event) {
+  return {.at_ns = event.at_ns,
+          .kind = "run",
+          .level = Level::kWarning,
+          .text = std::string("'") + to_string(event.request) + "' of " + to_string(event.by) +
+                  " is not carried out",
+          .cause = to_string(event.loss)};
+}
+
 /// Describes each event of a session in `out`, whose time is already set.
 struct SessionDescriber {
   const wire::Hello& hello;
@@ -216,6 +225,8 @@ Event describe_session(const SessionReport& report) {
 
 std::vector<Event> describe_event(const LiveEvent& event) {
   if (const RunChange* run = std::get_if<RunChange>(&event)) return describe_run(*run);
+  if (const RequestDropped* dropped = std::get_if<RequestDropped>(&event))
+    return {describe_dropped(*dropped)};
   return {describe_session(std::get<SessionReport>(event))};
 }
 

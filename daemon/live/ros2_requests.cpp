@@ -85,6 +85,7 @@ void Ros2Requests::refuse(ros2::Input input, HostNs now, const std::string& why)
 }
 
 void Ros2Requests::observe(const StepRecord& record) {
+  note_stops(record.now_ns);
   drive_refusal_ = record.snapshot.drive_refusal;
   run_state_ = record.snapshot.run_state;
   at_ = record.snapshot.world;
@@ -97,6 +98,36 @@ void Ros2Requests::observe(const StepRecord& record) {
   go_on(*start_, record.snapshot, record.now_ns);
 }
 
+// Noted late rather than early: then fewer messages count as written after a STOP was seen.
+void Ros2Requests::note_stops(HostNs now) {
+  for (const std::uint64_t stops = controls_.stop_count(); stops_ < stops; ++stops_)
+    stop_times_.push_back(now);
+  std::erase_if(stop_times_, [now](HostNs at) { return at < now - kSeenNs - Consent::kLifeNs; });
+}
+
+Consent Ros2Requests::consent_of(const ros2::Received& received, HostNs now) {
+  note_stops(now);
+  const HostNs age_ns = std::max<HostNs>(0, received.taken_ns - received.written_ns);
+  const HostNs acted_ns = now - age_ns;
+  const auto unseen =
+      std::ranges::count_if(stop_times_, [&](HostNs at) { return at > acted_ns - kSeenNs; });
+  return {.by = {Door::kRos2},
+          .acted_ns = acted_ns,
+          .stops_seen = stops_ - static_cast<std::uint64_t>(unseen)};
+}
+
+Ros2Requests::Writer& Ros2Requests::writer_of(std::uint64_t id) {
+  const auto at = std::ranges::find(drive_writers_, id, &Writer::id);
+  Writer writer{.id = id};
+  if (at != drive_writers_.end()) {
+    writer = *at;
+    drive_writers_.erase(at);
+  } else if (drive_writers_.size() == kMaxWriters) {
+    drive_writers_.erase(drive_writers_.begin());
+  }
+  return drive_writers_.emplace_back(writer);
+}
+
 void Ros2Requests::take(const ros2::Received& received, HostNs now) {
   std::string why;
   switch (received.input) {
@@ -106,11 +137,11 @@ void Ros2Requests::take(const ros2::Received& received, HostNs now) {
       return;
     case ros2::Input::kDrive:
       if (received.gone) return;
-      if (const auto wanted = ros2::read_drive(received, why)) return drive(*wanted, now);
+      if (const auto wanted = ros2::read_drive(received, why)) return drive(received, *wanted, now);
       break;
     case ros2::Input::kInitialPose:
       if (received.gone) return;
-      if (const auto at = ros2::read_pose(received, why)) return place(*at, now);
+      if (const auto at = ros2::read_pose(received, why)) return place(received, *at, now);
       break;
     case ros2::Input::kGoal:
       if (received.gone) return;
@@ -130,26 +161,29 @@ void Ros2Requests::take(const ros2::Received& received, HostNs now) {
   refuse(received.input, now, why);
 }
 
-// Only a change to true takes the wheel and so arms: a stream of it must not arm again whenever a
-// drive has ended.
-void Ros2Requests::drive(bool wanted, HostNs now) {
-  const bool before = std::exchange(drive_wanted_, wanted);
+// Only a node that said false before takes the wheel and so arms: a stream of true must not arm
+// again whenever a drive has ended, whatever other nodes say.
+void Ros2Requests::drive(const ros2::Received& received, bool wanted, HostNs now) {
+  Writer& writer = writer_of(received.writer);
   if (!wanted) {
+    writer.said_false = true;
     if (!token_.empty() && controls_.drive_release(token_, now).empty())
       reply(now, std::string(kTopic) + " releases the wheel");
     token_.clear();
     return;
   }
+  const bool said_false = std::exchange(writer.said_false, false);
   const std::string by = controls_.driver(now).by;
   if (!token_.empty() && by == driver().name) return;
-  if (before)
+  if (!said_false)
     return note(kRepeated, now,
-                "/tp100/drive is still true and takes no wheel again; send false, then true");
+                "/tp100/drive takes no wheel: true counts only after this node's own false; send "
+                "false, then true");
   std::string why;
-  if (by.empty()) why = to_string(drive_refusal_);
+  if (ros2::in_time(received, why) && by.empty()) why = to_string(drive_refusal_);
   writer_ = 0;
   token_.clear();
-  if (why.empty()) why = controls_.drive_take(driver(), now, token_);
+  if (why.empty()) why = controls_.drive_take(driver(), consent_of(received, now), now, token_);
   if (!why.empty()) return refuse(ros2::Input::kDrive, now, why);
   reply(now, std::string(kTopic) + " takes the wheel");
 }
@@ -182,8 +216,10 @@ void Ros2Requests::velocity(const ros2::Received& received, HostNs now) {
   reply(now, std::string(kTopic) + " no longer drives");
 }
 
-void Ros2Requests::place(const Pose& at, HostNs now) {
-  if (under_way(run_state_)) return refuse(ros2::Input::kInitialPose, now, server::kUnderWay);
+void Ros2Requests::place(const ros2::Received& received, const Pose& at, HostNs now) {
+  std::string late;
+  if (!ros2::in_time(received, late)) return refuse(received.input, now, late);
+  if (under_way(run_state_)) return refuse(received.input, now, server::kUnderWay);
   controls_.place(at, [shared = shared_, now](const std::string& why, const std::string&) {
     if (!why.empty()) shared->say(refusal(now, "/initialpose refused: " + why), true);
   });
@@ -206,7 +242,11 @@ void Ros2Requests::start(const ros2::Received& received, const server::SetupChoi
   }
   if (!why.empty()) return refuse(received.input, now, why);
   const std::uint32_t number = ++choices_;
-  start_ = {.number = number, .input = received.input, .choice = choice, .asked_ns = now};
+  start_ = {.number = number,
+            .input = received.input,
+            .choice = choice,
+            .consent = consent_of(received, now),
+            .asked_ns = now};
   controls_.choose(choice,
                    [shared = shared_, number](const std::string& refused, const std::string&) {
                      const std::lock_guard lock(shared->mutex);
@@ -216,15 +256,17 @@ void Ros2Requests::start(const ros2::Received& received, const server::SetupChoi
 
 void Ros2Requests::go_on(Start& start, const Snapshot& snapshot, HostNs now) {
   std::string why;
-  if (start.until_ns == 0) {
+  if (!start.chosen) {
     const std::lock_guard lock(shared_->mutex);
-    if (shared_->choice.first != start.number) return;
-    why = shared_->choice.second;
-    start.until_ns = now + kStartTimeoutNs;
+    start.chosen = shared_->choice.first == start.number;
+    if (start.chosen) why = shared_->choice.second;
   }
-  if (why.empty() && snapshot.start_refusal != StartRefusal::kNone && now < start.until_ns) return;
-  if (why.empty()) why = why_not(start, snapshot);
-  if (why.empty()) why = controls_.start();
+  const bool in_time = now - start.consent.acted_ns <= Consent::kLifeNs;
+  const bool ready = start.chosen && snapshot.start_refusal == StartRefusal::kNone;
+  if (why.empty() && !ready && in_time) return;
+  if (why.empty())
+    why = start.chosen ? why_not(start, snapshot) : "its course took too long to load";
+  if (why.empty()) why = controls_.move(OperatorRequest::kStart, start.consent, now);
   const ros2::Input input = std::exchange(start_, std::nullopt)->input;
   if (!why.empty()) return refuse(input, now, of_goal(why));
   reply(now, "ROS 2 " + name_of(input) + " starts the robot");
@@ -245,6 +287,7 @@ std::string Ros2Requests::why_not(const Start& start, const Snapshot& snapshot) 
 
 void Ros2Requests::stop(HostNs now) {
   controls_.stop();
+  note_stops(now);
   start_.reset();
   note(kStopped, now, "/tp100/stop: STOP");
   const std::lock_guard lock(shared_->mutex);

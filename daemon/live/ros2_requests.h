@@ -21,11 +21,14 @@ class Ros2Requests {
  public:
   /// Shortest time between two lines about an ignored stream, and between two about refusals.
   static constexpr HostNs kQuietNs = 10 * kNsPerS, kRefusedQuietNs = kNsPerS;
-  /// A message starts the robot only after its topic was silent for this long, so that a node that
-  /// repeats one does not start the robot again after a STOP.
+  /// A goal or course starts the robot only after its topic was silent for this long, so that a
+  /// node that repeats one does not start the robot again.
   static constexpr HostNs kSilenceNs = 2 * kNsPerS;
-  /// A start that cannot begin this long after its course is in force is refused.
-  static constexpr HostNs kStartTimeoutNs = 3 * kNsPerS;
+  /// A node, or the person who uses it, has seen the STOPs that were this old when it wrote its
+  /// message.
+  static constexpr HostNs kSeenNs = kNsPerS;
+  /// Writers of /tp100/drive that are remembered; the one that was silent longest is forgotten.
+  static constexpr std::size_t kMaxWriters = 64;
 
   /// `controls` must outlive all requests that it was passed.
   explicit Ros2Requests(server::Controls& controls) : controls_(controls) {}
@@ -75,13 +78,23 @@ class Ros2Requests {
     std::uint32_t number = 0;  ///< of the choice
     ros2::Input input{};
     server::SetupChoice choice;
+    Consent consent{};
     HostNs asked_ns = 0;
-    HostNs until_ns = 0;  ///< 0: the choice was not answered yet
+    bool chosen = false;  ///< the course is in force
+  };
+  /// A writer of /tp100/drive.
+  struct Writer {
+    std::uint64_t id = 0;
+    bool said_false = false;  ///< since its last true
   };
 
-  void drive(bool wanted, HostNs now);
+  /// The consent that this message of a node is.
+  Consent consent_of(const ros2::Received& received, HostNs now);
+  void note_stops(HostNs now);
+  Writer& writer_of(std::uint64_t id);
+  void drive(const ros2::Received& received, bool wanted, HostNs now);
   void velocity(const ros2::Received& received, HostNs now);
-  void place(const Pose& at, HostNs now);
+  void place(const ros2::Received& received, const Pose& at, HostNs now);
   void start(const ros2::Received& received, const server::SetupChoice& choice, HostNs now);
   void go_on(Start& start, const Snapshot& snapshot, HostNs now);
   std::string why_not(const Start& start, const Snapshot& snapshot) const;
@@ -95,10 +108,12 @@ class Ros2Requests {
   std::array<HostNs, kCount> quiet_until_ns_{};
   StartRefusal drive_refusal_ = StartRefusal::kNoSession;
   RunState run_state_ = RunState::kIdle;
-  Pose at_{};                  // in the course's world
-  bool drive_wanted_ = false;  // as last received
-  std::string token_;          // empty: ROS 2 does not drive
-  std::uint64_t writer_ = 0;   // whose velocities count; 0: the next one's
+  Pose at_{};                          // in the course's world
+  std::vector<HostNs> stop_times_;     // when the last STOPs were noted here, oldest first
+  std::uint64_t stops_ = 0;            // noted so far
+  std::vector<Writer> drive_writers_;  // the last to write is last
+  std::string token_;                  // empty: ROS 2 does not drive
+  std::uint64_t writer_ = 0;           // whose velocities count; 0: the next one's
   ros2::Input writer_input_{};
   std::optional<Start> start_;
   std::uint32_t choices_ = 0;

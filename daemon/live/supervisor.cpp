@@ -57,6 +57,7 @@ struct Supervisor::State {
   void change_setup(const SetupChanger::Made& made);
   void drain_events();
   void on_session_state(SessionState state);
+  bool start_by_itself();
   void on_session(const SessionReport& report);
   void on_run_state(const RunChange& change);
   void run_ended(int exit_status, const std::string& result);
@@ -130,7 +131,7 @@ int Supervisor::State::run() {
   loop.start();
   privileges.insert(privileges.end(), loop.privileges().begin(), loop.privileges().end());
   terminal = std::make_unique<Terminal>(
-      context, Terminal::Reach{cycle, *settings.controls, *settings.server, log, settings.course});
+      context, Terminal::Reach{*settings.controls, *settings.server, log, settings.course});
   try {
     tick();
     log.privileges(privileges);
@@ -262,6 +263,7 @@ void Supervisor::State::take_events() {
     for (const messages::Event& one : events) settings.server->take(one);
     if (report != nullptr) on_session(*report);
     if (change != nullptr) on_run_state(*change);
+    if (std::holds_alternative<RequestDropped>(event)) terminal->ask();
   }
 }
 
@@ -320,10 +322,26 @@ void Supervisor::State::on_session_state(SessionState next) {
   if (next != SessionState::kReady) return;
   connector.session_ready();
   if (settings.course.empty() || ending) return;
-  if (settings.controls->start_consent() == StartConsent::kNone)
-    cycle.request_first_start();
-  else
+  if (settings.controls->start_consent() != StartConsent::kNone || !start_by_itself())
     terminal->ask();
+}
+
+// An emulated robot starts whenever it is there. --go is consent to start the physical robot that
+// is there while the person who typed it still watches.
+bool Supervisor::State::start_by_itself() {
+  const HostNs now = monotonic_now();
+  Consent consent{.by = {Door::kOption}, .acted_ns = now, .first_only = true};
+  if (!settings.controls->emulator()) {
+    consent.acted_ns = connector.came_later() ? began_ns - Consent::kOptionLifeNs : began_ns;
+    consent.life_ns = Consent::kOptionLifeNs;
+  }
+  const std::string why = settings.controls->move(OperatorRequest::kStart, consent, now);
+  if (why.empty()) return true;
+  log.warn(consent.acted_ns == now
+               ? "the emulated robot is not started: " + why
+               : "--go starts nothing: it counts for 10 s after the program's start, for a robot "
+                 "that is there then; start the robot at the terminal or on the page");
+  return false;
 }
 
 void Supervisor::State::on_run_state(const RunChange& change) {

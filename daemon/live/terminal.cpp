@@ -14,6 +14,7 @@
 #include <functional>
 #include <utility>
 
+#include "core/clock.h"
 #include "core/start_rule.h"
 
 namespace tp100::live {
@@ -145,6 +146,7 @@ void Terminal::ask() {
   if (session_ != SessionState::kReady || under_way() || reach_.course.empty()) return;
   const bool word = reach_.controls.start_consent() == StartConsent::kWord;
   const bool typed_ahead = input_->drop_typed_ahead();
+  stops_seen_ = reach_.controls.stop_count();
   const std::string what = "to start course " + reach_.course;
   reach_.log.info(word ? "ready; type go and press Enter " + what + "; Enter alone is STOP"
                        : "ready; press Enter " + what);
@@ -163,17 +165,29 @@ void Terminal::take(const std::string& line) {
     reach_.log.info("nothing is started; press Enter alone to start course " + reach_.course);
   } else if (session_ != SessionState::kReady) {
     reach_.log.info("no robot is connected yet; nothing is started");
-  } else if (line == kStartWord) {
-    reach_.cycle.request(OperatorRequest::kStart);
   } else {
-    reach_.cycle.request_first_start();
+    start(line != kStartWord);
   }
+}
+
+void Terminal::start(bool first_only) {
+  const HostNs now = monotonic_now();
+  const std::string why = reach_.controls.move(OperatorRequest::kStart,
+                                               {.by = {Door::kTerminal},
+                                                .acted_ns = now,
+                                                .stops_seen = stops_seen_,
+                                                .first_only = first_only},
+                                               now);
+  if (why.empty()) return;
+  reach_.log.warn("nothing is started: " + why);
+  ask();
 }
 
 void Terminal::press_stop(const std::string& message) {
   reach_.log.warn(message);
-  reach_.cycle.request(OperatorRequest::kStop);
+  reach_.controls.stop();
   reach_.server.stop_pressed("keyboard");
+  stops_seen_ = reach_.controls.stop_count();
 }
 
 }  // namespace tp100::live

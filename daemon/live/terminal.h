@@ -2,12 +2,14 @@
 // The operator at the terminal, who is asked for a start, starts, or stops (core/start_rule.h).
 // Asio stays in the source file.
 
+#include <cstdint>
 #include <memory>
 #include <string>
 
+#include "core/link_state.h"
+#include "core/run_state.h"
 #include "live/event_log.h"
 #include "live/live_controls.h"
-#include "live/live_cycle.h"
 #include "server/server.h"
 
 namespace boost::asio {
@@ -21,7 +23,6 @@ class Terminal {
  public:
   /// All but `course`, whose name is empty if there is none, must outlive the terminal.
   struct Reach {
-    LiveCycle& cycle;
     LiveControls& controls;
     server::Server& server;
     EventLog& log;
@@ -42,12 +43,14 @@ class Terminal {
  private:
   class Input;
   void take(const std::string& line);
+  void start(bool first_only);
   void press_stop(const std::string& message);
   bool under_way() const { return tp100::under_way(run_); }
 
   Reach reach_;
   SessionState session_ = SessionState::kClosed;
   RunState run_ = RunState::kIdle;
+  std::uint64_t stops_seen_ = 0;  // as of the last question, or pressed here
   std::unique_ptr<Input> input_;
 };
 

@@ -98,9 +98,9 @@ struct LinkFigures {
 /// The last STOP.
 struct StopFigures {
   enum class Status : std::uint8_t { kNone, kPending, kAcknowledged, kNotAcknowledged };
-  std::uint64_t count = 0;
+  std::uint64_t count = 0;  ///< of all doors, also STOPs that nobody pressed
   bool latched = false;
-  std::string by;
+  std::string by;  ///< who pressed the last one
   HostNs requested_ns = 0;  ///< of the oldest unacknowledged press, else of the last one
   Status status = Status::kNone;
   double acknowledged_ms = 0.0;

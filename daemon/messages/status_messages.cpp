@@ -162,7 +162,7 @@ std::string state_message(HostNs now, const PublishClock& clock, const StateFigu
       .begin_object()
       .field("start", state.can_start)
       .field("drive", state.why_not_drive.empty())
-      .field("pause", state.run == RunState::kRunning && state.pause_left_s == 0.0)
+      .field("pause", state.run == RunState::kRunning)
       .field("resume", state.pause_left_s > 0.0)
       .field("hold", true)
       .field("stop", true)

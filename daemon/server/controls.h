@@ -3,12 +3,15 @@
 // implementation passes them on. Every call comes from the thread that serves STOP and must not
 // block: neither on a disk nor on a lock that is held by a thread waiting for one.
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "core/command.h"
+#include "core/consent.h"
 #include "core/pose.h"
 #include "core/start_rule.h"
 #include "core/time.h"
@@ -73,14 +76,14 @@ class Controls {
   virtual ~Controls() = default;
 
   // Each returns why it is impossible, in one line; empty: accepted.
-  /// Starts a run at the course's start.
-  virtual std::string start() = 0;
-  /// Starts a run where the last one ended.
-  virtual std::string go_on() = 0;
+  /// Sets the robot in motion: kStart, kGoOn or kResume. The consent is judged now and again by the
+  /// loop.
+  virtual std::string move(OperatorRequest request, const Consent& consent, HostNs now) = 0;
   virtual std::string hold() = 0;
-  /// Pauses or resumes a run on the course.
+  /// Pauses a run on the course; a paused one stays paused.
   virtual std::string pause() = 0;
-  virtual std::string resume() = 0;
+  /// STOPs so far, of every door, as consents refer to them.
+  virtual std::uint64_t stop_count() = 0;
   /// Cannot be refused.
   virtual void stop() = 0;
   /// `value` has the right type and lies within the limits.
@@ -89,7 +92,8 @@ class Controls {
 
   // Driving by hand. Each returns why it is impossible, in one line; empty: done.
   /// Gives `driver` the wheel, arms the robot and sets `token`.
-  virtual std::string drive_take(const Driver& driver, HostNs now, std::string& token) = 0;
+  virtual std::string drive_take(const Driver& driver, const Consent& consent, HostNs now,
+                                 std::string& token) = 0;
   virtual std::string drive(const DriveRequest& request, HostNs now) = 0;
   /// Stops and disarms the robot.
   virtual std::string drive_release(const std::string& token, HostNs now) = 0;
@@ -123,7 +127,8 @@ class Controls {
 
   /// Starts the check of the tracks for `viewer`, which must keep polling; sets `token`. Returns
   /// why it is impossible, in one line.
-  virtual std::string wheels_up_begin(const Driver& viewer, HostNs now, std::string& token) = 0;
+  virtual std::string wheels_up_begin(const Driver& viewer, const Consent& consent, HostNs now,
+                                      std::string& token) = 0;
   /// Answers at once with the state of the check. Returns why it is impossible, in one line.
   virtual std::string wheels_up_watch(const WheelsUpWatch& watch, HostNs now,
                                       std::string& json) = 0;

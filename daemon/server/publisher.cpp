@@ -28,8 +28,9 @@ std::string key_of(const messages::StateFigures& state) {
         static_cast<unsigned>(state.faults), static_cast<unsigned>(state.robot_faults),
         static_cast<unsigned>(state.stop.status), state.stop.latched ? 1U : 0U,
         state.can_record ? 1U : 0U, state.motors_on ? 1U : 0U, state.confirm_start ? 1U : 0U,
-        state.driver.fresh ? 1U : 0U})
+        state.driver.fresh ? 1U : 0U, state.pause_left_s > 0.0 ? 1U : 0U})
     key += std::to_string(part) + ' ';
+  key += std::to_string(state.stop.count);
   return key + state.why_not_start + '\n' + state.why_not_drive + '\n' + state.driver.by + '\n' +
          state.driver.asked_by;
 }
@@ -68,7 +69,6 @@ messages::LinkFigures LinkMeter::figures() const {
 using Status = messages::StopFigures::Status;
 
 void StopMonitor::press(const std::string& by, HostNs now) {
-  ++figures_.count;
   figures_.by = by;
   figures_.latched = true;
   pressed_ns_ = now;
@@ -178,6 +178,7 @@ std::string Publisher::why_not_drive() const {
 
 void Publisher::publish_state(HostNs now, bool always) {
   state_.stop = stop_.figures();
+  state_.stop.count = controls_.stop_count();
   state_.driver = controls_.driver(now);
   state_.why_not_drive = why_not_drive();
   state_.confirm_start = controls_.start_consent() != StartConsent::kNone;

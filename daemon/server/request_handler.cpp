@@ -13,8 +13,13 @@ namespace {
 constexpr std::size_t kMaxWaiting = 1024;
 
 Driver driver_of(const Viewer& viewer) {
-  const std::string name = "viewer " + std::to_string(viewer.id());
+  const std::string name = to_string(Requester{Door::kViewer, viewer.id()});
   return {.id = name, .name = name};
+}
+
+bool needs_consent(Service service) {
+  return service == Service::kStart || service == Service::kResume ||
+         service == Service::kDriveTake || service == Service::kWheelsUpBegin;
 }
 
 /// The answer of a recording request: its run, and with `bytes` its size.
@@ -87,74 +92,80 @@ void RequestHandler::leave(const Viewer& viewer, HostNs now) {
   parameters_.leave(viewer);
 }
 
-std::string RequestHandler::start(const std::vector<RequestField>& request) {
+std::string RequestHandler::start(const Arguments& request, const Consent& consent, HostNs now) {
   bool here = false;
   std::string why = read_start(request, here);
   if (!why.empty()) return why;
   const messages::StateFigures& state = publisher_.state();
   if (!state.can_start) return state.why_not_start;
-  if (!here) return controls_.start();
+  if (!here) return controls_.move(OperatorRequest::kStart, consent, now);
   return state.go_on_from
-             ? controls_.go_on()
+             ? controls_.move(OperatorRequest::kGoOn, consent, now)
              : "no run ended before the end of its course; start from the course's start";
 }
 
-std::string RequestHandler::pause(const Viewer& viewer, bool on, HostNs now) {
+std::string RequestHandler::pause(const Viewer& viewer, HostNs now) {
   const messages::StateFigures& state = publisher_.state();
   if (state.run != RunState::kRunning) return "no run is under way";
-  if ((state.pause_left_s > 0.0) == on)
-    return on ? "the run is paused already" : "the run is not paused";
-  std::string why = on ? controls_.pause() : controls_.resume();
-  const std::string text = driver_of(viewer).name + (on ? " pauses" : " resumes") + " the run";
-  if (why.empty()) publisher_.take(messages::Event{.at_ns = now, .kind = "run", .text = text});
+  std::string why = controls_.pause();
+  if (why.empty() && state.pause_left_s == 0.0)
+    say(driver_of(viewer).name + " pauses the run", now);
   return why;
 }
 
-std::string RequestHandler::drive_take(const Viewer& viewer, HostNs now, std::string& token) {
+std::string RequestHandler::resume(const Viewer& viewer, const Consent& consent, HostNs now) {
+  const messages::StateFigures& state = publisher_.state();
+  if (state.run != RunState::kRunning || state.pause_left_s == 0.0) return "the run is not paused";
+  std::string why = controls_.move(OperatorRequest::kResume, consent, now);
+  if (why.empty()) say(driver_of(viewer).name + " continues the run", now);
+  return why;
+}
+
+std::string RequestHandler::drive_take(const Viewer& viewer, const Consent& consent, HostNs now,
+                                       std::string& token) {
   const Driver driver = driver_of(viewer);
   // A driver who asks again gets a new token.
   const std::string& why = publisher_.state().why_not_drive;
   const messages::DriverFigures figures = controls_.driver(now);
   if (!why.empty() && figures.by.empty()) return why;
-  std::string refused = controls_.drive_take(driver, now, token);
-  if (!refused.empty()) return refused;
-  publisher_.take(
-      messages::Event{.at_ns = now, .kind = "run", .text = driver.name + " takes the wheel"});
-  return {};
+  std::string refused = controls_.drive_take(driver, consent, now, token);
+  if (refused.empty()) say(driver.name + " takes the wheel", now);
+  return refused;
 }
 
-std::string RequestHandler::wheels_up_begin(const Viewer& viewer,
-                                            const std::vector<RequestField>& request, HostNs now,
+std::string RequestHandler::wheels_up_begin(const Viewer& viewer, const Arguments& request,
+                                            const Consent& consent, HostNs now,
                                             std::string& token) {
   std::string why = read_wheels_up(request);
   if (why.empty()) why = publisher_.state().why_not_drive;
   if (why.empty() && under_way()) why = kUnderWay;
   const Driver driver = driver_of(viewer);
-  if (why.empty()) why = controls_.wheels_up_begin(driver, now, token);
-  if (!why.empty()) return why;
-  publisher_.take(messages::Event{
-      .at_ns = now, .kind = "run", .text = driver.name + " starts the check of the tracks"});
-  return {};
+  if (why.empty()) why = controls_.wheels_up_begin(driver, consent, now, token);
+  if (why.empty()) say(driver.name + " starts the check of the tracks", now);
+  return why;
 }
 
-std::string RequestHandler::drive(const std::vector<RequestField>& request, HostNs now) {
+std::string RequestHandler::drive(const Arguments& request, HostNs now) {
   std::string why;
   const auto input = drive_request(request, why);
   return input ? controls_.drive(*input, now) : why;
 }
 
-std::string RequestHandler::drive_release(const std::vector<RequestField>& request, HostNs now) {
+std::string RequestHandler::drive_release(const Arguments& request, HostNs now) {
   const std::string* token =
       request.empty() ? nullptr : std::get_if<std::string>(&request.front().value);
   return token == nullptr ? "token must be a string" : controls_.drive_release(*token, now);
 }
 
-std::string RequestHandler::record_start(const std::vector<RequestField>& request,
-                                         Controls::RecordAnswer answer) {
+std::string RequestHandler::record_start(const Arguments& request, Controls::RecordAnswer answer) {
   std::string name;
   std::string why = read_record_name(request, name);
   if (why.empty()) controls_.record_start(name, std::move(answer));
   return why;
+}
+
+void RequestHandler::say(const std::string& text, HostNs now) {
+  publisher_.take(messages::Event{.at_ns = now, .kind = "run", .text = text});
 }
 
 bool RequestHandler::under_way() const { return tp100::under_way(publisher_.state().run); }
@@ -209,20 +220,24 @@ void RequestHandler::on(const std::shared_ptr<Viewer>& viewer, const ServiceCall
   if (permission != Permission::kCommand)
     return fail("only stop is taken from this client (server.commands)");
   if (call.encoding != "json") return fail("the encoding must be json");
-  const auto request = parse_request(call.payload);
+  auto request = parse_request(call.payload);
   if (!request) return fail("the request must be a JSON object");
 
   std::string why = unknown_argument(service, *request);
   if (!why.empty()) return fail(why);
+  Consent consent{.by = {Door::kViewer, viewer->id()}};
+  if (needs_consent(service)) why = read_consent(*request, publisher_.clock(), now, consent);
+  if (!why.empty()) return fail(why);
   const auto later = [&] { return answer_later(service, viewer, call.call); };
   switch (service) {
     case Service::kStart:
-      return accept(start(*request));
+      return accept(start(*request, consent, now));
     case Service::kHold:
       return accept(controls_.hold());
     case Service::kPause:
+      return accept(pause(*viewer, now));
     case Service::kResume:
-      return accept(pause(*viewer, service == Service::kPause, now));
+      return accept(resume(*viewer, consent, now));
     case Service::kRecordStart:
       why = record_start(*request, recorded(later(), false));
       break;
@@ -279,12 +294,12 @@ void RequestHandler::on(const std::shared_ptr<Viewer>& viewer, const ServiceCall
     }
     case Service::kDriveTake: {
       std::string token;
-      why = drive_take(*viewer, now, token);
+      why = drive_take(*viewer, consent, now, token);
       return why.empty() ? answer(R"({"token":")" + token + R"("})") : fail(why);
     }
     case Service::kWheelsUpBegin: {
       std::string token;
-      why = wheels_up_begin(*viewer, *request, now, token);
+      why = wheels_up_begin(*viewer, *request, consent, now, token);
       return why.empty() ? answer(R"({"token":")" + token + R"("})") : fail(why);
     }
     case Service::kWheelsUpWatch: {

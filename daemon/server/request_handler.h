@@ -66,14 +66,17 @@ class RequestHandler {
   void on(const std::shared_ptr<Viewer>& viewer, const ServiceCall& call, Permission permission,
           HostNs now);
   void call_stop(const std::shared_ptr<Viewer>& viewer, std::uint32_t call, HostNs now);
-  std::string start(const std::vector<RequestField>& request);
-  std::string pause(const Viewer& viewer, bool on, HostNs now);
-  std::string drive_take(const Viewer& viewer, HostNs now, std::string& token);
-  std::string drive(const std::vector<RequestField>& request, HostNs now);
-  std::string drive_release(const std::vector<RequestField>& request, HostNs now);
-  std::string wheels_up_begin(const Viewer& viewer, const std::vector<RequestField>& request,
-                              HostNs now, std::string& token);
-  std::string record_start(const std::vector<RequestField>& request, Controls::RecordAnswer answer);
+  std::string start(const Arguments& request, const Consent& consent, HostNs now);
+  std::string pause(const Viewer& viewer, HostNs now);
+  std::string resume(const Viewer& viewer, const Consent& consent, HostNs now);
+  std::string drive_take(const Viewer& viewer, const Consent& consent, HostNs now,
+                         std::string& token);
+  std::string drive(const Arguments& request, HostNs now);
+  std::string drive_release(const Arguments& request, HostNs now);
+  std::string wheels_up_begin(const Viewer& viewer, const Arguments& request,
+                              const Consent& consent, HostNs now, std::string& token);
+  std::string record_start(const Arguments& request, Controls::RecordAnswer answer);
+  void say(const std::string& text, HostNs now);
   bool under_way() const;
   Controls::Answer answer_later(Service service, const std::shared_ptr<Viewer>& viewer,
                                 std::uint32_t call) const;

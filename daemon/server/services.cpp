@@ -31,7 +31,12 @@ struct Row {
 
 const std::vector<Row>& rows() {
   static const std::vector<Row> kRows = {
-      {Service::kStart, "start", "Start", {"from"}, R"({"from":""})", R"({"accepted":true})"},
+      {Service::kStart,
+       "start",
+       "Start",
+       {"from", "stops", "t_s"},
+       R"({"from":"","stops":1,"t_s":1.5})",
+       R"({"accepted":true})"},
       {Service::kHold, "hold", "Hold", {}, "{}", R"({"accepted":true})"},
       {Service::kStop, "stop", "Stop", {}, "{}", R"({"acknowledged":true,"acknowledged_ms":1.5})"},
       {Service::kRecordStart,
@@ -41,7 +46,12 @@ const std::vector<Row>& rows() {
        R"({"name":""})",
        R"({"run":""})"},
       {Service::kRecordStop, "record_stop", "RecordStop", {}, "{}", R"({"run":"","bytes":1})"},
-      {Service::kDriveTake, "drive_take", "DriveTake", {}, "{}", R"({"token":""})"},
+      {Service::kDriveTake,
+       "drive_take",
+       "DriveTake",
+       {"stops", "t_s"},
+       R"({"stops":1,"t_s":1.5})",
+       R"({"token":""})"},
       {Service::kDrive,
        "drive",
        "Drive",
@@ -85,7 +95,12 @@ const std::vector<Row>& rows() {
        R"({"kind":"","name":"","text":""})",
        R"({"error":"","line":1,"column":1,"why_not":"","length_m":1.5,"duration_s":1.5})"},
       {Service::kPause, "pause", "Pause", {}, "{}", R"({"accepted":true})"},
-      {Service::kResume, "resume", "Resume", {}, "{}", R"({"accepted":true})"},
+      {Service::kResume,
+       "resume",
+       "Resume",
+       {"stops", "t_s"},
+       R"({"stops":1,"t_s":1.5})",
+       R"({"accepted":true})"},
       {Service::kParametersSave,
        "parameters_save",
        "ParametersSave",
@@ -136,8 +151,8 @@ const std::vector<Row>& rows() {
       {Service::kWheelsUpBegin,
        "wheels_up_begin",
        "WheelsUpBegin",
-       {"tracks"},
-       R"({"tracks":""})",
+       {"tracks", "stops", "t_s"},
+       R"({"tracks":"","stops":1,"t_s":1.5})",
        R"({"token":""})"},
       {Service::kWheelsUpWatch,
        "wheels_up_watch",
@@ -189,6 +204,30 @@ std::string unknown_argument(Service service, const Arguments& arguments) {
     if (std::ranges::find(known, field.name) == known.end())
       return "there is no argument '" + text::one_line(field.name, kMaxShownArgument) + "'";
   return {};
+}
+
+std::string read_consent(Arguments& arguments, const messages::PublishClock& clock, HostNs now,
+                         Consent& consent) {
+  // Counted exactly by a double.
+  constexpr double kMaxStops = 1e15, kMaxSeconds = 1e9;
+  constexpr HostNs kRounding = kNsPerMs;
+  const auto take = [&](std::string_view name, double most) -> std::optional<double> {
+    const auto at = std::ranges::find(arguments, name, &RequestField::name);
+    const double* value = at == arguments.end() ? nullptr : std::get_if<double>(&at->value);
+    if (value == nullptr || !(*value >= 0.0 && *value <= most)) return std::nullopt;
+    const double taken = *value;
+    arguments.erase(at);
+    return taken;
+  };
+  const std::optional<double> stops = take("stops", kMaxStops), t_s = take("t_s", kMaxSeconds);
+  if (!stops || !t_s || *stops != std::floor(*stops))
+    return "stops and t_s are needed: /state.stop.count and /state.t_s as the person saw them when "
+           "acting";
+  consent.stops_seen = static_cast<std::uint64_t>(*stops);
+  consent.acted_ns = std::min(clock.start_ns + from_s(*t_s), now + kRounding);
+  return consent.acted_ns < now + kRounding
+             ? ""
+             : "t_s is later than now; send /state.t_s as it was received";
 }
 
 std::string read_start(const Arguments& arguments, bool& here) {

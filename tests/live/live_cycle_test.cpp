@@ -42,19 +42,19 @@ TEST(LiveCycle, AFirstStartIsCarriedOutUnlessSomethingHasRun) {
   rig.cycle.request(OperatorRequest::kHold);
   rig.steps(20);
   EXPECT_FALSE(rig.cycle.has_run()) << "there was no run to hold";
-  rig.cycle.request_first_start();
+  rig.start(true);
   rig.steps(100);
   EXPECT_TRUE(rig.cycle.has_run());
   const std::size_t arms = rig.arms();
   EXPECT_GT(arms, 0u);
-  rig.cycle.request(OperatorRequest::kStop);
+  rig.cycle.stop();
   rig.steps(20);
   for (int i = 0; i < 200; ++i) {
-    rig.cycle.request_first_start();
+    rig.start(true);
     rig.steps(1 + i % 7);
   }
   EXPECT_EQ(rig.arms(), arms);
-  rig.cycle.request(OperatorRequest::kStart);
+  rig.start();
   rig.steps(100);
   EXPECT_GT(rig.arms(), arms);
 }
@@ -66,11 +66,11 @@ TEST(LiveCycle, AStopAndAFirstStartAtOnceEndWithoutARunInEitherOrder) {
     rig.steps(400);
     const bool stop_first = i % 2 == 0;
     const int apart = i / 2 % 40;
-    const auto stop = [&] { rig.cycle.request(OperatorRequest::kStop); };
+    const auto stop = [&] { rig.cycle.stop(); };
     if (stop_first) stop();
-    if (!stop_first) rig.cycle.request_first_start();
+    if (!stop_first) rig.start(true);
     rig.steps(apart);
-    if (stop_first) rig.cycle.request_first_start();
+    if (stop_first) rig.start(true);
     if (!stop_first) stop();
     rig.steps(1);
     // A start that came first may have been executed before the STOP.
@@ -162,7 +162,7 @@ TEST(LiveCycle, AStartBeforeAChangeBeginsTheOldCourseAndTheChangeIsNotMade) {
   rig.steps(400);
   SetupRequest request{.until_ns = rig.now + kNsPerS};
   request.change.step.emplace(bridge::Parameters{}, nullptr);
-  rig.cycle.request(OperatorRequest::kStart);
+  rig.start();
   rig.cycle.change_setup(request);
   rig.steps(100);
   EXPECT_EQ(rig.cycle.setup_done(), &request);
@@ -193,10 +193,10 @@ TEST(LiveCycle, AfterAChangeOfTheCourseNothingStartsByItself) {
   rig.cycle.change_setup(request);
   rig.steps(100);
   ASSERT_TRUE(request.made);
-  rig.cycle.request_first_start();
+  rig.start(true);
   rig.steps(200);
   EXPECT_EQ(rig.arms(), 0u);
-  rig.cycle.request(OperatorRequest::kStart);
+  rig.start();
   rig.steps(200);
   EXPECT_EQ(rig.arms(), 1u);
 }
@@ -208,10 +208,10 @@ TEST(LiveCycle, GivesUpThePortOfARobotAtRestAndNothingStartsByItselfAfterwards) 
   rig.cycle.give_up_port();
   EXPECT_TRUE(rig.cycle.take_port_drop());
   EXPECT_FALSE(rig.cycle.take_port_drop()) << "once";
-  rig.cycle.request_first_start();
+  rig.start(true);
   rig.steps(200);
   EXPECT_EQ(rig.arms(), 0u);
-  rig.cycle.request(OperatorRequest::kStart);
+  rig.start();
   rig.steps(20);
   ASSERT_EQ(rig.arms(), 1u);
   rig.cycle.give_up_port();

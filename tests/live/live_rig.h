@@ -55,6 +55,12 @@ class LiveRig {
       while (cycle.front_record() != nullptr) cycle.release_record();
     }
   }
+  /// Requests a start by a person who sees the robot now; `first_only`: as the first Enter.
+  void start(bool first_only = false) {
+    cycle.request(OperatorRequest::kStart, {.acted_ns = now,
+                                            .stops_seen = first_only ? 0 : cycle.consents().stops(),
+                                            .first_only = first_only});
+  }
   std::size_t arms() const { return robot.received.arms.size(); }
   LiveCycle cycle;
 };

@@ -24,12 +24,7 @@ class SlowControls : public server::FakeControls {
     choices.push_back(choice);
     answers.push_back(std::move(answer));
   }
-  std::string start() override {
-    ++starts;
-    return why_not_start;
-  }
   std::vector<Answer> answers;
-  std::string why_not_start;
 };
 
 class Ros2RequestsTest : public ::testing::Test {

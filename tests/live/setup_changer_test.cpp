@@ -91,7 +91,7 @@ class SetupChange : public ::testing::Test {
   static void drive(server::WebClient& viewer) {
     for (int i = 0; i < 10; ++i) {
       viewer.read_until("\"start\":true");
-      ask(viewer, kStart, "{}");
+      ask(viewer, kStart, "{" + viewer.consent() + "}");
       viewer.read_until("\"run\":\"arming\"");
       const std::string next = viewer.read_until("\"run\":\"");
       if (next.find("\"run\":\"running\"") != std::string::npos ||

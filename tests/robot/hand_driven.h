@@ -67,7 +67,11 @@ class HandDriven {
   const StepRecord& record() const { return record_; }
   RunState state() const { return record_.snapshot.run_state; }
   HostNs now() const { return robot_.now_ns(); }
-  void request(OperatorRequest request) { cycle_.request(request); }
+  /// By a person who sees the robot now.
+  void request(OperatorRequest request) {
+    if (request == OperatorRequest::kStop) return controls_.stop();
+    cycle_.request(request, {.acted_ns = now(), .stops_seen = controls_.stop_count()});
+  }
 
   void step() {
     for (const HostNs end = now() + kPeriodNs; now() < end;) {
@@ -112,8 +116,10 @@ class HandDriven {
     std::uint32_t number = 1;
     while (kServices.at(number - 1) != service) ++number;
     const std::shared_ptr<server::Viewer> viewer = viewer_of(id);
-    handler_.handle(viewer, server::ServiceCall{number, 1, "json", request.dump()}, permission,
-                    now());
+    nlohmann::json sent = request;
+    if ((service == "start" || service == "drive_take") && !sent.contains("stops"))
+      sent.update({{"stops", controls_.stop_count()}, {"t_s", to_s(now())}});
+    handler_.handle(viewer, server::ServiceCall{number, 1, "json", sent.dump()}, permission, now());
     nlohmann::json answer;
     while (!viewer->outbox().empty()) {
       const server::WebSocketFrame frame = viewer->outbox().pop();

@@ -12,22 +12,18 @@ namespace tp100::server {
 
 class FakeControls : public Controls {
  public:
-  std::string start() override {
-    ++starts;
-    return {};
-  }
-  std::string go_on() override {
-    ++go_ons;
-    return {};
+  std::string move(OperatorRequest request, const Consent& given, HostNs) override {
+    if (request == OperatorRequest::kStart) ++starts;
+    if (request == OperatorRequest::kGoOn) ++go_ons;
+    if (request == OperatorRequest::kResume) ++resumes;
+    consents.push_back(given);
+    return move_refusal;
   }
   std::string pause() override {
     ++pauses;
     return {};
   }
-  std::string resume() override {
-    ++resumes;
-    return {};
-  }
+  std::uint64_t stop_count() override { return static_cast<std::uint64_t>(stops.load()); }
   std::string hold() override {
     ++holds;
     return {};
@@ -47,7 +43,9 @@ class FakeControls : public Controls {
     }
     answer(can_record ? "" : "no directory", record);
   }
-  std::string drive_take(const Driver& driver, HostNs now, std::string& token) override {
+  std::string drive_take(const Driver& driver, const Consent& given, HostNs now,
+                         std::string& token) override {
+    consents.push_back(given);
     const std::optional<std::string> taken = wheel.take(driver, now);
     if (!taken) return wheel.figures(now).by + " drives";
     token = *taken;
@@ -109,7 +107,9 @@ class FakeControls : public Controls {
     examined.push_back(part);
     answer(change_refusal, R"({"port":"/dev/ttyACM0","findings":[]})");
   }
-  std::string wheels_up_begin(const Driver& viewer, HostNs, std::string& token) override {
+  std::string wheels_up_begin(const Driver& viewer, const Consent& given, HostNs,
+                              std::string& token) override {
+    consents.push_back(given);
     checkers.push_back(viewer.id);
     token = "free";
     return change_refusal;
@@ -125,6 +125,8 @@ class FakeControls : public Controls {
   StartConsent start_consent() override { return consent; }
 
   std::atomic<int> starts{0}, go_ons{0}, holds{0}, stops{0}, pauses{0}, resumes{0};
+  std::vector<Consent> consents;
+  std::string move_refusal;
   HostNs motors_off = 0;
   Wheel wheel;
   std::vector<VelocityInput> inputs;

@@ -84,9 +84,21 @@ class RequestHandlerTest : public ::testing::Test {
     handler_.handle(viewer_, parse_text(text), permission, kNow);
     return take();
   }
+  /// A request that sets the robot in motion gets the consent of a person who looks at the page
+  /// now, unless it has one.
   Received call(std::uint32_t service, const std::string& payload = "{}",
                 Permission permission = Permission::kCommand, HostNs now = kNow) {
-    handler_.handle(viewer_, ServiceCall{service, 9, "json", payload}, permission, now);
+    Json request = Json::parse(payload, nullptr, false);
+    const bool moves = service == static_cast<std::uint32_t>(Service::kStart) ||
+                       service == static_cast<std::uint32_t>(Service::kResume) ||
+                       service == static_cast<std::uint32_t>(Service::kDriveTake) ||
+                       service == static_cast<std::uint32_t>(Service::kWheelsUpBegin);
+    if (moves && request.is_object() && !request.contains("stops")) {
+      request["stops"] = controls_.stop_count();
+      request["t_s"] = publisher_.clock().t_s(now);
+    }
+    const std::string text = moves && request.is_object() ? request.dump() : payload;
+    handler_.handle(viewer_, ServiceCall{service, 9, "json", text}, permission, now);
     return take();
   }
   Received call(Service service, const std::string& payload = "{}",

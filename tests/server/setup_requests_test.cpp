@@ -85,10 +85,36 @@ TEST_F(RequestHandlerTest, ARunIsPausedAndResumed) {
   EXPECT_EQ(controls_.pauses, 1);
   record.snapshot.pause_left_s = 119.0;
   step(record);
-  EXPECT_EQ(call(Service::kPause, "{}").texts[0]["message"], "the run is paused already");
+  // Two people who both press Pause must not set the robot in motion.
+  EXPECT_EQ(answer_of(call(Service::kPause).binaries.at(0)), Json::parse(R"({"accepted":true})"));
+  EXPECT_EQ(controls_.resumes, 0);
   call(Service::kResume, "{}");
   EXPECT_EQ(controls_.resumes, 1);
-  EXPECT_EQ(controls_.pauses, 1);
+}
+
+// Without it nobody could tell whether the person had seen a STOP, or acted minutes ago.
+TEST_F(RequestHandlerTest, WhatSetsTheRobotInMotionSaysWhatThePersonSaw) {
+  step(ready());
+  controls_.stop();
+  for (const Service service :
+       {Service::kStart, Service::kResume, Service::kDriveTake, Service::kWheelsUpBegin}) {
+    for (const char* bad :
+         {R"({"stops":null})", R"({"stops":1})", R"({"stops":1.5,"t_s":97})",
+          R"({"stops":-1,"t_s":97})", R"({"stops":"1","t_s":97})", R"({"stops":1,"t_s":-1})"})
+      EXPECT_THAT(std::string(call(service, bad).texts.at(0)["message"]),
+                  HasSubstr("stops and t_s are needed"))
+          << bad;
+    EXPECT_THAT(std::string(call(service, R"({"stops":1,"t_s":98.1})").texts.at(0)["message"]),
+                HasSubstr("t_s is later than now"));
+  }
+  EXPECT_TRUE(controls_.consents.empty());
+  call(Service::kStart, R"({"stops":1,"t_s":97})");
+  ASSERT_EQ(controls_.consents.size(), 1U);
+  EXPECT_EQ(controls_.consents[0].stops_seen, 1U);
+  EXPECT_EQ(controls_.consents[0].acted_ns, 99 * kNsPerS);
+  EXPECT_EQ(controls_.consents[0].by.number, viewer_->id());
+  controls_.move_refusal = to_string(ConsentLoss::kStopped);
+  EXPECT_THAT(std::string(call(Service::kStart).texts.at(0)["message"]), HasSubstr("STOP was"));
 }
 
 TEST_F(RequestHandlerTest, ADraftIsCheckedAlsoDuringARun) {

@@ -9,7 +9,10 @@
 
 #include <cerrno>
 #include <chrono>
+#include <thread>
 #include <utility>
+
+#include "server/services.h"
 
 namespace tp100::server {
 
@@ -30,6 +33,20 @@ int dial(const std::string& port, const std::string& to) {
 namespace {
 
 constexpr std::size_t kKept = 200;
+// Subscription of WebClient::consent(), unlike every channel's number.
+constexpr char kConsent = 99;
+constexpr std::size_t kDataHead = 13;
+
+bool needs_consent(Service service) {
+  return service == Service::kStart || service == Service::kResume ||
+         service == Service::kDriveTake || service == Service::kWheelsUpBegin;
+}
+
+/// The number after `key`, as text.
+std::string number_text(const std::string& json, const std::string& key) {
+  const std::size_t at = json.find(key) + key.size();
+  return json.substr(at, json.find_first_of(",}", at) - at);
+}
 
 // Writes `bytes` until the peer accepts no more for 100 ms.
 bool send_all(int fd, const std::string& bytes) {
@@ -109,6 +126,8 @@ WebClient& WebClient::operator=(WebClient&& other) noexcept {
   std::swap(received_, other.received_);
   std::swap(closed_, other.closed_);
   std::swap(data_, other.data_);
+  std::swap(state_, other.state_);
+  std::swap(watches_state_, other.watches_state_);
   return *this;
 }
 
@@ -147,7 +166,27 @@ void WebClient::subscribe(messages::Channel channel) {
 
 void WebClient::call(std::uint32_t service) {
   std::string bytes = {'\x02', static_cast<char>(service), 0, 0, 0, 1, 0, 0, 0, 4, 0, 0, 0};
-  write_binary(bytes + "json{}");
+  const bool moves = needs_consent(static_cast<Service>(service));
+  write_binary(bytes + "json{" + (moves ? consent() : "") + "}");
+}
+
+std::string WebClient::consent() {
+  if (!std::exchange(watches_state_, true)) {
+    const std::string channel =
+        std::to_string(static_cast<std::uint32_t>(messages::Channel::kState));
+    write_text(R"({"op":"subscribe","subscriptions":[{"id":)" + std::to_string(kConsent) +
+               R"(,"channelId":)" + channel + "}]}");
+  }
+  drain();
+  state_.clear();
+  const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  while (state_.empty()) {
+    if (closed_ || std::chrono::steady_clock::now() > end) throw std::runtime_error("no /state");
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    drain();
+  }
+  return "\"stops\":" + number_text(state_, "\"stop\":{\"count\":") +
+         ",\"t_s\":" + number_text(state_, "\"t_s\":");
 }
 
 void WebClient::drain() {
@@ -182,6 +221,10 @@ void WebClient::take_frames() {
     if (opcode == 8) closed_ = true;
     if (opcode == 9) frame(10, payload);
     if (opcode != 1 && opcode != 2) continue;
+    if (opcode == 2 && payload.size() > kDataHead && payload[0] == 1 && payload[1] == kConsent) {
+      state_ = payload.substr(kDataHead);
+      continue;
+    }
     ++received_;
     data_ = data_ || (opcode == 2 && payload[0] == 1);
     messages_.push_back(std::move(payload));

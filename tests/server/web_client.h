@@ -34,8 +34,13 @@ class WebClient {
   void write_raw_header(std::uint64_t size);
   void write_raw(const std::string& bytes);
   void subscribe(messages::Channel channel);
+  /// Calls a service. One that sets the robot in motion gets the consent of a person who looks at
+  /// the page now.
   void call(std::uint32_t service);
   void call(Service service) { call(static_cast<std::uint32_t>(service)); }
+  /// `"stops":N,"t_s":T` of the next /state, from a subscription of its own, whose messages are not
+  /// among those below. Throws if none arrives within a minute.
+  std::string consent();
 
   /// Reads the available bytes without waiting. The last 200 messages are kept.
   void drain();
@@ -57,6 +62,8 @@ class WebClient {
   int fd_ = -1;
   std::string in_;
   std::vector<std::string> messages_;
+  std::string state_;  // the newest of consent()
+  bool watches_state_ = false;
   std::uint64_t number_ = 0;
   std::size_t received_ = 0;
   bool closed_ = false;
