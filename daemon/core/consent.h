@@ -54,6 +54,18 @@ struct Consent {
   bool first_only = false;
 };
 
+/// The consent of the program's option: --go is consent to start the physical robot that is there
+/// when the program starts, while whoever typed it still watches. An emulated robot needs none: it
+/// starts whenever it is there. `came_later`: plugged in, or in again, after the program's start.
+constexpr Consent option_consent(bool emulator, bool came_later, HostNs program_start_ns,
+                                 HostNs now) {
+  Consent consent{.by = {Door::kOption}, .acted_ns = now, .first_only = true};
+  if (emulator) return consent;
+  consent.acted_ns = program_start_ns;
+  consent.life_ns = came_later ? 0 : Consent::kOptionLifeNs;
+  return consent;
+}
+
 /// Why a consent does not count (any more).
 enum class ConsentLoss : std::uint8_t {
   kNone,

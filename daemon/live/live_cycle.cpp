@@ -119,16 +119,27 @@ void LiveCycle::take_setup(HostNs now) {
 
 void LiveCycle::take_requests(HostNs now) {
   Asked asked;
+  bool begins = !under_way(run_state_);
   while (requests_.pop(asked)) {
     if (shutting_down_) continue;
     const ConsentLoss loss =
         moves(asked.request) ? consents_.judge(asked.consent, now) : ConsentLoss::kNone;
-    if (loss == ConsentLoss::kNone) {
-      cycle_.request(asked.request);
-    } else {
+    if (loss != ConsentLoss::kNone) {
       push(RequestDropped{now, asked.request, asked.consent.by, loss});
+      continue;
     }
+    cycle_.request(asked.request);
+    if (moves(asked.request) && std::exchange(begins, false)) begins_ = asked;
   }
+  give_up_arming(now);
+}
+
+// A robot that gets ready only after the consent's life must not start then.
+void LiveCycle::give_up_arming(HostNs now) {
+  if (run_state_ != RunState::kArming) return;
+  if (now - begins_.consent.acted_ns <= begins_.consent.life_ns) return;
+  cycle_.request(OperatorRequest::kHold);
+  push(RequestDropped{now, begins_.request, begins_.consent.by, ConsentLoss::kTooOld});
 }
 
 bool LiveCycle::take_inputs(HostNs now) {

@@ -86,8 +86,8 @@ class LiveCycle : public loop::LoopClient {
   /// STOP: counted, and carried out by the next step. Cannot be refused. Any thread.
   void stop();
   /// Any thread but the real-time one. A request that moves() needs a consent, which must still
-  /// count when the step takes the request; otherwise it is dropped, which is an event. False: too
-  /// many requests are waiting.
+  /// count when the step takes the request, and until the robot is armed; otherwise it is dropped,
+  /// which is an event. False: too many requests are waiting.
   bool request(OperatorRequest request, const Consent& consent = kNobody);
   /// Whether a run has begun or STOP was pressed. Any thread.
   bool has_run() const { return consents_.ran(); }
@@ -153,6 +153,7 @@ class LiveCycle : public loop::LoopClient {
   /// Whether STOP was among them.
   bool take_inputs(HostNs now);
   void take_requests(HostNs now);
+  void give_up_arming(HostNs now);
   void take_setup(HostNs now);
   void time_sample(HostNs now);
   void pass_events();
@@ -178,6 +179,7 @@ class LiveCycle : public loop::LoopClient {
   loop::SlotRing<StepRecord> records_{kWaitingRecords};
   loop::SlotRing<StepRecord>* first_records_ = nullptr;
   SampleLatency sample_latency_;
+  Asked begins_{};          // the last motion that was passed to the step
   HostNs received_ns_ = 0;  // last read that returned bytes
   std::atomic<std::uint64_t> lost_events_{0};
   std::atomic<std::uint64_t> lost_records_{0};

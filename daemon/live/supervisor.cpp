@@ -131,7 +131,12 @@ int Supervisor::State::run() {
   loop.start();
   privileges.insert(privileges.end(), loop.privileges().begin(), loop.privileges().end());
   terminal = std::make_unique<Terminal>(
-      context, Terminal::Reach{*settings.controls, *settings.server, log, settings.course});
+      &context,
+      Terminal::Reach{*settings.controls,
+                      [this](const std::string& line, bool warning) {
+                        warning ? log.warn(line) : log.info(line);
+                      },
+                      [this] { settings.server->stop_pressed("keyboard"); }, settings.course});
   try {
     tick();
     log.privileges(privileges);
@@ -326,21 +331,15 @@ void Supervisor::State::on_session_state(SessionState next) {
     terminal->ask();
 }
 
-// An emulated robot starts whenever it is there. --go is consent to start the physical robot that
-// is there while the person who typed it still watches.
 bool Supervisor::State::start_by_itself() {
   const HostNs now = monotonic_now();
-  Consent consent{.by = {Door::kOption}, .acted_ns = now, .first_only = true};
-  if (!settings.controls->emulator()) {
-    consent.acted_ns = connector.came_later() ? began_ns - Consent::kOptionLifeNs : began_ns;
-    consent.life_ns = Consent::kOptionLifeNs;
-  }
+  const bool emulator = settings.controls->emulator();
+  const Consent consent = option_consent(emulator, connector.came_later(), began_ns, now);
   const std::string why = settings.controls->move(OperatorRequest::kStart, consent, now);
   if (why.empty()) return true;
-  log.warn(consent.acted_ns == now
-               ? "the emulated robot is not started: " + why
-               : "--go starts nothing: it counts for 10 s after the program's start, for a robot "
-                 "that is there then; start the robot at the terminal or on the page");
+  log.warn(emulator ? "the emulated robot is not started: " + why
+                    : "--go starts nothing: it counts for 10 s after the program's start, for a "
+                      "robot that is there then; start it here or on the page");
   return false;
 }
 

@@ -135,43 +135,47 @@ void Terminal::Input::stop() {
   if (state_->flags >= 0) ::fcntl(STDIN_FILENO, F_SETFL, state_->flags);
 }
 
-Terminal::Terminal(boost::asio::io_context& context, Reach reach)
-    : reach_(std::move(reach)),
-      input_(std::make_unique<Input>(context, [this](const std::string& line) { take(line); })) {}
+Terminal::Terminal(boost::asio::io_context* context, Reach reach) : reach_(std::move(reach)) {
+  if (context == nullptr) return;
+  input_ = std::make_unique<Input>(
+      *context, [this](const std::string& line) { take(line, monotonic_now()); });
+}
 
 Terminal::~Terminal() = default;
-void Terminal::stop() { input_->stop(); }
+void Terminal::stop() {
+  if (input_) input_->stop();
+}
 
 void Terminal::ask() {
   if (session_ != SessionState::kReady || under_way() || reach_.course.empty()) return;
   const bool word = reach_.controls.start_consent() == StartConsent::kWord;
-  const bool typed_ahead = input_->drop_typed_ahead();
+  const bool typed_ahead = input_ && input_->drop_typed_ahead();
   stops_seen_ = reach_.controls.stop_count();
   const std::string what = "to start course " + reach_.course;
-  reach_.log.info(word ? "ready; type go and press Enter " + what + "; Enter alone is STOP"
-                       : "ready; press Enter " + what);
+  reach_.say(word ? "ready; type go and press Enter " + what + "; Enter alone is STOP"
+                  : "ready; press Enter " + what,
+             false);
   if (typed_ahead && word) press_stop("Enter was pressed before the question: STOP");
 }
 
-void Terminal::take(const std::string& line) {
+void Terminal::take(const std::string& line, HostNs now) {
   const bool can_start = !reach_.course.empty();
   const LineMeaning meaning = meaning_of(line, reach_.controls.start_consent(), under_way());
   if (meaning == LineMeaning::kStop) {
     press_stop(under_way() || !can_start ? "Enter: STOP"
                                          : "Enter: STOP; to start again type go and press Enter");
   } else if (!can_start) {
-    reach_.log.info("there is no course; nothing is started");
+    reach_.say("there is no course; nothing is started", false);
   } else if (meaning == LineMeaning::kNothing) {
-    reach_.log.info("nothing is started; press Enter alone to start course " + reach_.course);
+    reach_.say("nothing is started; press Enter alone to start course " + reach_.course, false);
   } else if (session_ != SessionState::kReady) {
-    reach_.log.info("no robot is connected yet; nothing is started");
+    reach_.say("no robot is connected yet; nothing is started", false);
   } else {
-    start(line != kStartWord);
+    start(line != kStartWord, now);
   }
 }
 
-void Terminal::start(bool first_only) {
-  const HostNs now = monotonic_now();
+void Terminal::start(bool first_only, HostNs now) {
   const std::string why = reach_.controls.move(OperatorRequest::kStart,
                                                {.by = {Door::kTerminal},
                                                 .acted_ns = now,
@@ -179,14 +183,14 @@ void Terminal::start(bool first_only) {
                                                 .first_only = first_only},
                                                now);
   if (why.empty()) return;
-  reach_.log.warn("nothing is started: " + why);
+  reach_.say("nothing is started: " + why, true);
   ask();
 }
 
 void Terminal::press_stop(const std::string& message) {
-  reach_.log.warn(message);
   reach_.controls.stop();
-  reach_.server.stop_pressed("keyboard");
+  reach_.stop_pressed();
+  reach_.say(message, true);
   stops_seen_ = reach_.controls.stop_count();
 }
 

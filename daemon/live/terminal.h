@@ -3,14 +3,14 @@
 // Asio stays in the source file.
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 
 #include "core/link_state.h"
 #include "core/run_state.h"
-#include "live/event_log.h"
-#include "live/live_controls.h"
-#include "server/server.h"
+#include "core/time.h"
+#include "server/controls.h"
 
 namespace boost::asio {
 class io_context;
@@ -21,29 +21,33 @@ namespace tp100::live {
 /// Used by the supervisor's thread only.
 class Terminal {
  public:
-  /// All but `course`, whose name is empty if there is none, must outlive the terminal.
   struct Reach {
-    LiveControls& controls;
-    server::Server& server;
-    EventLog& log;
-    std::string course;
+    server::Controls& controls;  ///< must outlive the terminal
+    /// A line for the person at the terminal.
+    std::function<void(const std::string& line, bool warning)> say;
+    /// STOP was pressed here; it is carried out already.
+    std::function<void()> stop_pressed;
+    std::string course;  ///< in force; empty: none
   };
-  Terminal(boost::asio::io_context& context, Reach reach);
+  /// Reads standard input in the context's thread; without a context it reads nothing.
+  Terminal(boost::asio::io_context* context, Reach reach);
   ~Terminal();
 
   void follow(SessionState session) { session_ = session; }
   void follow(RunState run) { run_ = run; }
   /// Another course is in force; empty: none.
   void follow(const std::string& course) { reach_.course = course; }
-  /// Asks for a start, if one is possible; only input typed from now on counts.
+  /// Asks for a start, if one is possible; only input typed from now on counts, and whoever types
+  /// it has seen the STOPs until now.
   void ask();
+  /// Somebody typed this line, without surrounding white space.
+  void take(const std::string& line, HostNs now);
   /// Stops reading input.
   void stop();
 
  private:
   class Input;
-  void take(const std::string& line);
-  void start(bool first_only);
+  void start(bool first_only, HostNs now);
   void press_stop(const std::string& message);
   bool under_way() const { return tp100::under_way(run_); }
 

@@ -1,0 +1,214 @@
+#pragma once
+// The daemon without sockets and threads of its own, in virtual time: cycle, controls, request
+// handler, ROS 2's requests and terminal. Whoever holds the other end of the cable steps it.
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "config/run_setup.h"
+#include "live/live_controls.h"
+#include "live/live_cycle.h"
+#include "live/live_events.h"
+#include "live/live_recording.h"
+#include "live/ros2_requests.h"
+#include "live/setup_changer.h"
+#include "live/terminal.h"
+#include "ros2/message_types.h"
+#include "selftest/self_test.h"
+#include "server/request_handler.h"
+
+namespace tp100::live {
+
+class DaemonRig {
+ public:
+  DaemonRig(config::RunFiles files, config::RunSetup run)
+      : files_(std::move(files)),
+        run_(std::move(run)),
+        cycle_(bridge::session_settings(run_.parameters, run_.course.get()), run_.parameters,
+               run_.course, false),
+        loop_({}, cycle_),
+        recording_(files_, run_, {}),
+        setup_({files_, run_}, cycle_),
+        controls_(cycle_, loop_, recording_, setup_, runs_, self_test_),
+        publisher_(broker_, messages::Messages(context(), {}), controls_),
+        handler_(broker_, publisher_, controls_, {}, "session"),
+        terminal_(nullptr, {controls_, [this](const std::string& line, bool) { said(line); },
+                            [this] { publisher_.stop_pressed("keyboard", now()); },
+                            run_.course == nullptr ? "" : run_.course->name}) {}
+  virtual ~DaemonRig() = default;
+  DaemonRig(const DaemonRig&) = delete;
+  DaemonRig& operator=(const DaemonRig&) = delete;
+
+  virtual HostNs now() const = 0;
+
+  /// Called before each step of the daemon, and with its result.
+  std::function<void(HostNs now)> before_step;
+  std::function<void(const StepRecord& record)> after_step;
+
+  LiveControls& controls() { return controls_; }
+  const StepRecord& record() const { return record_; }
+  RunState state() const { return record_.snapshot.run_state; }
+  /// By a person who sees the robot now.
+  void request(OperatorRequest request) {
+    if (request == OperatorRequest::kStop) return controls_.stop();
+    cycle_.request(request, {.acted_ns = now(), .stops_seen = controls_.stop_count()});
+  }
+
+  /// Viewer `id` calls a service; connects first if it is new. What sets the robot in motion gets
+  /// the consent of a person who sees the robot now, unless the request has one. Returns the answer
+  /// as JSON, a refusal as {"refused": text}.
+  nlohmann::json call(std::uint32_t id, const std::string& service,
+                      const nlohmann::json& request = nlohmann::json::object(),
+                      server::Permission permission = server::Permission::kCommand) {
+    std::uint32_t number = 1;
+    while (server::services().at(number - 1).name != service) ++number;
+    const std::shared_ptr<server::Viewer> viewer = viewer_of(id);
+    nlohmann::json sent = request;
+    const bool moves = service == "start" || service == "resume" || service == "drive_take" ||
+                       service == "wheels_up_begin";
+    if (moves && !sent.contains("stops"))
+      sent.update({{"stops", controls_.stop_count()}, {"t_s", to_s(now())}});
+    handler_.handle(viewer, server::ServiceCall{number, 1, "json", sent.dump()}, permission, now());
+    nlohmann::json answer;
+    while (!viewer->outbox().empty()) {
+      const server::WebSocketFrame frame = viewer->outbox().pop();
+      if (frame.binary && frame.head_size == 0)
+        answer = nlohmann::json::parse(frame.body->substr(frame.body->find('{')));
+      else if (!frame.binary)
+        answer = {{"refused", nlohmann::json::parse(*frame.body).value("message", "")}};
+    }
+    return answer;
+  }
+  /// The socket of viewer `id` is closed.
+  void disconnect(std::uint32_t id) {
+    const std::shared_ptr<server::Viewer> viewer = viewer_of(id);
+    broker_.remove(viewer);
+    handler_.leave(*viewer, now());
+    viewers_.erase(id);
+  }
+  /// Viewer `id` sends its input, which is `age_s` old.
+  nlohmann::json drive(std::uint32_t id, const std::string& token, double speed_mps,
+                       double yaw_rate_radps, double age_s = 0.0) {
+    return call(id, "drive",
+                {{"token", token},
+                 {"speed_mps", speed_mps},
+                 {"yaw_rate_radps", yaw_rate_radps},
+                 {"input_ms", (to_s(now()) - age_s) * 1e3}});
+  }
+  /// Receives a message of a ROS 2 node, which its writer sent `age_s` ago.
+  template <class Message>
+  void receive(ros2::Input input, const Message& message, double age_s = 0.0,
+               std::uint64_t writer = 1) {
+    ros2_.take({.input = input,
+                .writer = writer,
+                .written_ns = kWriterClockNs + now() - from_s(age_s),
+                .taken_ns = kWriterClockNs + now(),
+                .cdr = ros2::serialized(message)},
+               now());
+  }
+  /// Receives a velocity on /cmd_vel, as TwistStamped if `stamped`.
+  void receive_velocity(double speed_mps, double yaw_rate_radps, double age_s = 0.0,
+                        std::uint64_t writer = 1, bool stamped = false) {
+    ros2::geometry_msgs::Twist twist{};
+    twist.linear.x = speed_mps;
+    twist.angular.z = yaw_rate_radps;
+    if (!stamped) return receive(ros2::Input::kVelocity, twist, age_s, writer);
+    const HostNs at_ns = kWriterClockNs + now() - from_s(age_s);
+    receive(ros2::Input::kVelocityStamped,
+            ros2::geometry_msgs::TwistStamped{
+                .header = {.stamp = {.sec = static_cast<std::int32_t>(at_ns / kNsPerS),
+                                     .nanosec = static_cast<std::uint32_t>(at_ns % kNsPerS)}},
+                .twist = twist},
+            0.0, writer);
+  }
+  void receive_drive(bool wanted) {
+    receive(ros2::Input::kDrive, ros2::std_msgs::Bool{.data = wanted});
+  }
+  /// Reports that no writer is left on that topic.
+  void writers_gone(ros2::Input input) { ros2_.take({.input = input, .gone = true}, now()); }
+  /// Messages about ROS 2's requests since the last call.
+  std::string take_messages() {
+    std::vector<messages::Event> words;
+    ros2_.drain_events(words);
+    std::string text;
+    for (const messages::Event& word : words) text += word.text + "\n";
+    return text;
+  }
+  /// The /state as a viewer sees it.
+  const messages::StateFigures& shown() {
+    publisher_.tick(now());
+    return publisher_.state();
+  }
+
+ protected:
+  virtual void said(const std::string&) {}
+  virtual void happened(const LiveEvent&) {}
+
+  /// What the supervisor and the server do after a step.
+  void take_results() {
+    record_ = *cycle_.front_record();
+    if (const auto made = setup_.take(record_)) {
+      if (made->run != nullptr) {
+        const std::string course =
+            made->run->setup.course == nullptr ? "" : made->run->setup.course->name;
+        ros2_.set_course(course);
+        terminal_.follow(course);
+        publisher_.change_setup(config::run_context_of(made->run->setup), now());
+      }
+      setup_.finish();
+    }
+    setup_.tick();
+    cycle_.release_record();
+    LiveEvent event;
+    while (cycle_.take_event(event)) happened(event);
+    LiveStatus status;
+    cycle_.take_status(status);
+    publisher_.take(record_);
+    ros2_.observe(record_);
+    handler_.tick(now());
+    if (after_step) after_step(record_);
+  }
+
+  // Offset of a ROS 2 writer's own clock.
+  static constexpr HostNs kWriterClockNs = 1'700'000'000 * kNsPerS;
+
+  config::RunFiles files_;
+  config::RunSetup run_;
+  LiveCycle cycle_;
+  loop::FixedRateLoop loop_;  // not started: the test is the loop
+  LiveRecording recording_;
+  SetupChanger setup_;
+  runs::RunArchive runs_{{}};
+  selftest::SelfTest self_test_{run_.configuration, run_.robot};
+  LiveControls controls_;
+  Ros2Requests ros2_{controls_};
+  server::Broker broker_{messages::channel_texts()};
+  server::Publisher publisher_;
+  server::RequestHandler handler_;
+  Terminal terminal_;
+
+ private:
+  messages::RunContext context() const {
+    messages::RunContext out;
+    out.course = run_.course;
+    return out;
+  }
+  std::shared_ptr<server::Viewer> viewer_of(std::uint32_t id) {
+    std::shared_ptr<server::Viewer>& viewer = viewers_[id];
+    if (viewer == nullptr) {
+      viewer = std::make_shared<server::Viewer>(
+          id, [] {}, [] {});
+      broker_.add(viewer);
+    }
+    return viewer;
+  }
+
+  std::map<std::uint32_t, std::shared_ptr<server::Viewer>> viewers_;
+  StepRecord record_{};
+};
+
+}  // namespace tp100::live
