@@ -307,6 +307,7 @@ class Wheel:
     def __init__(self, robot):
         self._robot = robot
         self._token = robot.call("drive_take")["token"]
+        self.drive(0.0, 0.0)  # at once: it shows the daemon how slow the path is
 
     def __enter__(self):
         return self

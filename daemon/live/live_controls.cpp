@@ -113,18 +113,24 @@ std::string LiveControls::drive_take(const server::Driver& driver, const Consent
 std::string LiveControls::drive(const server::DriveRequest& request, HostNs now) {
   const std::lock_guard lock(mutex_);
   if (!driving(now)) wheel_.clear();
-  const std::optional<VelocityInput> input = wheel_.drive(request, now);
-  if (!input) return "this token does not hold the wheel; take it";
-  return cycle_.velocity(*input) ? std::string() : kBusy;
+  std::string why;
+  const std::optional<VelocityInput> input = wheel_.drive(request, now, why);
+  if (input) return cycle_.velocity(*input) ? std::string() : kBusy;
+  if (why.empty()) return "this token does not hold the wheel; take it";
+  end_drive(now);
+  return why;
 }
 
 std::string LiveControls::drive_release(const std::string& token, HostNs now) {
   const std::lock_guard lock(mutex_);
-  if (!wheel_.release(token)) return "this token does not hold the wheel";
+  return wheel_.release(token) ? end_drive(now) : "this token does not hold the wheel";
+}
+
+std::string LiveControls::end_drive(HostNs now) {
   cycle_.velocity({.at_ns = now});
   // Do not hold a run that somebody else may have started meanwhile.
   if (cycle_.run_state() == RunState::kRunning) return {};
-  return cycle_.request(OperatorRequest::kHold) ? std::string() : kBusy;
+  return request(OperatorRequest::kHold);
 }
 
 void LiveControls::drive_lost(const std::string& id, HostNs now) {

@@ -105,6 +105,7 @@ class LiveControls : public server::Controls {
 
  private:
   std::string why_not_move(const Consent& consent, HostNs now) const;
+  std::string end_drive(HostNs now);
   bool driving(HostNs now);
 
   LiveCycle& cycle_;

@@ -43,7 +43,7 @@ std::string WheelsUpCheck::begin(const server::Driver& viewer, HostNs now, std::
   step_ = "the check takes over the port";
   question_.reset();
   result_.clear();
-  lost_ = false;
+  lost_.clear();
   handover_.ask();
   if (check_.post([this, robot = robot_] { run(robot); })) return {};
   handover_.end();
@@ -54,8 +54,13 @@ std::string WheelsUpCheck::begin(const server::Driver& viewer, HostNs now, std::
 std::string WheelsUpCheck::watch(const server::WheelsUpWatch& watch, HostNs now,
                                  std::string& json) {
   const std::lock_guard lock(mutex_);
-  const auto input = wheel_.drive({.token = watch.token, .input_ms = watch.input_ms}, now);
-  if (!input) return "no check has this token; begin another check";
+  std::string why;
+  const auto input = wheel_.drive({.token = watch.token, .input_ms = watch.input_ms}, now, why);
+  if (!input && why.empty()) return "no check has this token; begin another check";
+  if (!input) {
+    lose_viewer(why);
+    return why;
+  }
   input_ns_ = input->at_ns;
   if (watch.answer && question_ && watch.question == question_number_) {
     const bool known = std::ranges::any_of(
@@ -84,8 +89,11 @@ std::string WheelsUpCheck::watch(const server::WheelsUpWatch& watch, HostNs now,
 
 void WheelsUpCheck::lose(const std::string& id) {
   const std::lock_guard lock(mutex_);
-  if (!on() || !wheel_.lose(id)) return;
-  lost_ = true;
+  if (on() && wheel_.lose(id)) lose_viewer("its viewer has disconnected");
+}
+
+void WheelsUpCheck::lose_viewer(const std::string& why) {
+  lost_ = why;
   stop();
 }
 
@@ -140,7 +148,7 @@ void WheelsUpCheck::run(const course::Robot& robot) {
   const doctor::Findings findings = examine(robot, port);
   handover_.end();
   const std::lock_guard lock(mutex_);
-  end_ = lost_ ? "its viewer has disconnected" : end_of(findings);
+  end_ = lost_.empty() ? end_of(findings) : lost_;
   step_ = "the check has ended, and the daemon has its port again";
   question_.reset();
   result_ = doctor::json(findings, port);

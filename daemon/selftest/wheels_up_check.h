@@ -56,6 +56,7 @@ class WheelsUpCheck : public doctor::Operator {
   void motors_off(HostNs at) override { motors_off_ns_ = at; }
 
  private:
+  void lose_viewer(const std::string& why);
   void run(const course::Robot& robot);
   doctor::Findings examine(const course::Robot& robot, std::string& port);
 
@@ -73,7 +74,7 @@ class WheelsUpCheck : public doctor::Operator {
   std::optional<std::string> answer_{};
   std::string result_;    // JSON; empty: not ended
   std::string end_;       // for take_end()
-  bool lost_ = false;     // its viewer
+  std::string lost_;      // why its viewer no longer watches
   record::Worker check_;  // declared last: its jobs use the others
 };
 

@@ -16,6 +16,15 @@ constexpr double kMaxInputMs = 1e15;
 // Clocks of two machines drift apart by less than this.
 constexpr HostNs kDriftDivisor = 1000;
 
+std::string slow(HostNs round_trip_ns) {
+  return text::format(
+      "the first input came %.2f s after the token: driving by hand needs a path to the daemon "
+      "with "
+      "a round trip of less than %.1f s, and a first input (zero speed will do) at once after the "
+      "token",
+      to_s(round_trip_ns), to_s(Wheel::kMaxRoundTripNs));
+}
+
 }  // namespace
 
 std::optional<DriveRequest> drive_request(const std::vector<RequestField>& fields,
@@ -67,16 +76,27 @@ std::optional<std::string> Wheel::take(const Driver& driver, HostNs now) {
   return token_;
 }
 
-std::optional<VelocityInput> Wheel::drive(const DriveRequest& request, HostNs now) {
+std::optional<VelocityInput> Wheel::drive(const DriveRequest& request, HostNs now,
+                                          std::string& why) {
   if (!holds(request.token)) return std::nullopt;
+  if (!clock_offset_ns_) {
+    const HostNs round_trip_ns = now - taken_ns_;
+    if (round_trip_ns >= kMaxRoundTripNs) {
+      why = slow(round_trip_ns);
+      clear();
+      return std::nullopt;
+    }
+    // What is left unknown of the delay is at most kFreshInputNs.
+    path_age_ns_ = std::max<HostNs>(0, round_trip_ns - kFreshInputNs);
+  }
   // The least delayed message gives the clocks' offset; the extra delay of another is its age.
-  const HostNs offset_ns = now - from_s(request.input_ms * 1e-3);
+  const HostNs offset_ns = now - path_age_ns_ - from_s(request.input_ms * 1e-3);
   clock_offset_ns_ =
       clock_offset_ns_
           ? std::min(offset_ns, *clock_offset_ns_ + (now - received_ns_) / kDriftDivisor)
           : offset_ns;
   received_ns_ = now;
-  const HostNs at_ns = now - offset_ns + *clock_offset_ns_;
+  const HostNs at_ns = from_s(request.input_ms * 1e-3) + *clock_offset_ns_;
   input_ns_ = std::max(input_ns_, at_ns);
   return VelocityInput{at_ns, request.speed_mps, request.yaw_rate_radps};
 }

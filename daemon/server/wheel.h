@@ -39,14 +39,21 @@ class Wheel {
  public:
   /// A client that was refused counts as asking for this long.
   static constexpr HostNs kAskNs = 5 * kNsPerS;
+  /// A driver whose first input does not arrive within this time after take() cannot drive. Then,
+  /// over any path and however its delay grows, an input counts as zero speed at most this long
+  /// after the person gave it. (A delay that grows by less than 1 ms a second looks like a clock
+  /// that drifts, and is not counted.)
+  static constexpr HostNs kMaxRoundTripNs = 2 * kFreshInputNs;
 
   /// Gives the wheel to `driver` and returns the token; the previous token is ignored from now on.
   /// Returns nothing while another driver's input is fresh; that driver is then shown who asks.
   std::optional<std::string> take(const Driver& driver, HostNs now);
   /// The input with the host time at which the person gave it; nothing if the token does not hold
   /// the wheel. A message that was delayed on its way, or that repeats an input, has the age of the
-  /// person's input.
-  std::optional<VelocityInput> drive(const DriveRequest& request, HostNs now);
+  /// person's input. The first input was given after take(): the time since then, a round trip at
+  /// most, bounds the delay of the path. If that is kMaxRoundTripNs or more, the wheel is released,
+  /// and `why` says so in one line.
+  std::optional<VelocityInput> drive(const DriveRequest& request, HostNs now, std::string& why);
   /// False: the token does not hold the wheel.
   bool release(std::string_view token);
   /// The client is gone. True: it held the wheel.
@@ -68,6 +75,7 @@ class Wheel {
   HostNs asked_ns_ = 0;
   HostNs input_ns_ = 0;                    // of the newest input
   HostNs received_ns_ = 0;                 // when the newest message arrived
+  HostNs path_age_ns_ = 0;                 // that every input has at least
   std::optional<HostNs> clock_offset_ns_;  // host time - the client's clock
 };
 

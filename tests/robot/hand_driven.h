@@ -78,11 +78,12 @@ class HandDriven : public live::DaemonRig {
     return step_until([&] { return record().snapshot.drive_refusal == StartRefusal::kNone; }, 10.0);
   }
 
-  /// Viewer `id` takes the wheel and waits until the robot is armed. Returns the token or the
-  /// refusal.
+  /// Viewer `id` takes the wheel, gives a first input and waits until the robot is armed. Returns
+  /// the token or the refusal.
   std::string take(std::uint32_t id) {
     const nlohmann::json answer = call(id, "drive_take");
     if (!answer.contains("token")) return answer.value("refused", "");
+    drive(id, answer["token"], 0.0, 0.0);
     step_until([&] { return state() == RunState::kDriving; }, 1.0);
     return answer["token"];
   }

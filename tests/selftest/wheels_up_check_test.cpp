@@ -100,6 +100,21 @@ TEST_F(WheelsUpCheckTest, NobodyWatchesOnceItsViewerIsGone) {
   EXPECT_THAT(watch(token, json), HasSubstr("no check has this token"));
 }
 
+// Signs of life that arrive a second late would keep the tracks running after the page is gone.
+TEST_F(WheelsUpCheckTest, EndsIfThePathToItsViewerIsSlow) {
+  std::string token, json;
+  const HostNs now = monotonic_now();
+  ASSERT_EQ(check_.begin(viewer_, now, token), "");
+  EXPECT_THAT(check_.watch({.token = token, .input_ms = 7.0}, now + 400 * kNsPerMs, json),
+              HasSubstr("less than 0.3 s"));
+  EXPECT_THAT(check_.watch({.token = token, .input_ms = 8.0}, now + 401 * kNsPerMs, json),
+              HasSubstr("no check has this token"));
+  std::string end;
+  while (end.empty()) end = check_.take_end();
+  EXPECT_THAT(end, HasSubstr("less than 0.3 s"));
+  EXPECT_FALSE(check_.on());
+}
+
 TEST_F(WheelsUpCheckTest, AFrozenClockOfThePageIsNoSignOfLife) {
   std::string token, json;
   const HostNs now = monotonic_now() - kNsPerS;

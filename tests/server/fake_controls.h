@@ -52,8 +52,9 @@ class FakeControls : public Controls {
     return {};
   }
   std::string drive(const DriveRequest& request, HostNs now) override {
-    const std::optional<VelocityInput> input = wheel.drive(request, now);
-    if (!input) return "this token does not hold the wheel; take it";
+    std::string why = "this token does not hold the wheel; take it";
+    const std::optional<VelocityInput> input = wheel.drive(request, now, why);
+    if (!input) return why;
     inputs.push_back(*input);
     return {};
   }
