@@ -51,8 +51,8 @@ int run_ports() {
   names.reserve(ports.size());
   for (const link::PortInfo& port : ports)
     names.push_back(doctor::stable_name(doctor::System{}, port.path));
-  const link::AutoChoice choice = link::choose_for_auto(
-      all, true, [](const std::string& path) { return link::port_holder(path); });
+  const link::AutoChoice choice =
+      link::choose_for_auto(all, [](const std::string& path) { return link::port_holder(path); });
   std::fputs(ports_text(ports, names, choice.passed_over).c_str(), stdout);
   return 0;
 }

@@ -172,8 +172,7 @@ int run_run(const RunOptions& options) {
   settings.connector = {
       .port = configuration.link.port,
       .options = {.baud = configuration.link.baud, .hang_up = configuration.link.hang_up},
-      .wait = options.wait,
-      .attended = live::service_settings().socket.empty()};
+      .wait = options.wait};
   settings.camera = configuration.camera;
   settings.world = config::world_run(run);
   settings.go = options.go;

@@ -36,9 +36,9 @@ std::span<const Key<LinkSettings>> link_keys() {
       {"port",
        &T::port,
        {},
-       "Serial port: a device path, or auto: an Arduino Mega, found by its USB ids, or a bridge "
-       "chip if it is the only candidate and certainly not open in another program. A service "
-       "needs a path if there are several candidates"},
+       "Serial port: a device path, or auto: the only board that may be the robot by its USB ids, "
+       "an Arduino Mega, or a bridge chip that is certainly not open in another program. With "
+       "several candidates a path is needed"},
       {"baud", &T::baud, {9600, 2000000}, "Speed of the port; the firmware uses the default"},
       {"timeout_ms",
        &T::timeout_ms,

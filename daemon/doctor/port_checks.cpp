@@ -33,10 +33,10 @@ void add_stable_name(const System& system, ChosenPort& port, std::size_t candida
         {Severity::kNote, "by-id", port.device + ": no name in " + kById + " leads to it",
          "with several boards, set link.port again each time it is plugged in (see tp100d ports)"});
   } else if (candidates > 1 && port.path != stable) {
-    port.findings.push_back({Severity::kWarning, "by-id",
-                             std::to_string(candidates) + " boards may be the robot, " +
-                                 port.device + " is only the most likely one",
-                             "set link.port = \"" + stable + "\" in the configuration"});
+    port.findings.push_back(
+        {Severity::kWarning, "by-id",
+         std::to_string(candidates) + " boards may be the robot, and auto opens none of several",
+         "set link.port = \"" + stable + "\" in the configuration"});
   } else {
     port.findings.push_back(ok("by-id", stable));
   }
@@ -50,15 +50,15 @@ ChosenPort choose_port(const System& system, const std::string& port,
   ChosenPort chosen;
   chosen.path = open.empty() ? port : open;
   if (chosen.path == "auto") {
-    const link::AutoChoice choice = link::choose_for_auto(
-        ports, true,
-        [&](const std::string& path) { return link::port_holder(path, system.file("/proc")); });
-    if (choice.open.empty()) {
+    const link::AutoChoice choice = link::choose_for_auto(ports, [&](const std::string& path) {
+      return link::port_holder(path, system.file("/proc"));
+    });
+    if (!choice.open) {
       const std::string why = link::why_none(choice);
       const std::size_t end = why.rfind("; ");
       return missing(why.substr(0, end), why.substr(end + 2));
     }
-    chosen.path = choice.open.front().path;
+    chosen.path = choice.open->path;
   }
   chosen.device = system.real(chosen.path);
   if (chosen.device.empty())

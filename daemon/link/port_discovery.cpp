@@ -73,24 +73,20 @@ std::vector<PortInfo> candidates(std::vector<PortInfo> ports) {
   return ports;
 }
 
-AutoChoice choose_for_auto(const std::vector<PortInfo>& ports, bool attended,
-                           const HolderOf& holder_of) {
+AutoChoice choose_for_auto(const std::vector<PortInfo>& ports, const HolderOf& holder_of) {
   const std::vector<PortInfo> likely = candidates(ports);
   const auto why_not = [&](const PortInfo& port) -> std::string {
-    if (!attended && likely.size() > 1)
-      return "not the only candidate, and a service does not guess";
     const PortHolder holder = holder_of(port.path);
     if (!holder.name.empty()) return "held open by " + holder.name;
-    if (classify(port) == PortKind::kMega) return {};
     if (likely.size() > 1) return "not the only candidate (" + describe(port) + ")";
-    if (holder.others_hidden)
+    if (classify(port) != PortKind::kMega && holder.others_hidden)
       return "this account cannot see whether another program has it open (" + describe(port) + ")";
     return {};
   };
   AutoChoice choice;
   for (const PortInfo& port : likely) {
     if (std::string why = why_not(port); why.empty()) {
-      choice.open.push_back(port);
+      choice.open = port;
     } else {
       choice.passed_over.push_back({port, std::move(why)});
     }

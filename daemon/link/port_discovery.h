@@ -3,6 +3,7 @@
 
 #include <compare>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,26 +46,24 @@ std::string describe(const PortInfo& port);
 /// handshake tells which is one.
 std::vector<PortInfo> candidates(std::vector<PortInfo> ports);
 
-/// A port that `auto` does not open.
+/// A port that may be a TP100 and that `auto` does not open.
 struct PassedOver {
   PortInfo port;
   std::string why;  ///< without the port's name
 };
 
-/// The ports that `auto` may open. Any other port may be somebody else's machine, which opening
+/// The port that `auto` may open. Any other port may be somebody else's machine, which opening
 /// would reset and set to our speed.
 struct AutoChoice {
-  std::vector<PortInfo> open;  ///< tried one after the other
+  std::optional<PortInfo> open;
   std::vector<PassedOver> passed_over;
 };
 
 using HolderOf = std::function<PortHolder(const std::string& path)>;
 
-/// Chooses a Mega that no visible process has open; or a bridge, if it is the only candidate and
-/// certainly not open in any process. `attended`: a person is present and sees which of several is
-/// opened.
-AutoChoice choose_for_auto(const std::vector<PortInfo>& ports, bool attended,
-                           const HolderOf& holder_of);
+/// Chooses the only candidate: a Mega that no visible process has open, or a bridge that certainly
+/// no process has open. Of several it chooses none: only a person knows which is the robot.
+AutoChoice choose_for_auto(const std::vector<PortInfo>& ports, const HolderOf& holder_of);
 /// Why nothing was chosen and what to do, in one line.
 std::string why_none(const AutoChoice& choice);
 

@@ -59,9 +59,7 @@ void Connector::take_back(const loop::LostPort& lost, HostNs now) {
             (lost.error == 0 ? "end of file" : std::strerror(lost.error)) +
             "); plug the robot in again";
   }
-  if (!found_ && !settings_.wait && !(silent && silent_.size() < candidates_)) {
-    throw SetupError(line);
-  }
+  if (!found_ && !settings_.wait) throw SetupError(line);
   say_once(line);
 }
 
@@ -86,46 +84,26 @@ link::AutoChoice Connector::choose() const {
   std::vector<link::PortInfo> ports = link::list_ports();
   if (robot_)
     std::erase_if(ports, [this](const link::PortInfo& port) { return !same_board(port, *robot_); });
-  link::AutoChoice choice = link::choose_for_auto(
-      ports, settings_.attended, [](const std::string& path) { return link::port_holder(path); });
-  std::vector<link::PortInfo> open;
-  for (const link::PortInfo& port : std::exchange(choice.open, {})) {
-    if (silent_.contains(device_file(port.path))) {
-      choice.passed_over.push_back({port, "no TP100 answered on it"});
-    } else {
-      choice.open.push_back(port);
-    }
+  link::AutoChoice choice =
+      link::choose_for_auto(ports, [](const std::string& path) { return link::port_holder(path); });
+  if (choice.open && silent_.contains(device_file(choice.open->path))) {
+    choice.passed_over.push_back({*choice.open, "no TP100 answered on it"});
+    choice.open.reset();
   }
   return choice;
 }
 
-// A port without permission or with a lock belongs to somebody else: try the next one. If none can
-// be opened, report the first port's error.
 link::Port Connector::open_next() {
   if (settings_.port != "auto") return link::open_port(settings_.port, settings_.options);
   const link::AutoChoice choice = choose();
-  candidates_ = choice.open.size() + silent_.size();
-  if (choice.open.empty()) {
+  if (!choice.open) {
     if (robot_ && choice.passed_over.empty())
       throw SetupError(path_ + ": the robot's port is gone; plug it in again");
     throw SetupError(link::why_none(choice));
   }
-  const std::size_t all = choice.open.size() + choice.passed_over.size();
-  if (all > 1 && !std::exchange(several_reported_, true))
-    say_(std::to_string(all) +
-         " ports may be a TP100 (see `tp100d ports`); the most likely one is tried first; name the "
-         "robot's with --port or link.port");
-  std::string refused;
-  for (const link::PortInfo& port : choice.open) {
-    try {
-      link::Port open = link::open_port(port.path, settings_.options);
-      opened_ = port;
-      return open;
-    } catch (const SetupError& error) {
-      if (refused.empty()) refused = error.what();
-    }
-  }
-  throw SetupError(refused);
+  link::Port open = link::open_port(choice.open->path, settings_.options);
+  opened_ = choice.open;
+  return open;
 }
 
 void Connector::say_once(const std::string& line) {

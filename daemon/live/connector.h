@@ -17,11 +17,10 @@
 namespace tp100::live {
 
 struct ConnectorSettings {
-  /// Path, or auto: link::choose_for_auto(); once a robot was found, only its port.
+  /// Path, or auto: link::choose_for_auto(); once a robot was found, only its board.
   std::string port = "auto";
   link::PortOptions options{};
-  bool wait = false;     ///< keep trying before the first hello, too
-  bool attended = true;  ///< false: runs as a service, see link::choose_for_auto()
+  bool wait = false;  ///< keep trying before the first hello, too
   /// Through which a check may ask for the port; null: none. Must outlive the connector.
   selftest::PortHandover* handover = nullptr;
 };
@@ -73,7 +72,6 @@ class Connector {
   // replied, by device file, which changes when they are replugged.
   std::optional<link::PortInfo> opened_, robot_;
   std::set<std::string> silent_;
-  std::size_t candidates_ = 1;
   std::uint32_t id_ = 0;
   HostNs next_try_ns_ = 0;
   HostNs retry_ns_ = kFirstRetryNs;
@@ -81,7 +79,6 @@ class Connector {
   bool found_ = false;
   bool stopped_ = false;
   bool came_later_ = false;
-  bool several_reported_ = false;
 };
 
 }  // namespace tp100::live

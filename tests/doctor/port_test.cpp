@@ -21,7 +21,7 @@ class Port : public testing::Test {
   FakeSystem fake_;
 };
 
-TEST_F(Port, IsTheLikeliestOneWithItsStableName) {
+TEST_F(Port, IsTheOnlyBoardWithItsStableName) {
   fake_.link("/dev/serial/by-id/usb-Arduino-7583", "../../ttyACM0");
   const ChosenPort port = choose_port(fake_.system(), "auto", {FakeSystem::mega()});
   EXPECT_EQ(port.device, kDevice);
@@ -71,10 +71,14 @@ TEST_F(Port, WithoutAStableNameIsNoted) {
   EXPECT_THAT(find(port.findings, "by-id").fix, HasSubstr("link.port"));
 }
 
-TEST_F(Port, OneOfSeveralShouldBeNamed) {
+TEST_F(Port, OneOfSeveralMustBeNamed) {
   fake_.link("/dev/serial/by-id/usb-Arduino-7583", "../../ttyACM0");
-  const ChosenPort port =
-      choose_port(fake_.system(), "auto", {FakeSystem::mega(), FakeSystem::mega("/dev/ttyACM1")});
+  const std::vector<link::PortInfo> two = {FakeSystem::mega(), FakeSystem::mega("/dev/ttyACM1")};
+  const ChosenPort none = choose_port(fake_.system(), "auto", two);
+  EXPECT_EQ(find(none.findings, "device").severity, Severity::kError);
+  EXPECT_THAT(find(none.findings, "device").fix, HasSubstr("name it with --port or link.port"));
+  // The other one was plugged in while the daemon had the robot's port.
+  const ChosenPort port = choose_port(fake_.system(), "auto", two, kDevice);
   EXPECT_EQ(find(port.findings, "by-id").severity, Severity::kWarning);
   EXPECT_THAT(find(port.findings, "by-id").fix,
               HasSubstr("link.port = \"/dev/serial/by-id/usb-Arduino-7583\""));
