@@ -3,8 +3,10 @@
 #include <spdlog/async_logger.h>
 #include <spdlog/details/thread_pool.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include <atomic>
 #include <chrono>
 #include <thread>
 
@@ -24,14 +26,30 @@ constexpr HostNs kRefusalNs = kNsPerS;
 constexpr std::size_t kWaiting = 1024;
 constexpr auto kFlushTimeout = 1000ms, kLook = 5ms;
 
+/// A sink that knows whether it waits for its reader.
+template <class Sink>
+struct Watched : Sink {
+  explicit Watched(std::atomic<bool>& waits) : waits_(waits) {}
+  void log(const spdlog::details::log_msg& message) override {
+    waits_ = true;
+    Sink::log(message);
+    waits_ = false;
+  }
+  std::atomic<bool>& waits_;
+};
+
 }  // namespace
 
 struct EventLog::Writer {
+  std::atomic<bool> waits{false};
   std::shared_ptr<spdlog::details::thread_pool> pool =
       std::make_shared<spdlog::details::thread_pool>(kWaiting, 1);
   // spdlog's asynchronous logger must be owned by a shared_ptr.
   std::shared_ptr<spdlog::async_logger> logger = std::make_shared<spdlog::async_logger>(
-      "tp100d", std::make_shared<spdlog::sinks::stderr_color_sink_mt>(), pool,
+      "tp100d", std::make_shared<Watched<spdlog::sinks::stderr_color_sink_mt>>(waits), pool,
+      spdlog::async_overflow_policy::overrun_oldest);
+  std::shared_ptr<spdlog::async_logger> output = std::make_shared<spdlog::async_logger>(
+      "summary", std::make_shared<Watched<spdlog::sinks::stdout_sink_mt>>(waits), pool,
       spdlog::async_overflow_policy::overrun_oldest);
 };
 
@@ -42,15 +60,16 @@ EventLog::EventLog() : writer_(std::make_unique<Writer>()) {
   else
     writer_->logger->set_pattern("%H:%M:%S.%e %^%l%$ %v");
   writer_->logger->flush_on(spdlog::level::info);
+  writer_->output->set_pattern("%v");
 }
 
 bool EventLog::flush() {
-  for (std::chrono::milliseconds waited{0};
-       writer_->pool->queue_size() > 0 && waited < kFlushTimeout; waited += kLook)
+  const auto written = [&] { return writer_->pool->queue_size() == 0 && !writer_->waits; };
+  for (std::chrono::milliseconds waited{0}; !written() && waited < kFlushTimeout; waited += kLook)
     std::this_thread::sleep_for(kLook);
   // The last line may still be on its way.
   std::this_thread::sleep_for(kLook);
-  return writer_->pool->queue_size() == 0;
+  return written();
 }
 
 EventLog::~EventLog() {
@@ -66,7 +85,14 @@ EventLog::~EventLog() {
 void EventLog::info(const std::string& line) { writer_->logger->info("{}", line); }
 void EventLog::warn(const std::string& line) { writer_->logger->warn("{}", line); }
 
+void EventLog::summary(const std::string& lines) { writer_->output->info("{}", lines); }
+
 void EventLog::tick(HostNs now) {
+  const std::uint64_t lost = writer_->pool->overrun_counter();
+  if (lost > lost_ && writer_->pool->queue_size() == 0) {
+    writer_->logger->warn("{} lines of this log are lost: nobody read it", lost - lost_);
+    lost_ = lost;
+  }
   if (now - burst_began_ns_ <= kNsPerS) return;
   if (folded_ > 0) writer_->logger->warn("{} more events within a second are not shown", folded_);
   burst_began_ns_ = now;

@@ -1,7 +1,7 @@
 #pragma once
 // The log: one line per event on standard error. spdlog stays in the source file. Never used by the
 // real-time thread. A thread of its own writes the lines: a reader that stalls (a pager, a stopped
-// terminal) blocks nothing and loses the oldest lines.
+// terminal) blocks nothing and loses the oldest lines, whose number the log tells.
 
 #include <memory>
 #include <mutex>
@@ -40,7 +40,8 @@ class EventLog {
   /// Writes the waiting lines; gives up if the reader takes nothing for a second.
   ~EventLog();
 
-  /// Waits until everything is written; false: the reader took nothing for a second.
+  /// Waits until everything is written; false: it is not read. Then the thread still waits in a
+  /// write, so that standard output and error must not be used any more: end by std::_Exit.
   bool flush();
 
   void info(const std::string& line);
@@ -57,8 +58,10 @@ class EventLog {
   /// Logs the line of figures every ten seconds, and why a start has been impossible for over a
   /// second.
   void status(const LiveStatus& status, std::uint64_t overruns, HostNs now);
-  /// Call it regularly: logs the sum of folded lines.
+  /// Call it regularly: logs the sum of folded lines, and of those that were lost.
   void tick(HostNs now);
+  /// Writes the last lines of the program on standard output.
+  void summary(const std::string& lines);
   /// Logs the loop's timing since its start in one line.
   void times(const messages::LoopFigures& loop);
 
@@ -76,7 +79,7 @@ class EventLog {
   StartRefusal refusal_ = StartRefusal::kNone;
   HostNs refusal_since_ns_ = 0;
   bool refusal_reported_ = false;
-  std::uint64_t folded_ = 0;
+  std::uint64_t folded_ = 0, lost_ = 0;
 };
 
 }  // namespace tp100::live

@@ -1,6 +1,5 @@
 #include "live/stats_file.h"
 
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -173,22 +172,21 @@ void StatsFile::write(const DaemonFigures& figures) {
   });
 }
 
-void print_summary(const DaemonFigures& figures) {
+std::string summary_text(const DaemonFigures& figures) {
   const Snapshot& snapshot = figures.status.snapshot;
+  const Pose& pose = snapshot.estimates[PoseSource::kOdometry].pose;
   const LinkCounters& link = figures.status.counters;
-  std::printf("%s: %s after %.1f s at x %.3f m, y %.3f m, yaw %.1f deg; %s, %llu lost\n",
-              figures.course.empty() ? "no course" : figures.course.c_str(), figures.result.c_str(),
-              figures.duration_s, snapshot.estimates[PoseSource::kOdometry].pose.x_m,
-              snapshot.estimates[PoseSource::kOdometry].pose.y_m,
-              snapshot.estimates[PoseSource::kOdometry].pose.yaw_rad * kDegPerRad,
-              text::counted(link.samples, "sample").c_str(),
-              static_cast<unsigned long long>(link.lost));
-  if (!figures.recording.file.empty()) {
-    std::printf("recording: %s, %.1f MB\n", figures.recording.file.c_str(),
-                static_cast<double>(figures.recording.bytes) * 1e-6);
-  }
-  if (figures.faults != 0) std::printf("faults: %s\n", fault_names(figures.faults).c_str());
-  std::fflush(stdout);
+  std::string lines =
+      (figures.course.empty() ? "no course" : figures.course) + ": " + figures.result +
+      text::format(" after %.1f s at x %.3f m, y %.3f m, yaw %.1f deg; %s, %llu lost",
+                   figures.duration_s, pose.x_m, pose.y_m, pose.yaw_rad * kDegPerRad,
+                   text::counted(link.samples, "sample").c_str(),
+                   static_cast<unsigned long long>(link.lost));
+  if (!figures.recording.file.empty())
+    lines += "\nrecording: " + figures.recording.file +
+             text::format(", %.1f MB", static_cast<double>(figures.recording.bytes) * 1e-6);
+  if (figures.faults != 0) lines += "\nfaults: " + fault_names(figures.faults);
+  return lines;
 }
 
 }  // namespace tp100::live

@@ -34,8 +34,8 @@ struct DaemonFigures {
   messages::LoopFigures loop{};
 };
 
-/// Prints the last lines of the program on standard output.
-void print_summary(const DaemonFigures& figures);
+/// The last lines of the program, without the newline at their end.
+std::string summary_text(const DaemonFigures& figures);
 
 /// One JSON object.
 std::string stats_json(const DaemonFigures& figures);

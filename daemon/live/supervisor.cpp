@@ -178,12 +178,12 @@ void Supervisor::State::finish_files() {
     log.warn("a disk has not responded for 5 s; lost: " + lost.substr(2) +
              "; check the disks; tp100d recover repairs recordings");
   }
-  print_summary(figures);
+  log.summary(summary_text(figures));
   const bool examined = wait([&](auto by) { return settings.controls->examined_by(by); });
   const bool all = recorded && written && answered && examined;
-  if (all && !settings.server->waits_for_disk()) return;
-  // The threads that wait for the disk cannot be joined.
-  log.flush();
+  const bool read = log.flush();
+  if (all && read && !settings.server->waits_for_disk()) return;
+  // The threads that wait for the disk, or for a reader of the log, cannot be joined.
   std::_Exit(status);
 }
 

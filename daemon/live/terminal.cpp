@@ -11,6 +11,7 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/posix/stream_descriptor.hpp>
 #include <cerrno>
+#include <csignal>
 #include <functional>
 #include <utility>
 
@@ -23,11 +24,14 @@ namespace {
 // Longest line kept; a longer one is no valid input.
 constexpr std::size_t kMaxKept = 4096;
 
+/// False: what is typed is for the shell that has sent this job to the background, or for another
+/// job.
+bool is_ours(int input) { return ::isatty(input) == 0 || ::tcgetpgrp(input) == ::getpgrp(); }
+
 bool worth_reading() {
   struct stat status {};
   if (::fstat(STDIN_FILENO, &status) != 0) return false;
-  // Reading the terminal from the background would stop the process.
-  if (::isatty(STDIN_FILENO) != 0) return ::tcgetpgrp(STDIN_FILENO) == ::getpgrp();
+  if (::isatty(STDIN_FILENO) != 0) return is_ours(STDIN_FILENO);
   return S_ISFIFO(status.st_mode) || S_ISSOCK(status.st_mode);
 }
 
@@ -45,7 +49,9 @@ class Terminal::Input {
  public:
   /// Calls `line` in the context's thread for each line on standard input, without surrounding
   /// white space. Lines that arrive together, typed ahead, come as one call. Does nothing unless
-  /// standard input is our own terminal or a pipe (not a file, /dev/null or a background job).
+  /// standard input is our own terminal or a pipe (not a file, /dev/null or the terminal of a job
+  /// that was started in the background). While a shell has this job in the background, nothing is
+  /// read, and using the terminal does not stop the process.
   Input(boost::asio::io_context& context, std::function<void(const std::string& line)> line);
   ~Input();
   /// Discards what was typed before now, including an unfinished line. True if it contained a whole
@@ -69,13 +75,14 @@ struct Terminal::Input::State : std::enable_shared_from_this<State> {
                        if (!error && self->input.is_open()) self->take();
                      });
   }
-  /// Reads everything available. False: end of input.
+  /// Reads everything available and typed for this program. False: end of input.
   bool read() {
     std::array<char, 256> buffer;
     pollfd ready{input.native_handle(), POLLIN, 0};
-    while (::poll(&ready, 1, 0) > 0) {
+    while (is_ours(ready.fd) && ::poll(&ready, 1, 0) > 0) {
       const ssize_t n = ::read(ready.fd, buffer.data(), buffer.size());
-      if (n <= 0) return n < 0 && (errno == EAGAIN || errno == EINTR);
+      // EIO: the shell has just sent this job to the background.
+      if (n <= 0) return n < 0 && (errno == EAGAIN || errno == EINTR || errno == EIO);
       if (pending.size() > kMaxKept) pending = "...";
       pending.append(buffer.data(), static_cast<std::size_t>(n));
     }
@@ -98,7 +105,8 @@ struct Terminal::Input::State : std::enable_shared_from_this<State> {
     const bool any = pending.find('\n') != std::string::npos;
     pending.clear();
     // An unfinished line, which the terminal still buffers.
-    if (::isatty(input.native_handle()) != 0) ::tcflush(input.native_handle(), TCIFLUSH);
+    const int terminal = input.native_handle();
+    if (::isatty(terminal) != 0 && is_ours(terminal)) ::tcflush(terminal, TCIFLUSH);
     return any;
   }
 
@@ -111,6 +119,9 @@ struct Terminal::Input::State : std::enable_shared_from_this<State> {
 Terminal::Input::Input(boost::asio::io_context& context,
                        std::function<void(const std::string&)> line)
     : state_(std::make_shared<State>(context, std::move(line))) {
+  // Otherwise a job in the background is stopped, and its page with it, when it uses its terminal.
+  std::signal(SIGTTIN, SIG_IGN);
+  std::signal(SIGTTOU, SIG_IGN);
   if (!worth_reading()) return;
   state_->flags = ::fcntl(STDIN_FILENO, F_GETFL);
   const int copy = ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3);

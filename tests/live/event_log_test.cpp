@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <string>
 #include <thread>
 
@@ -79,9 +80,41 @@ TEST(EventLog, WhoDoesNotReadItHoldsUpNobody) {
   }
   pipe.restore();
   reader.join();
-  EXPECT_TRUE(output.ends_with("line 4999;\n"));
+  EXPECT_TRUE(output.ends_with("line 4999;\n")) << output.substr(output.size() - 100);
   EXPECT_LT(std::count(output.begin(), output.end(), '\n'), 5000)
       << "the oldest lines must have been dropped";
+}
+
+// A person who reads on must know that something is missing.
+TEST(EventLog, TellsHowManyLinesAreLost) {
+  SmallPipe pipe;
+  std::string output;
+  std::thread reader;
+  {
+    EventLog log;
+    for (int i = 0; i < 5000; ++i) log.info("line");
+    reader = std::thread([&] { output = pipe.read_all(); });
+    EXPECT_TRUE(log.flush());
+    log.tick(0);
+    log.tick(0);
+  }
+  pipe.restore();
+  reader.join();
+  const auto shown = std::count(output.begin(), output.end(), '\n') - 1;
+  EXPECT_THAT(output, HasSubstr(std::to_string(5000 - shown) + " lines of this log are lost"));
+}
+
+// One line is enough: a program that waits for its writer would never end.
+TEST(EventLog, SaysThatItsLastLineIsNotRead) {
+  SmallPipe pipe;
+  auto log = std::make_unique<EventLog>();
+  log->info(std::string(8000, 'x'));
+  EXPECT_FALSE(log->flush());
+  std::thread reader([&] { static_cast<void>(pipe.read_all()); });
+  EXPECT_TRUE(log->flush());
+  log.reset();
+  pipe.restore();
+  reader.join();
 }
 
 }  // namespace
