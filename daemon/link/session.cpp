@@ -1,7 +1,9 @@
 #include "link/session.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "core/arithmetic.h"
 #include "core/board.h"
 #include "core/sample.h"
 
@@ -24,6 +26,15 @@ constexpr HostNs kParametersPeriodNs = 100 * kNsPerMs;
 // After kHostSilenceMs of silence the robot considers the host lost.
 constexpr HostNs kKeepAliveNs = 400 * kNsPerMs;
 constexpr HostNs kArmLifeNs = OneShotRequest::kLimitNs;
+// The robot takes a command for an old one if its sequence is half the range, or more, ahead of the
+// last accepted one.
+constexpr std::int16_t kFurthestAhead = 1 << 14;
+// The robot refuses a yaw beyond 1000 rad, and needs only the difference of the two.
+constexpr double kFurthestYawRad = 100.0;
+
+double whole_turns(double yaw_rad) {
+  return std::abs(yaw_rad) <= kFurthestYawRad ? 0.0 : yaw_rad - wrap_angle(yaw_rad);
+}
 
 double fastest_of(const wire::Parameters& parameters) {
   return max_counts_per_s(static_cast<double>(parameters.max_track_mps),
@@ -202,7 +213,8 @@ void Session::on_sample(const wire::Sample& sample, HostNs now) {
     ++counters_.early;
     return;
   }
-  if (!sequence_known_) {
+  const auto ahead = wrapped_difference(command_sequence_, sample.last_command);
+  if (!sequence_known_ || ahead < 0 || ahead > kFurthestAhead) {
     command_sequence_ = sample.last_command;
     sequence_known_ = true;
   }
@@ -322,8 +334,9 @@ void Session::send(const Command& command, HostNs now) {
   out.answers = command.answers;
   out.x_m = static_cast<float>(command.pose.x_m);
   out.y_m = static_cast<float>(command.pose.y_m);
-  out.yaw_rad = static_cast<float>(command.pose.yaw_rad);
-  out.desired_yaw_rad = static_cast<float>(command.desired_yaw_rad);
+  const double turns_rad = whole_turns(command.pose.yaw_rad);
+  out.yaw_rad = static_cast<float>(command.pose.yaw_rad - turns_rad);
+  out.desired_yaw_rad = static_cast<float>(command.desired_yaw_rad - turns_rad);
   out.yaw_rate_radps = static_cast<float>(command.yaw_rate_radps);
   out.speed_mps = static_cast<float>(command.speed_mps);
   out.expiry_us = static_cast<std::uint32_t>(command.expiry_us);

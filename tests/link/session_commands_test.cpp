@@ -1,6 +1,9 @@
 // Requests and commands that a session sends to the robot.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "core/arithmetic.h"
 #include "session_rig.h"
 
 namespace tp100::link {
@@ -35,6 +38,52 @@ TEST(Session, CommandsGoOnWhereTheRobotIsInTheNextSession) {
   rig.run(400);
   ASSERT_EQ(rig.session.state(), SessionState::kReady);
   EXPECT_GT(rig.robot.received.commands.back().sequence, 40000);
+}
+
+// Commands that are refused or lost in one direction for minutes must not make those after them
+// look old: the robot could not be armed for as long again.
+TEST(Session, CommandsAreNewHoweverManyWereRefusedBefore) {
+  SessionRig rig;
+  rig.commands = true;  // each millisecond
+  rig.connect();
+  ASSERT_EQ(rig.session.state(), SessionState::kReady);
+  for (const int refused : {1'000, 16'000, 16'400, 20'000, 33'000, 50'000, 66'000, 140'000}) {
+    auto& commands = rig.robot.received.commands;
+    const std::uint16_t accepted = commands.back().sequence;
+    for (int ms = 0; ms < refused; ++ms) {
+      rig.run(1);
+      // The robot has accepted none of them.
+      commands.back().sequence = accepted;
+    }
+    rig.run(20);
+    EXPECT_GT(wrapped_difference(commands.back().sequence, accepted), 0) << refused;
+    for (std::size_t i = commands.size() - 10; i < commands.size(); ++i)
+      EXPECT_EQ(wrapped_difference(commands[i].sequence, commands[i - 1].sequence), 1) << refused;
+  }
+}
+
+// A robot that has turned 159 times would refuse every command.
+TEST(Session, YawsStayInTheRobotsRangeWithTheirDifference) {
+  SessionRig rig;
+  rig.connect();
+  for (double yaw_rad = 0.1; yaw_rad < 1e7; yaw_rad *= 1.07) {
+    for (const double sign : {-1.0, 1.0}) {
+      for (const double ahead_rad : {-0.3, 0.0, 0.14}) {
+        rig.command.pose.yaw_rad = sign * yaw_rad;
+        rig.command.desired_yaw_rad = sign * yaw_rad + ahead_rad;
+        rig.session.send(rig.command, rig.now);
+        rig.run(1);
+        const wire::Command& sent = rig.robot.received.commands.back();
+        EXPECT_LE(std::abs(sent.yaw_rad), 100.0f);
+        EXPECT_NEAR(sent.desired_yaw_rad - sent.yaw_rad, ahead_rad, 1e-5) << sign * yaw_rad;
+        EXPECT_NEAR(wrap_angle(static_cast<double>(sent.yaw_rad) - sign * yaw_rad), 0.0, 1e-5);
+        EXPECT_EQ(sent.desired_yaw_rad == sent.yaw_rad, ahead_rad == 0.0);
+        // What was recorded and judged before is sent as it was.
+        if (yaw_rad > 100.0) continue;
+        EXPECT_EQ(sent.yaw_rad, static_cast<float>(sign * yaw_rad));
+      }
+    }
+  }
 }
 
 TEST(Session, TellsWhatBecameOfArmAndDisarm) {
