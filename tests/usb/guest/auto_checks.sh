@@ -37,9 +37,12 @@ check_leaves_what_others_have_open() {
   bus_was_quiet
   works_at /dev/ttyACM0 115200 || wrong "the other Mega is at: $(stty < /dev/ttyACM0 | head -n 1)"
   works_at /dev/ttyUSB0 115200 || wrong "the bridge is at: $(stty < /dev/ttyUSB0 | head -n 1)"
-  # The robot is plugged in and must be found beside the other ports.
+  # The robot is plugged in: only a person knows that it is not the board that somebody has open.
   plug 0 1
-  await "/dev/ttyACM1: open" && ready
+  await "/dev/ttyACM1: not the only candidate"
+  stop
+  start_course --port /dev/ttyACM1
+  ready
   works_at /dev/ttyACM0 115200 || wrong "the other Mega is at: $(stty < /dev/ttyACM0 | head -n 1)"
   drive_it
   kill $printer $holder

@@ -64,8 +64,10 @@ holds() { [ "$(readlink /proc/$1/fd/0)" = "$2" ]; }
 # Another program still has the old number open. In the meantime no other port may be tried, because the robot is known.
 check_returns_under_another_number() {
   printf '[link]\nfirst_frame_timeout_ms = 500.0\n' > /tmp/quick.toml
+  unplug_bridge
   start_course --port auto --config /tmp/quick.toml
   ready
+  plug_bridge
   sleep 100000 < /dev/ttyACM0 &
   holder=$!
   until_ holds $holder /dev/ttyACM0 || wrong "nobody else has /dev/ttyACM0 open"

@@ -12,10 +12,23 @@ check_lists_ports() {
   has /tmp/ports "^/dev/ttyS1  -  serial port$"
 }
 
-# tp100d must find the robot among the ports without help and drive a short course.
+unplug_bridge() {
+  modprobe -r ftdi_sio
+  until_ test ! -e /dev/ttyUSB0 || wrong "the bridge is still there"
+}
+plug_bridge() {
+  modprobe ftdi_sio
+  until_ test -c /dev/ttyUSB0 || wrong "no /dev/ttyUSB0"
+}
+
+# tp100d must open none of two boards; if there is one, it must find it without help and drive a short course.
 check_drives() {
   start_course --port auto
-  await "2 ports may be a TP100" && await "/dev/ttyACM0: open" && ready && drive_it
+  await "auto skips /dev/ttyACM0: not the only candidate (Arduino Mega 2560); /dev/ttyUSB0: not the only" && ended 2
+  unplug_bridge
+  start_course --port auto
+  await "/dev/ttyACM0: open" && ready && drive_it
+  plug_bridge
 }
 
 # The port must be raw and at 500000 baud, as the bus shows. The next checks use the record of DTR.
