@@ -130,7 +130,7 @@ std::string LiveControls::end_drive(HostNs now) {
   cycle_.velocity({.at_ns = now});
   // Do not hold a run that somebody else may have started meanwhile.
   if (cycle_.run_state() == RunState::kRunning) return {};
-  return request(OperatorRequest::kHold);
+  return cycle_.request(OperatorRequest::kHold) ? std::string() : kBusy;
 }
 
 void LiveControls::drive_lost(const std::string& id, HostNs now) {

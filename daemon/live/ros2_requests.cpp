@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/arithmetic.h"
+#include "text/format.h"
 
 namespace tp100::live {
 namespace {
@@ -204,12 +205,17 @@ void Ros2Requests::velocity(const ros2::Received& received, HostNs now) {
   std::string why;
   const auto wanted = ros2::read_velocity(received, why);
   if (!wanted) return refuse(received.input, now, why);
+  const HostNs age_ns = received.taken_ns - wanted->stamp_ns;
+  if (age_ns < -kFreshInputNs || age_ns > ros2::kMaxAgeNs)
+    return refuse(received.input, now,
+                  "its time differs from this machine's by " + text::number_text(to_s(age_ns)) +
+                      " s, so that its delay is unknown; synchronise both machines' clocks");
   writer_ = received.writer;
   writer_input_ = received.input;
   why = controls_.drive({.token = token_,
                          .speed_mps = wanted->speed_mps,
                          .yaw_rate_radps = wanted->yaw_rate_radps,
-                         .input_ms = static_cast<double>(wanted->stamp_ns) * 1e-6},
+                         .at_ns = now - age_ns},
                         now);
   if (why.empty() || controls_.driver(now).by == driver().name) return;
   token_.clear();

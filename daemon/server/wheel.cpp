@@ -79,6 +79,11 @@ std::optional<std::string> Wheel::take(const Driver& driver, HostNs now) {
 std::optional<VelocityInput> Wheel::drive(const DriveRequest& request, HostNs now,
                                           std::string& why) {
   if (!holds(request.token)) return std::nullopt;
+  if (request.at_ns) {
+    const HostNs at_ns = std::min(*request.at_ns, now);
+    input_ns_ = std::max(input_ns_, at_ns);
+    return VelocityInput{at_ns, request.speed_mps, request.yaw_rate_radps};
+  }
   if (!clock_offset_ns_) {
     const HostNs round_trip_ns = now - taken_ns_;
     if (round_trip_ns >= kMaxRoundTripNs) {

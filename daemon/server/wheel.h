@@ -20,6 +20,8 @@ struct DriveRequest {
   double speed_mps = 0.0;       ///< backwards negative
   double yaw_rate_radps = 0.0;  ///< counter-clockwise positive
   double input_ms = 0.0;        ///< when the person gave it, by the client's own clock
+  /// The same as host time, if the client's clock is this machine's; then input_ms does not count.
+  std::optional<HostNs> at_ns{};
 };
 
 /// The request of these fields; nothing, and `why` is set, if one is missing, unknown, of another

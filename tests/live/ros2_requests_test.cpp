@@ -243,6 +243,57 @@ TEST_F(Ros2RequestsTest, AStopNeedsNoMessageThatIsRightAndEndsAStart) {
   EXPECT_THAT(take_messages(), HasSubstr("/tp100/stop: STOP"));
 }
 
+// A node of another machine whose clock is wrong would drive with a delay that nobody sees.
+TEST_F(Ros2RequestsTest, AVelocityCountsByItsTimeOnly) {
+  for (const bool wanted : {false, true})
+    send(ros2::Input::kDrive, ros2::std_msgs::Bool{.data = wanted});
+  const auto velocity = [&](HostNs age_ns) {
+    ros2::geometry_msgs::Twist twist{};
+    twist.linear.x = 0.1;
+    send(ros2::Input::kVelocity, twist, age_ns);
+  };
+  wait(kNsPerS);
+  velocity(40 * kNsPerMs);
+  ASSERT_EQ(controls_.inputs.size(), 1u);
+  EXPECT_EQ(controls_.inputs[0].at_ns, now_ - 40 * kNsPerMs);
+  take_messages();
+  for (const HostNs wrong : {-kNsPerS, 3 * kNsPerS}) {
+    velocity(wrong);
+    EXPECT_THAT(take_messages(), HasSubstr("synchronise both machines' clocks"));
+    wait(kNsPerS);
+  }
+  EXPECT_EQ(controls_.inputs.size(), 1u);
+}
+
+// Another node's release must not make a stream of true take the wheel, after a STOP least of all.
+TEST_F(Ros2RequestsTest, TrueTakesTheWheelOnlyAfterTheSameNodesFalseAndAfterAStopWasSeen) {
+  const auto say = [&](std::uint64_t writer, bool wanted) {
+    const Bytes cdr = ros2::serialized(ros2::std_msgs::Bool{.data = wanted});
+    requests_.take({.input = ros2::Input::kDrive,
+                    .writer = writer,
+                    .written_ns = kNsPerS * 1'000 + now_,
+                    .taken_ns = kNsPerS * 1'000 + now_,
+                    .cdr = cdr},
+                   now_);
+  };
+  say(1, true);
+  EXPECT_THAT(take_messages(), HasSubstr("send false, then true"));
+  say(2, false);
+  say(1, true);
+  EXPECT_TRUE(controls_.consents.empty());
+  say(2, true);
+  ASSERT_EQ(controls_.consents.size(), 1u);
+  say(2, false);
+  controls_.stop();
+  wait(kNsPerS / 2);
+  say(2, true);
+  EXPECT_EQ(controls_.consents.back().stops_seen, 0u) << "half a second is too short to look";
+  say(2, false);
+  wait(kNsPerS);
+  say(2, true);
+  EXPECT_EQ(controls_.consents.back().stops_seen, 1u);
+}
+
 TEST_F(Ros2RequestsTest, ARefusalHidesNoneOfAnotherTopic) {
   requests_.take({.input = ros2::Input::kGoal}, now_);
   send_course("");
