@@ -125,21 +125,24 @@ void SetupFiles::save(Bundled kind, const std::string& name, const std::string& 
   if (!text::is_file_name(name)) throw SetupError(text::kFileNameRule);
   if (library_.empty())
     throw SetupError("there is no folder for your own files: set library in the configuration");
-  for (const Entry& entry : list(kind)) {
-    if (entry.name != name) continue;
-    if (entry.from != From::kOwn)
-      throw SetupError(name + " is not one of your own files; give it another name");
-    if (!replace) throw SetupError(name + " exists already; replace it, or give another name");
-  }
+  const std::string path = own_path(library_, kind, name);
+  const std::string& at = given(kind).path;
+  if (bundled(kind, name) || (at != path && course::file_stem(at) == name))
+    throw SetupError(name + " is not one of your own files; give it another name");
+  std::error_code none;
+  const bool exists = fs::exists(fs::symlink_status(path, none));
+  if (exists && !is_plain_file(path))
+    throw SetupError(name + kEnding +
+                     ": a link or folder, no plain file; delete it by hand, or give another name");
+  if (exists && !replace)
+    throw SetupError(name + " exists already; replace it, or give another name");
   if (kind == Bundled::kCourses) {
     course::parse_course(content, name + kEnding);
   } else {
     course::parse_robot(content, name + kEnding);
   }
   text::make_folder(own_folder(library_, kind));
-  const std::string path = own_path(library_, kind, name);
-  if (is_plain_file(path)) text::write_file(path + ".bak", course::read_text_file(path).text);
-  text::write_file(path, content);
+  text::edit_file(path, content);
 }
 
 void SetupFiles::remove(Bundled kind, const std::string& name) const {

@@ -19,6 +19,7 @@
 #include "core/time.h"
 #include "link/port_holder.h"
 #include "text/format.h"
+#include "text/temporary.h"
 
 namespace tp100::doctor {
 
@@ -172,8 +173,8 @@ bool write_all(int fd) {
 doctor::Disk try_disk(const std::string& folder) {
   doctor::Disk disk;
   disk.folder = existing(folder);
-  std::string name = disk.folder + "/.tp100-doctor-XXXXXX";
-  const int fd = ::mkostemp(name.data(), 0);
+  std::string name;
+  const int fd = text::make_temporary_file(disk.folder, name);
   if (fd < 0) {
     disk.error = std::strerror(errno);
     return disk;

@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "core/error.h"
+#include "text/temporary.h"
 
 namespace tp100::record {
 namespace {
@@ -28,8 +29,8 @@ int move_all(std::size_t size, Move move) {
 }  // namespace
 
 AnonymousFile::AnonymousFile(const std::string& folder) {
-  std::string path = folder + "/.tp100-XXXXXX";
-  descriptor_ = ::mkostemp(path.data(), O_CLOEXEC);
+  std::string path;
+  descriptor_ = text::make_temporary_file(folder, path);
   if (descriptor_ < 0)
     throw SetupError(folder + ": nothing can be written there (" + std::strerror(errno) +
                      "); check folder, permission and free space, or give another");

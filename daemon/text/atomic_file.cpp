@@ -6,9 +6,18 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <sstream>
 #include <system_error>
+#include <utility>
+
+#include "text/temporary.h"
 
 namespace tp100::text {
 namespace {
@@ -29,16 +38,73 @@ const mode_t kMask = [] {
                    "); check folder, permission and free space");
 }
 
+/// The content of a small file. Throws SetupError.
+std::string content_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  if (!(text << file.rdbuf())) fail(path, EIO);
+  return text.str();
+}
+
+/// Paths that the program has read, and those that it has written before.
+struct Inputs {
+  std::mutex mutex;  // never held while waiting for the disk
+  std::set<std::string> read, written;
+};
+
+Inputs& inputs() {
+  static Inputs all;
+  return all;
+}
+
+/// Where the content is written.
+struct Target {
+  std::string path;                   // of the file to replace, links followed
+  bool direct = false;                // not a regular file
+  std::optional<struct stat> like{};  // the file to replace
+};
+
+Target target_of(const std::string& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (fs::is_directory(status)) fail(path, EISDIR);
+  if (!fs::exists(status)) return {path};
+  if (!fs::is_regular_file(status)) return {.path = path, .direct = true};
+  // A link stays in place; the file that it points to is replaced.
+  Target target{.path = fs::canonical(path, error).string()};
+  if (error) fail(path, error.value());
+  struct stat like {};
+  if (::stat(target.path.c_str(), &like) == 0) target.like = like;
+  return target;
+}
+
+std::string folder_of(const std::string& path) { return fs::path(path).parent_path().string(); }
+
 /// An open file; a temporary one is removed unless it was kept.
 class Output {
  public:
-  Output(int descriptor, std::string temporary)
-      : descriptor_(descriptor), temporary_(std::move(temporary)) {}
+  explicit Output(const Target& target) {
+    if (target.direct) {
+      descriptor_ = ::open(target.path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
+    } else if (!fs::path(target.path).filename().empty()) {
+      const std::string folder = folder_of(target.path);
+      descriptor_ = make_temporary_file(folder.empty() ? "." : folder, temporary_);
+      // Closing the other one shows an error of the disk while this one still holds the lock.
+      if (descriptor_ >= 0) lock_ = ::fcntl(descriptor_, F_DUPFD_CLOEXEC, 0);
+    } else {
+      errno = ENOENT;
+    }
+    if (descriptor_ < 0) {
+      temporary_.clear();
+      fail(target.path, errno);
+    }
+  }
   Output(const Output&) = delete;
   Output& operator=(const Output&) = delete;
   ~Output() {
-    if (descriptor_ >= 0) ::close(descriptor_);
     if (!temporary_.empty()) ::unlink(temporary_.c_str());
+    if (descriptor_ >= 0) ::close(descriptor_);
+    if (lock_ >= 0) ::close(lock_);
   }
 
   /// Zero or an errno.
@@ -57,13 +123,19 @@ class Output {
     if (flush == Flush::kYes && ::fsync(descriptor_) != 0 && errno != EINVAL && errno != ENOTSUP &&
         errno != EROFS)
       return errno;
-    const int result = ::close(descriptor_);
-    descriptor_ = -1;
+    const int result = ::close(std::exchange(descriptor_, -1));
     return result == 0 ? 0 : errno;
   }
 
-  /// Gives the file the permissions of an ordinarily created one.
-  int open_to_all() { return ::fchmod(descriptor_, 0666 & ~kMask) == 0 ? 0 : errno; }
+  /// Gives the file the permissions of the one that it replaces, or of any new one.
+  int permit(const std::optional<struct stat>& like) {
+    if (!like) return ::fchmod(descriptor_, 0666 & ~kMask) == 0 ? 0 : errno;
+    // Only root may give files away; a group may be one of ours.
+    if (::fchown(descriptor_, like->st_uid, like->st_gid) != 0 &&
+        ::fchown(descriptor_, static_cast<uid_t>(-1), like->st_gid) != 0 && errno != EPERM)
+      return errno;
+    return ::fchmod(descriptor_, like->st_mode & 07777) == 0 ? 0 : errno;
+  }
 
   int rename_to(const std::string& path) {
     if (::rename(temporary_.c_str(), path.c_str()) != 0) return errno;
@@ -72,43 +144,54 @@ class Output {
   }
 
  private:
-  int descriptor_;
+  int descriptor_ = -1, lock_ = -1;
   std::string temporary_;
 };
 
-/// Where the content is written.
-struct Target {
-  std::string path;     // of the file to replace, links followed
-  bool direct = false;  // not a regular file
-};
-
-Target target_of(const std::string& path) {
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (fs::is_directory(status)) fail(path, EISDIR);
-  if (!fs::exists(status)) return {path, false};
-  if (!fs::is_regular_file(status)) return {path, true};
-  // A link stays in place; the file that it points to is replaced.
-  return {fs::canonical(path, error).string(), false};
+/// Writes `content` with the permissions of `like` in the place of the file `path`.
+void write_like(const std::string& path, std::string_view content, const struct stat& like) {
+  Output output({.path = path});
+  int error = output.write(content);
+  if (error == 0) error = output.permit(like);
+  if (error == 0) error = output.close(Flush::kYes);
+  if (error == 0) error = output.rename_to(path);
+  if (error != 0) fail(path, error);
 }
 
-Output open_output(const std::string& path, const Target& target) {
-  if (target.direct) {
-    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
-    if (descriptor < 0) fail(path, errno);
-    return {descriptor, {}};
+int move(const std::string& from, const std::string& to) {
+  return ::rename(from.c_str(), to.c_str()) == 0 ? 0 : errno;
+}
+
+/// Throws SetupError.
+void exchange(const std::string& path, const std::string& kept) {
+  if (::renameat2(AT_FDCWD, path.c_str(), AT_FDCWD, kept.c_str(), RENAME_EXCHANGE) == 0) return;
+  if (errno != EINVAL && errno != ENOSYS && errno != ENOTSUP) fail(path, errno);
+  const std::string third = kept + ".old";
+  const std::string now = content_of(path);
+  struct stat like {};
+  if (::stat(path.c_str(), &like) != 0) fail(path, errno);
+  if (const int error = move(kept, third); error != 0) fail(path, error);
+  try {
+    write_like(kept, now, like);
+  } catch (const SetupError&) {
+    move(third, kept);
+    throw;
   }
-  std::string temporary = target.path + ".XXXXXX";
-  const int descriptor = ::mkostemp(temporary.data(), O_CLOEXEC);
-  if (descriptor < 0) fail(path, errno);
-  return {descriptor, temporary};
+  if (const int error = move(third, path); error != 0) fail(path, error);
+}
+
+/// Throws SetupError.
+void require_plain(const std::string& path) {
+  std::error_code error;
+  const fs::file_status status = fs::symlink_status(path, error);
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    throw SetupError(path + ": a link or folder, no plain file; delete it by hand");
 }
 
 }  // namespace
 
 struct FileReplacement::State {
-  explicit State(const std::string& p)
-      : path(p), target(target_of(p)), output(open_output(p, target)) {}
+  explicit State(const std::string& p) : path(p), target(target_of(p)), output(target) {}
   std::string path;
   Target target;
   Output output;
@@ -121,7 +204,10 @@ struct FileReplacement::State {
   }
 };
 
-FileReplacement::FileReplacement(const std::string& path) : state_(std::make_unique<State>(path)) {}
+FileReplacement::FileReplacement(const std::string& path) {
+  require_not_read(path);
+  state_ = std::make_unique<State>(path);
+}
 
 FileReplacement::~FileReplacement() = default;
 
@@ -134,16 +220,59 @@ void FileReplacement::write(std::string_view content) {
 void FileReplacement::commit(Flush flush) {
   State& s = *state_;
   int error = s.flush();
-  if (error == 0 && !s.target.direct) error = s.output.open_to_all();
+  if (error == 0 && !s.target.direct) error = s.output.permit(s.target.like);
   if (error == 0) error = s.output.close(flush);
   if (error == 0 && !s.target.direct) error = s.output.rename_to(s.target.path);
   if (error != 0) fail(s.path, error);
+  const std::lock_guard lock(inputs().mutex);
+  inputs().written.insert(s.path);
 }
 
 void write_file(const std::string& path, std::string_view content, Flush flush) {
   FileReplacement file(path);
   file.write(content);
   file.commit(flush);
+}
+
+std::string kept_path(const std::string& path) {
+  std::error_code none;
+  const fs::path file = fs::canonical(path, none);
+  return (none ? path : file.string()) + ".bak";
+}
+
+void edit_file(const std::string& path, std::string_view content) {
+  const Target target = target_of(path);
+  if (!target.like) return write_file(path, content);
+  // The new text comes under the other name first, so that nothing is lost if it does not fit.
+  const std::string kept = kept_path(path);
+  require_plain(kept);
+  write_like(kept, content, *target.like);
+  exchange(target.path, kept);
+}
+
+void restore_file(const std::string& path) {
+  const std::string kept = kept_path(path);
+  require_plain(kept);
+  exchange(target_of(path).path, kept);
+}
+
+void note_read(const std::string& path) {
+  const std::lock_guard lock(inputs().mutex);
+  if (!inputs().written.contains(path)) inputs().read.insert(path);
+}
+
+void require_not_read(const std::string& path) {
+  std::error_code error;
+  if (!fs::is_regular_file(path, error)) return;
+  std::set<std::string> read;
+  {
+    const std::lock_guard lock(inputs().mutex);
+    read = inputs().read;
+  }
+  for (const std::string& input : read)
+    if (fs::equivalent(input, path, error))
+      throw SetupError(path +
+                       ": this file is read, so nothing is written over it; give another one");
 }
 
 bool is_file_name(std::string_view name, std::size_t most) {

@@ -1,5 +1,6 @@
 #pragma once
-// Writes a result file completely or not at all; and properties of files besides their content.
+// Writes a file completely or not at all, and never over one that the program reads; and properties
+// of files besides their content.
 
 #include <cstdint>
 #include <memory>
@@ -14,10 +15,12 @@ namespace tp100::text {
 /// files that are replaced frequently.
 enum class Flush : bool { kNo, kYes };
 
-/// Replaces `path` with `content`: written under a temporary name beside it, then renamed. On
-/// failure (no such folder, no permission, disk full) the old file stays and nothing else is left
-/// behind. Anything but a regular file (a pipe, /dev/stdout) is written directly. Throws
-/// SetupError.
+/// Writes a result: replaces `path` with `content`, written under a temporary name beside it
+/// (text/temporary.h), then renamed. The new file has the mode and, where this account may set
+/// them, the owner and group of the one that it replaces. On failure (no such folder, no
+/// permission, disk full) the old file stays and nothing else is left behind. Anything but a
+/// regular file (a pipe, /dev/stdout) is written directly. Throws SetupError, also if the program
+/// reads that file (note_read).
 void write_file(const std::string& path, std::string_view content, Flush flush = Flush::kYes);
 
 /// The same for content that comes in pieces. Without commit() nothing happens.
@@ -35,6 +38,24 @@ class FileReplacement {
   struct State;
   std::unique_ptr<State> state_;
 };
+
+/// Edits a file: as write_file(), also one that was read, and the file that it replaces stays as
+/// kept_path(path). At each moment `path` is the old file or the new one, and the old one is there
+/// under one of the two names. Throws SetupError, and changes nothing: also if there is anything
+/// but a regular file at kept_path(path).
+void edit_file(const std::string& path, std::string_view content);
+/// Exchanges the files at `path` and kept_path(path), at once where the file system can; elsewhere
+/// a kill in between leaves the one that was kept as kept_path(path).old. Throws SetupError.
+void restore_file(const std::string& path);
+/// FILE.bak, beside the file itself if `path` is a link to it.
+std::string kept_path(const std::string& path);
+
+/// Notes that the program reads the file `path`, so that no result is written over it, by whatever
+/// name or link. A file that the program itself has written is no input. Any thread.
+void note_read(const std::string& path);
+/// For writers of other kinds: throws SetupError if write_file() would refuse `path` because the
+/// program reads that file.
+void require_not_read(const std::string& path);
 
 /// Whether a file may have a name that came from elsewhere, and be created in a folder of the
 /// program's: letters, digits, '-', '_' and '.', at most `most`, no '.' first.

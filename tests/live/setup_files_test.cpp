@@ -117,6 +117,32 @@ TEST_F(SetupFilesTest, LinksAndOtherFilesAreNotListed) {
     EXPECT_FALSE(listed(name, SetupFiles::From::kOwn)) << name;
 }
 
+// A link in the folder would have any file of this account overwritten.
+TEST_F(SetupFilesTest, WhatIsNoPlainFileIsNotSavedOver) {
+  write("precious.txt", "precious");
+  fs::create_symlink("precious.txt", folder_.path() / "courses" / "link.toml");
+  fs::create_symlink("nowhere", folder_.path() / "courses" / "dangling.toml");
+  fs::create_directory(folder_.path() / "courses" / "folder.toml");
+  for (const char* name : {"link", "dangling", "folder"})
+    for (const bool replace : {false, true})
+      EXPECT_THAT(save(name, kLine, replace), HasSubstr("no plain file")) << name;
+  write("mine.toml", kLine);
+  fs::create_symlink("precious.txt", folder_.path() / "courses" / "mine.toml.bak");
+  EXPECT_THAT(save("mine", std::string(kLine) + "# 2\n", true), HasSubstr("no plain file"));
+  EXPECT_EQ(test::read_bytes(folder_.file("courses/precious.txt")), "precious");
+  EXPECT_EQ(test::read_bytes(folder_.file("courses/mine.toml")), kLine);
+  EXPECT_EQ(own_files(), 6u);
+}
+
+// In a large library the file of somebody else would be lost without a question.
+TEST_F(SetupFilesTest, NoOneOfManyFilesIsReplacedUnasked) {
+  constexpr int kFiles = 520;
+  for (int i = 0; i < kFiles; ++i) write("own-" + std::to_string(i) + ".toml", kLine);
+  for (int i = 0; i < kFiles; ++i)
+    ASSERT_THAT(save("own-" + std::to_string(i), kLine), HasSubstr("exists already")) << i;
+  EXPECT_EQ(own_files(), static_cast<std::size_t>(kFiles));
+}
+
 TEST_F(SetupFilesTest, AFileThatWasGivenStaysAndHidesOthersOfItsName) {
   config::RunFiles given;
   given.course = {"/somewhere/3.toml", kLine};

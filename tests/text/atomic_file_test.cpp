@@ -5,14 +5,34 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <vector>
 
+#include "../support/as_nobody.h"
 #include "../support/temporary_folder.h"
+#include "text/temporary.h"
+
+namespace {
+bool g_can_exchange = true;
+}  // namespace
+
+// In the place of the C library's.
+extern "C" int renameat2(int from_folder, const char* from, int to_folder, const char* to,
+                         unsigned flags) noexcept {
+  if (g_can_exchange)
+    return static_cast<int>(::syscall(SYS_renameat2, from_folder, from, to_folder, to, flags));
+  errno = EINVAL;
+  return -1;
+}
 
 namespace tp100::text {
 namespace {
@@ -108,6 +128,181 @@ TEST_F(AtomicFile, AFolderForResultsIsMadeWithThoseAboveIt) {
   EXPECT_TRUE(fs::is_directory(folder_.file("new/and/newer")));
   write_file(folder_.file("file"), "in the way");
   EXPECT_THROW(make_folder(folder_.file("file/folder")), SetupError);
+}
+
+// A configuration with a password, readable by its owner only, would be readable by all once a
+// viewer has saved a parameter.
+TEST_F(AtomicFile, AReplacedFileKeepsItsModeAndItsOwner) {
+  const std::string path = folder_.file("config.toml");
+  for (const mode_t mode : {0600U, 0640U, 0664U, 0444U}) {
+    write_file(path, "old");
+    ASSERT_EQ(::chmod(path.c_str(), mode), 0);
+    if (::geteuid() == 0) {
+      ASSERT_EQ(::chown(path.c_str(), test::AsNobody::kNobody, test::AsNobody::kNobody), 0);
+    }
+    struct stat before {
+    }, after{};
+    ASSERT_EQ(::stat(path.c_str(), &before), 0);
+    for (const bool edits : {false, true}) {
+      edits ? edit_file(path, "edited") : write_file(path, "new");
+      for (const std::string& file : {path, edits ? kept_path(path) : path}) {
+        ASSERT_EQ(::stat(file.c_str(), &after), 0);
+        EXPECT_EQ(after.st_mode, before.st_mode) << file;
+        EXPECT_EQ(after.st_uid, before.st_uid) << file;
+        EXPECT_EQ(after.st_gid, before.st_gid) << file;
+      }
+    }
+    fs::remove(path);
+  }
+}
+
+TEST_F(AtomicFile, AFileOfAnotherAccountIsReplacedToo) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root can become another account";
+  const std::string path = folder_.file("out");
+  write_file(path, "of root");
+  ASSERT_EQ(::chmod(folder_.path().c_str(), 0777), 0);
+  const test::AsNobody nobody;
+  write_file(path, "mine");
+  EXPECT_EQ(read(path), "mine");
+}
+
+TEST_F(AtomicFile, AnEditedFileIsKeptAndComesBack) {
+  const std::string path = folder_.file("file"), kept = path + ".bak";
+  EXPECT_EQ(kept_path(path), kept);
+  edit_file(path, "1");
+  EXPECT_FALSE(fs::exists(kept)) << "there was nothing to keep";
+  edit_file(path, "2");
+  EXPECT_EQ(read(path) + read(kept), "21");
+  edit_file(path, "3");
+  EXPECT_EQ(read(path) + read(kept), "32");
+  restore_file(path);
+  EXPECT_EQ(read(path) + read(kept), "23");
+  restore_file(path);
+  EXPECT_EQ(read(path) + read(kept), "32");
+  EXPECT_EQ(files(), 2);
+}
+
+TEST_F(AtomicFile, AFileBehindALinkIsKeptBesideItself) {
+  fs::create_directory(folder_.path() / "elsewhere");
+  const std::string real = folder_.file("elsewhere/real"), link = folder_.file("link");
+  write_file(real, "old");
+  fs::create_symlink(real, link);
+  edit_file(link, "new");
+  EXPECT_EQ(kept_path(link), real + ".bak");
+  EXPECT_EQ(read(real) + read(kept_path(link)), "newold");
+  restore_file(link);
+  EXPECT_EQ(read(real) + read(kept_path(link)), "oldnew");
+  EXPECT_TRUE(fs::is_symlink(link));
+}
+
+// Whoever can place a link as FILE.bak would have another file overwritten.
+TEST_F(AtomicFile, WhereTheKeptFileBelongsNothingElseIsOverwritten) {
+  const std::string path = folder_.file("file"), other = folder_.file("other");
+  write_file(path, "old");
+  write_file(other, "precious");
+  fs::create_symlink(other, kept_path(path));
+  EXPECT_THROW(edit_file(path, "new"), SetupError);
+  EXPECT_THROW(restore_file(path), SetupError);
+  EXPECT_EQ(read(path) + read(other), "oldprecious");
+  EXPECT_TRUE(fs::is_symlink(kept_path(path)));
+}
+
+// On a full disk the file that was kept before is all that a person can go back to.
+TEST_F(AtomicFile, AnEditThatDoesNotFitChangesNothing) {
+  const fs::path path = folder_.path() / "file";
+  edit_file(path.string(), "older");
+  edit_file(path.string(), "old");
+  const auto edit_beyond_a_limit = [&] {
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit = {1000, 1000};
+    setrlimit(RLIMIT_FSIZE, &limit);
+    try {
+      edit_file(path.string(), std::string(100000, 'x'));
+    } catch (const SetupError&) {
+      std::_Exit(0);
+    }
+    std::_Exit(1);
+  };
+  EXPECT_EXIT(edit_beyond_a_limit(), testing::ExitedWithCode(0), "");
+  EXPECT_EQ(read(path), "old");
+  EXPECT_EQ(read(kept_path(path.string())), "older");
+  EXPECT_EQ(files(), 2);
+}
+
+TEST_F(AtomicFile, WhereTheDiskCannotExchangeFilesTheyAreExchangedAllTheSame) {
+  g_can_exchange = false;
+  const std::string path = folder_.file("file"), kept = path + ".bak";
+  for (const char* content : {"1", "2", "3"}) edit_file(path, content);
+  EXPECT_EQ(read(path) + read(kept), "32");
+  restore_file(path);
+  g_can_exchange = true;
+  EXPECT_EQ(read(path) + read(kept), "23");
+  EXPECT_EQ(files(), 2);
+}
+
+// A recording, or the measurements of an afternoon, would be gone.
+TEST_F(AtomicFile, AFileThatIsReadIsNotWrittenOver) {
+  const std::string path = folder_.file("run.mcap"), link = folder_.file("link"),
+                    hard = folder_.file("hard");
+  std::ofstream(path) << "precious";
+  fs::create_symlink("run.mcap", link);
+  fs::create_hard_link(path, hard);
+  note_read(path);
+  const fs::path before = fs::current_path();
+  for (const std::string& name :
+       {path, link, hard, folder_.path().string() + "/./run.mcap", std::string("run.mcap")}) {
+    fs::current_path(folder_.path());
+    EXPECT_THAT(error_of(name, "x"), HasSubstr(name + ": this file is read")) << name;
+    EXPECT_THROW(FileReplacement{name}, SetupError) << name;
+    fs::current_path(before);
+  }
+  EXPECT_EQ(read(path), "precious");
+  EXPECT_EQ(files(), 3);
+  EXPECT_EQ(error_of(folder_.file("other"), "x"), "");
+  edit_file(path, "edited");
+  EXPECT_EQ(read(path) + read(kept_path(path)), "editedprecious") << "nothing is lost by an edit";
+}
+
+TEST_F(AtomicFile, AProgramMayWriteItsOwnFileAgain) {
+  const std::string path = folder_.file("robot.toml");
+  write_file(path, "1");
+  note_read(path);
+  EXPECT_EQ(error_of(path, "2"), "");
+  EXPECT_EQ(read(path), "2");
+}
+
+// What killed programs leave would fill the disk, and a user's file must not be taken for it.
+TEST_F(AtomicFile, WhatAKilledProgramLeftIsSweptAndNothingElse) {
+  const auto leave = [&](const auto& make, const char* inside) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+      std::string path;
+      if (make(folder_.path().string(), path) < 0) std::_Exit(1);
+      if (*inside != '\0') std::ofstream(path + inside) << "x";
+      std::_Exit(0);
+    }
+    int status = 0;
+    EXPECT_EQ(::waitpid(child, &status, 0), child);
+    EXPECT_EQ(status, 0);
+  };
+  leave(make_temporary_file, "");
+  leave(make_temporary_folder, "/page.html");
+  EXPECT_EQ(files(), 2);
+  std::string mine, folder;
+  const int file = make_temporary_file(folder_.path().string(), mine);
+  const int open = make_temporary_folder(folder_.path().string(), folder);
+  const std::vector<std::string> kept = {".tp100-notes1.txt", ".tp100-abc",    "robot.backup",
+                                         "tp100-abcdef",      ".tp100-ab.def", "run.toml.abcdef"};
+  for (const std::string& name : kept) std::ofstream(folder_.file(name)) << "x";
+  fs::create_symlink("robot.backup", folder_.path() / ".tp100-ablink");
+  sweep_temporary(folder_.path().string());
+  EXPECT_EQ(files(), 2 + static_cast<std::ptrdiff_t>(kept.size()) + 1);
+  EXPECT_TRUE(fs::exists(mine) && fs::exists(folder)) << "another program writes them";
+  ::close(file);
+  ::close(open);
+  sweep_temporary(folder_.path().string());
+  EXPECT_FALSE(fs::exists(mine) || fs::exists(folder));
+  sweep_temporary(folder_.file("none"));
 }
 
 }  // namespace
