@@ -1,6 +1,7 @@
 #include "live/setup_changer.h"
 
 #include <filesystem>
+#include <functional>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -23,7 +24,6 @@ using course::Bundled;
 
 // A stopped robot comes to rest, and its standstill is detected, in less time.
 constexpr HostNs kChangeTimeoutNs = 3 * kNsPerS;
-constexpr const char* kBusyDisk = "the disk does not answer; try again later";
 
 struct FieldList {
   template <class T>
@@ -81,8 +81,6 @@ Bundled kind_of(const server::SetupFile& file) {
   return file.is_robot ? Bundled::kRobots : Bundled::kCourses;
 }
 
-std::string kept_path(const std::string& path) { return path + ".bak"; }
-
 bool is_file(const std::string& path) {
   std::error_code error;
   return fs::is_regular_file(path, error);
@@ -104,9 +102,10 @@ void require_start(const course::TextFile& configuration) {
   require_fit(config::parse_run(files));
 }
 
-/// Unless `check`, replaces the configuration file by `next` and keeps the old one as FILE.bak.
-/// Returns the answer.
-std::string replaced(const course::TextFile& now, const std::string& next, bool check) {
+/// Unless `check` or nothing differs, calls `write`, which replaces the configuration file by
+/// `next`. Returns the answer.
+std::string replaced(const course::TextFile& now, const std::string& next, bool check,
+                     const std::function<void()>& write) {
   const auto differences = config::parameter_differences(now, {now.path, next});
   for (const config::ParameterDifference& each : differences)
     if (each.name == "robot" || each.name == "course" || each.name == "setup") {
@@ -114,16 +113,13 @@ std::string replaced(const course::TextFile& now, const std::string& next, bool 
       break;
     }
   const bool written = !check && next != now.text;
-  if (written) {
-    text::write_file(kept_path(now.path), now.text);
-    text::write_file(now.path, next);
-  }
+  if (written) write();
   std::string text;
   text::JsonWriter json(text);
   json.begin_object()
       .field("file", fs::path(now.path).filename().string())
       .field("written", written)
-      .field("may_restore", is_file(kept_path(now.path)))
+      .field("may_restore", is_file(text::kept_path(now.path)))
       .key("differences")
       .begin_array();
   for (const config::ParameterDifference& each : differences)
@@ -167,19 +163,15 @@ void SetupChanger::ask(Asked asked, Answer answer) {
     if (answer_ == nullptr) answer_ = std::exchange(answer, {});
   }
   if (answer != nullptr) return answer("another change is under way; try again", "");
-  const bool posted = disk_.post([this, asked = std::move(asked)] {
-    std::unique_ptr<SetupRequest> request;
-    try {
-      request = make(asked);
-    } catch (const SetupError& error) {
-      return end(error.what());
-    }
+  const auto change = [this, asked = std::move(asked)] {
+    std::unique_ptr<SetupRequest> request = make(asked);
     request->until_ns = monotonic_now() + kChangeTimeoutNs;
     const std::lock_guard lock(mutex_);
     request_ = std::move(request);
     cycle_.change_setup(*request_);
-  });
-  if (!posted) end(kBusyDisk);
+  };
+  const bool posted = disk_.post(change, [this](const std::string& why) { end(why); });
+  if (!posted) end(record::Worker::kBusy);
 }
 
 // The step is built here: in the loop nothing is allocated.
@@ -261,29 +253,15 @@ void SetupChanger::end(const std::string& why) {
   answer(why, json);
 }
 
-template <class Job>
-void SetupChanger::on_disk(const Answer& answer, Job job) {
-  const bool posted = disk_.post([answer, job] {
-    std::string json;
-    try {
-      json = job();
-    } catch (const SetupError& error) {
-      return answer(error.what(), "");
-    }
-    answer("", json);
-  });
-  if (!posted) answer(kBusyDisk, "");
-}
-
 void SetupChanger::save(const server::SetupFile& file, const Answer& answer) {
-  on_disk(answer, [this, file] {
+  disk_.ask(answer, [this, file] {
     files_.save(kind_of(file), file.name, file.text, file.replace);
     return name_json(file.name);
   });
 }
 
 void SetupChanger::remove(const server::SetupFile& file, const Answer& answer) {
-  on_disk(answer, [this, file] {
+  disk_.ask(answer, [this, file] {
     const std::shared_ptr<const config::LoadedRun> now = run();
     const std::string used = file.is_robot ? now->setup.robot.name : course_name(*now);
     if (file.name == used) throw SetupError(used + " is in use; choose another one first");
@@ -293,7 +271,7 @@ void SetupChanger::remove(const server::SetupFile& file, const Answer& answer) {
 }
 
 void SetupChanger::check(const server::SetupFile& file, const Answer& answer) {
-  on_disk(answer, [this, file] {
+  disk_.ask(answer, [this, file] {
     return checked_file(*run(), kind_of(file), {file.name + ".toml", file.text});
   });
 }
@@ -308,18 +286,20 @@ course::TextFile SetupChanger::configuration_file() const {
 }
 
 void SetupChanger::save_parameters(const server::ParameterSave& asked, const Answer& answer) {
-  on_disk(answer, [this, asked] {
+  disk_.ask(answer, [this, asked] {
     const course::TextFile now = configuration_file();
-    return replaced(now, config::with_parameters(now, asked.values), asked.check);
+    const std::string next = config::with_parameters(now, asked.values);
+    return replaced(now, next, asked.check, [&] { text::edit_file(now.path, next); });
   });
 }
 
 void SetupChanger::restore_parameters(bool check, const Answer& answer) {
-  on_disk(answer, [this, check] {
+  disk_.ask(answer, [this, check] {
     const course::TextFile now = configuration_file();
-    if (!is_file(kept_path(now.path)))
-      throw SetupError("nothing was saved yet: there is no file to restore");
-    return replaced(now, course::read_text_file(kept_path(now.path)).text, check);
+    const std::string kept = text::kept_path(now.path);
+    if (!is_file(kept)) throw SetupError("nothing was saved yet: there is no file to restore");
+    return replaced(now, course::read_text_file(kept).text, check,
+                    [&] { text::restore_file(now.path); });
   });
 }
 

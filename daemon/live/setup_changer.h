@@ -68,8 +68,6 @@ class SetupChanger {
   void ask(Asked asked, Answer answer);
   std::unique_ptr<SetupRequest> make(const Asked& asked);
   void end(const std::string& why);
-  template <class Job>
-  void on_disk(const Answer& answer, Job job);
   std::shared_ptr<const config::LoadedRun> run() const;
   course::TextFile configuration_file() const;
 

@@ -154,22 +154,23 @@ void StatsFile::write(const DaemonFigures& figures) {
   const std::lock_guard lock(state_->mutex);
   state_->text = std::move(text);
   if (state_->writing) return;
-  state_->writing = disk_.post([path = path_, state = state_] {
+  const auto write_newest = [path = path_, state = state_] {
     for (;;) {
       std::unique_lock lock_inside(state->mutex);
       const std::optional<std::string> next = std::exchange(state->text, std::nullopt);
       state->writing = next.has_value();
       if (!next) return;
       lock_inside.unlock();
-      try {
-        text::write_file(path, *next, text::Flush::kNo);
-      } catch (const SetupError& error) {
-        // A disk that fills up during a run does not end the run.
-        lock_inside.lock();
-        if (!std::exchange(state->failed, true)) state->note.set(error.what());
-      }
+      text::write_file(path, *next, text::Flush::kNo);
     }
-  });
+  };
+  // A disk that fills up during a run does not end the run.
+  const auto failed = [state = state_](const std::string& why) {
+    const std::lock_guard lock_inside(state->mutex);
+    state->writing = false;
+    if (!std::exchange(state->failed, true)) state->note.set(why);
+  };
+  state_->writing = disk_.post(write_newest, failed);
 }
 
 std::string summary_text(const DaemonFigures& figures) {

@@ -1,8 +1,45 @@
 #include "record/worker.h"
 
+#include <exception>
+#include <filesystem>
+#include <new>
 #include <utility>
 
+#include "core/error.h"
+#include "text/format.h"
+
 namespace tp100::record {
+namespace {
+
+/// What is being thrown, in one line. A path is shortened to its name: viewers get no path of this
+/// machine.
+std::string thrown() {
+  try {
+    throw;
+  } catch (const SetupError& error) {
+    return error.what();
+  } catch (const std::filesystem::filesystem_error& error) {
+    const std::string name = error.path1().filename().string();
+    return (name.empty() ? "the disk" : text::one_line(name)) + ": " + error.code().message() +
+           "; check folder, permission and disk";
+  } catch (const std::bad_alloc&) {
+    return "memory is used up; end other programs, then try again";
+  } catch (const std::exception& error) {
+    return "a defect of tp100d (" + text::one_line(error.what()) + "); report it";
+  } catch (...) {
+    return "a defect of tp100d (unknown); report it";
+  }
+}
+
+void run_job(const Worker::Job& job, const Worker::Failed& failed) {
+  try {
+    job();
+  } catch (...) {
+    failed(thrown());
+  }
+}
+
+}  // namespace
 
 Worker::Worker(std::size_t most) : most_(most), thread_([this] { run(); }) {}
 
@@ -15,14 +52,23 @@ Worker::~Worker() {
   thread_.join();
 }
 
-bool Worker::post(Job job) {
+bool Worker::post(Job job, Failed failed) {
   {
     const std::lock_guard lock(mutex_);
     if (jobs_.size() >= most_) return false;
-    jobs_.push_back(std::move(job));
+    jobs_.push_back({std::move(job), std::move(failed)});
   }
   some_.notify_one();
   return true;
+}
+
+void Worker::ask(const Answer& answer, std::function<std::string()> job) {
+  const auto answered = [answer, job = std::move(job)] {
+    std::string json, why;
+    run_job([&] { json = job(); }, [&](const std::string& thrown) { why = thrown; });
+    answer(why, why.empty() ? json : "");
+  };
+  if (!post(answered, [](const std::string&) {})) answer(kBusy, "");
 }
 
 bool Worker::idle_by(std::chrono::steady_clock::time_point deadline) {
@@ -35,12 +81,16 @@ void Worker::run() {
   for (;;) {
     some_.wait(lock, [this] { return !jobs_.empty() || ending_; });
     if (jobs_.empty()) return;
-    Job job = std::move(jobs_.front());
+    Posted next = std::move(jobs_.front());
     jobs_.pop_front();
     busy_ = true;
     lock.unlock();
-    job();
-    job = nullptr;  // frees its captures without the lock
+    try {
+      run_job(next.job, next.failed);
+    } catch (...) {
+      // There is not even memory for the answer. The robot drives on, and its STOP works.
+    }
+    next = {};  // frees what they captured without the lock
     lock.lock();
     busy_ = false;
     if (jobs_.empty()) idle_.notify_all();

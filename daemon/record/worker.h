@@ -1,12 +1,14 @@
 #pragma once
 // A thread that waits for disks, so that no other thread has to. A thread that serves STOP, the
-// operator or the service manager never touches a file itself: it posts a job here.
+// operator or the service manager never touches a file itself: it posts a job here. Nothing that a
+// job throws ends the program.
 
 #include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <functional>
 #include <mutex>
+#include <string>
 #include <thread>
 
 namespace tp100::record {
@@ -14,6 +16,13 @@ namespace tp100::record {
 class Worker {
  public:
   using Job = std::function<void()>;
+  /// Receives what a job threw, in one line: what, where, what to do.
+  using Failed = std::function<void(const std::string& why)>;
+  /// Receives why a request failed, in one line, or nothing; and its answer as JSON.
+  using Answer = std::function<void(const std::string& why, const std::string& json)>;
+
+  /// What is answered if too many jobs wait.
+  static constexpr const char* kBusy = "the disk does not answer; try again later";
 
   /// At most `most` jobs may wait besides the running one.
   explicit Worker(std::size_t most = 64);
@@ -22,20 +31,27 @@ class Worker {
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
-  // Any thread.
-  /// Runs `job` on the worker's thread, in the order of posting; it must not throw. Never waits for
-  /// a disk; false: too many jobs are waiting, and this one is rejected.
-  bool post(Job job);
+  // Any thread; none of these waits for a disk.
+  /// Runs `job` on the worker's thread, in the order of posting, and after it `failed`, there too,
+  /// if the job throws. False: too many jobs are waiting, and neither is called.
+  bool post(Job job, Failed failed);
+  /// Answers a request with what `job` returns, or with why it failed; once, on the worker's
+  /// thread, or on the caller's if too many jobs are waiting.
+  void ask(const Answer& answer, std::function<std::string()> job);
   /// Waits until no job is waiting or running; false: `deadline` passed first.
   bool idle_by(std::chrono::steady_clock::time_point deadline);
 
  private:
+  struct Posted {
+    Job job;
+    Failed failed;
+  };
   void run();
 
   const std::size_t most_;
   std::mutex mutex_;  // never held while a job runs
   std::condition_variable some_, idle_;
-  std::deque<Job> jobs_;
+  std::deque<Posted> jobs_;
   bool busy_ = false, ending_ = false;
   std::thread thread_;
 };

@@ -15,6 +15,7 @@
 #include "text/atomic_file.h"
 #include "text/format.h"
 #include "text/json_writer.h"
+#include "text/temporary.h"
 
 namespace tp100::runs {
 namespace {
@@ -22,7 +23,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr auto kFresh = std::chrono::seconds(1);
-constexpr const char* kBusyDisk = "the disk does not answer; try again later";
 
 void write_run(text::JsonWriter& json, const Run& run, bool active) {
   json.begin_object()
@@ -51,10 +51,11 @@ void write_run(text::JsonWriter& json, const Run& run, bool active) {
 class WorkFolder {
  public:
   /// Throws SetupError.
-  explicit WorkFolder(const std::string& folder) : path_(folder + "/.report-XXXXXX") {
-    if (::mkdtemp(path_.data()) == nullptr)
-      throw SetupError(std::string("no folder for the report can be made: ") +
-                       std::strerror(errno));
+  explicit WorkFolder(const std::string& folder)
+      : open_(text::make_temporary_folder(folder, path_)) {
+    if (!open_)
+      throw SetupError(std::string("no folder for the report can be made (") +
+                       std::strerror(errno) + "); check permission and free space");
   }
   ~WorkFolder() {
     std::error_code ignored;
@@ -66,6 +67,7 @@ class WorkFolder {
 
  private:
   std::string path_;
+  const OpenFile open_;  // tells other programs that the folder is in use
 };
 
 /// Puts a file in the place of another, or of a link. Throws SetupError.
@@ -136,29 +138,19 @@ std::string RunArchive::json() {
   return text;
 }
 
-void RunArchive::changed() {
-  const std::lock_guard lock(mutex_);
-  ++changes_;
-}
-
-template <class Job>
-void RunArchive::on_disk(const Answer& answer, Job job) {
-  const bool posted = disk_.post([this, answer, job] {
-    std::string json;
-    try {
-      json = job();
-    } catch (const SetupError& error) {
-      return answer(without(error.what(), settings_.folder + "/"), "");
+RunArchive::Answer RunArchive::without_paths(Answer answer) {
+  return [this, answer = std::move(answer)](const std::string& why, const std::string& json) {
+    {
+      const std::lock_guard lock(mutex_);
+      ++changes_;
     }
-    changed();
-    answer("", json);
-  });
-  if (!posted) answer(kBusyDisk, "");
+    answer(without(without(why, settings_.folder + "/"), "tp100d: "), json);
+  };
 }
 
 void RunArchive::change_note(const std::string& run, const RunNoteChange& change,
                              const Answer& answer) {
-  on_disk(answer, [this, run, change] {
+  disk_.ask(without_paths(answer), [this, run, change] {
     const RunNote note = runs::change_note(settings_.folder, run, change);
     std::string text;
     text::JsonWriter(text)
@@ -174,7 +166,7 @@ void RunArchive::change_note(const std::string& run, const RunNoteChange& change
 }
 
 void RunArchive::remove(const std::string& run, const Answer& answer) {
-  on_disk(answer, [this, run] {
+  disk_.ask(without_paths(answer), [this, run] {
     if (run == settings_.active()) throw SetupError(run + " is being recorded; end that first");
     delete_run(settings_.folder, run);
     std::string text;
@@ -197,8 +189,8 @@ void RunArchive::identify(const std::vector<std::string>& runs, const std::strin
              [this, runs, measured] { return make_robot(runs, measured); });
 }
 
-template <class Job>
-void RunArchive::in_process(const std::string& of, const Answer& answer, Job job) {
+void RunArchive::in_process(const std::string& of, const Answer& answer,
+                            std::function<std::string()> job) {
   std::string busy;
   {
     const std::lock_guard lock(mutex_);
@@ -211,21 +203,15 @@ void RunArchive::in_process(const std::string& of, const Answer& answer, Job job
   if (!busy.empty())
     return answer(
         "a report of " + text::one_line(busy) + " is being made; try again when it is done", "");
-  const bool posted = reports_.post([this, answer, job] {
-    std::string json, why;
-    try {
-      json = job();
-    } catch (const SetupError& error) {
-      why = without(without(error.what(), settings_.folder + "/"), "tp100d: ");
-    }
+  const auto made = [this, answer = without_paths(answer)](const std::string& why,
+                                                           const std::string& json) {
     {
       const std::lock_guard lock(mutex_);
       making_.clear();
-      ++changes_;
     }
     answer(why, json);
-  });
-  if (!posted) answer(kBusyDisk, "");
+  };
+  reports_.ask(made, std::move(job));
 }
 
 std::string RunArchive::recording(const std::string& run) const {

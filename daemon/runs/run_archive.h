@@ -31,7 +31,7 @@ class RunArchive {
  public:
   /// Receives why the request failed, in one line, or nothing; and its answer as JSON. Called once,
   /// from any thread, also at the archive's end.
-  using Answer = std::function<void(const std::string& why, const std::string& json)>;
+  using Answer = record::Worker::Answer;
 
   explicit RunArchive(ArchiveSettings settings) : settings_(std::move(settings)) {}
   /// Ends a report that is being made.
@@ -54,16 +54,14 @@ class RunArchive {
                 const Answer& answer);
 
  private:
-  template <class Job>
-  void on_disk(const Answer& answer, Job job);
+  /// An answer to a job that may have changed the runs.
+  Answer without_paths(Answer answer);
   /// Answers with what `job` returns, one at a time; `of`: the run that it is about.
-  template <class Job>
-  void in_process(const std::string& of, const Answer& answer, Job job);
+  void in_process(const std::string& of, const Answer& answer, std::function<std::string()> job);
   /// `with`: empty for a report. Returns its address.
   std::string make_report(const std::string& run, const std::string& with);
   std::string make_robot(const std::vector<std::string>& runs, const std::string& measured);
   std::string recording(const std::string& run) const;
-  void changed();
 
   const ArchiveSettings settings_;
   std::mutex mutex_;    // guards what follows; never held while waiting for a disk or a program

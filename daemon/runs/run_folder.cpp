@@ -198,10 +198,10 @@ RunNote change_note(const std::string& folder, const std::string& run,
   if (const std::string why = why_not(note); !why.empty()) throw SetupError(why);
   const fs::path file = path / kRunNoteFile;
   // A link or a pipe would be written through, to somewhere else.
-  const fs::file_status status = fs::symlink_status(file);
+  std::error_code error;
+  const fs::file_status status = fs::symlink_status(file, error);
   if (fs::exists(status) && !fs::is_regular_file(status))
     throw SetupError(run + "/" + kRunNoteFile + ": not a file; delete it by hand");
-  std::error_code error;
   if (!note.empty())
     text::write_file(file.string(), write_run_note(note));
   else if (!fs::remove(file, error) && error)

@@ -14,6 +14,17 @@ namespace tp100::selftest {
 
 using doctor::Findings;
 
+namespace {
+
+/// As it is if the working folder is gone.
+std::string absolute(const std::string& path) {
+  std::error_code error;
+  const std::filesystem::path found = std::filesystem::absolute(path, error);
+  return error ? path : found.string();
+}
+
+}  // namespace
+
 SelfTest::SelfTest(config::Configuration configuration, const course::Robot& robot)
     : configuration_(std::move(configuration)),
       wheels_up_(configuration_, robot),
@@ -70,10 +81,10 @@ void SelfTest::examine(server::DoctorPart part, Answer answer) {
   }
   if (answer != nullptr) return answer("another examination is under way; try again", "");
   if (part == server::DoctorPart::kRobot) return;
-  const bool posted = disk_.post([this, part] {
-    finish({}, part == server::DoctorPart::kPort ? port_findings() : machine_findings());
-  });
-  if (!posted) finish("the disk does not answer; try again later", "");
+  disk_.ask([this](const std::string& why, const std::string& json) { finish(why, json); },
+            [this, part] {
+              return part == server::DoctorPart::kPort ? port_findings() : machine_findings();
+            });
 }
 
 void SelfTest::finish(const std::string& why, const std::string& json) {
@@ -94,8 +105,8 @@ std::string SelfTest::port_findings() const {
   const doctor::System system;
   std::string name = configuration_.link.port;
   // All findings name the system's files by absolute path.
-  if (name != "auto") name = std::filesystem::absolute(name);
-  if (!open.path.empty()) open.path = std::filesystem::absolute(open.path);
+  if (name != "auto") name = absolute(name);
+  if (!open.path.empty()) open.path = absolute(open.path);
   const doctor::ChosenPort port = doctor::choose_port(system, name, link::list_ports(), open.path);
   Findings findings = port.findings;
   if (!port.device.empty()) {

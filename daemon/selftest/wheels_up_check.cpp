@@ -45,7 +45,15 @@ std::string WheelsUpCheck::begin(const server::Driver& viewer, HostNs now, std::
   result_.clear();
   lost_.clear();
   handover_.ask();
-  if (check_.post([this, robot = robot_] { run(robot); })) return {};
+  const auto run = [this, robot = robot_] {
+    std::string port;
+    const doctor::Findings findings = examine(robot, port);
+    finish(findings, port);
+  };
+  const auto failed = [this](const std::string& why) {
+    finish(doctor::wheels_up_broken_off(why, "run it again"), {});
+  };
+  if (check_.post(run, failed)) return {};
   handover_.end();
   on_ = false;
   return "too many requests wait; try again";
@@ -143,9 +151,7 @@ doctor::Findings WheelsUpCheck::examine(const course::Robot& robot, std::string&
   }
 }
 
-void WheelsUpCheck::run(const course::Robot& robot) {
-  std::string port;
-  const doctor::Findings findings = examine(robot, port);
+void WheelsUpCheck::finish(const doctor::Findings& findings, const std::string& port) {
   handover_.end();
   const std::lock_guard lock(mutex_);
   end_ = lost_.empty() ? end_of(findings) : lost_;

@@ -57,7 +57,7 @@ class WheelsUpCheck : public doctor::Operator {
 
  private:
   void lose_viewer(const std::string& why);
-  void run(const course::Robot& robot);
+  void finish(const doctor::Findings& findings, const std::string& port);
   doctor::Findings examine(const course::Robot& robot, std::string& port);
 
   const config::Configuration configuration_;

@@ -162,15 +162,23 @@ void Connection::ask_disk() {
                       .robots = {},
                       .history = {}};
   const auto found = std::make_shared<HttpAnswer>();
-  const bool asked =
-      shared_.disk.post([self = shared_from_this(), question = ++question_, found,
-                         kept = std::move(kept), sources = std::move(sources)]() mutable {
+  // The job holds the only reference to the connection, so that it ends on the server's thread.
+  const auto back = [held = std::make_shared<std::shared_ptr<Connection>>(shared_from_this()),
+                     question = ++question_, found] {
+    auto* connection = held->get();
+    boost::asio::post(connection->stream_.get_executor(),
+                      [self = std::move(*held), question, found] {
+                        self->on_disk(question, [&] { self->answer(std::move(*found)); });
+                      });
+  };
+  const bool asked = shared_.disk.post(
+      [back, found, kept = std::move(kept), sources = std::move(sources)] {
         *found = http_answer({kept.method, kept.target, kept.range, kept.none_match}, sources);
-        auto* connection = self.get();
-        boost::asio::post(connection->stream_.get_executor(),
-                          [self = std::move(self), question, found] {
-                            self->on_disk(question, [&] { self->answer(std::move(*found)); });
-                          });
+        back();
+      },
+      [back, found](const std::string& why) {
+        *found = http_text(500, why);
+        back();
       });
   const auto busy = [this] { answer(http_text(503, "the disk does not answer; try again later")); };
   if (!asked) return busy();
@@ -254,14 +262,15 @@ void Connection::write_body() {
 
 void Connection::write_part() {
   if (answer_.length == 0) return end();
-  const bool asked =
-      shared_.disk.post([self = shared_from_this(), question = ++question_]() mutable {
-        Connection& it = *self;
-        const std::optional<std::size_t> got = it.answer_.read(it.part_);
-        boost::asio::post(it.stream_.get_executor(), [self = std::move(self), question, got] {
-          self->on_disk(question, [&] { self->on_part(got); });
-        });
-      });
+  const auto back = [held = std::make_shared<std::shared_ptr<Connection>>(shared_from_this()),
+                     question = ++question_](std::optional<std::size_t> got) {
+    auto* connection = held->get();
+    boost::asio::post(connection->stream_.get_executor(), [self = std::move(*held), question, got] {
+      self->on_disk(question, [&] { self->on_part(got); });
+    });
+  };
+  const bool asked = shared_.disk.post([this, back] { back(answer_.read(part_)); },
+                                       [back](const std::string&) { back(std::nullopt); });
   // The body cannot be completed: closing the connection tells the reader so.
   if (asked)
     await_disk([this] {

@@ -11,6 +11,7 @@
 #include <string>
 #include <thread>
 
+#include "../support/as_nobody.h"
 #include "../support/temporary_folder.h"
 
 namespace tp100::runs {
@@ -19,6 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 using Json = nlohmann::json;
+using ::testing::AnyOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -94,6 +96,33 @@ TEST_F(RunArchiveTest, ListsRunsWithoutAPath) {
     EXPECT_EQ(run["files"][0]["kind"], "recording");
   }
   EXPECT_EQ(list["runs"].size(), 2U);
+}
+
+// A folder that this account may list but not search, as on a stick that another account wrote,
+// would end the daemon in the middle of a run.
+TEST_F(RunArchiveTest, AFolderThatCannotBeSearchedIsAnError) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root can become another account";
+  fs::permissions(folder_.path(), fs::perms::all);
+  for (const char* denied : {"runs/a", "runs"}) {
+    const fs::perms before = fs::status(folder_.file(denied)).permissions();
+    fs::permissions(folder_.file(denied), fs::perms::owner_all | fs::perms::others_read);
+    archive_.reset();
+    {
+      const test::AsNobody nobody;
+      const auto note = [&](const auto& answer) {
+        archive().change_note("a", {.name = "x"}, answer);
+      };
+      EXPECT_THAT(asked(note).why, AnyOf(HasSubstr("ermission"), HasSubstr("no such run")))
+          << denied;
+      EXPECT_NE(remove("a").why, "");
+      EXPECT_NE(report("a").why, "");
+      EXPECT_NE(compare("a", "b").why, "");
+      EXPECT_NO_THROW(Json::parse(archive().json()));
+    }
+    fs::permissions(folder_.file(denied), before);
+    EXPECT_FALSE(there("a/run.toml"));
+    EXPECT_TRUE(there("a/run.mcap"));
+  }
 }
 
 TEST_F(RunArchiveTest, WithoutAFolderThereAreNoRuns) {
