@@ -77,9 +77,6 @@ std::string beside(const std::string& path) {
 
 Recovered recover(const std::string& in, const std::string& out) {
   const record::McapReader reader(in);
-  std::error_code ignored;
-  if (fs::equivalent(in, out, ignored))
-    throw SetupError(out + ": --out is the file to recover itself; give another path");
   Recovered recovered;
   recovered.path = out;
   record::RecordingFile file(out);
@@ -88,6 +85,7 @@ Recovered recover(const std::string& in, const std::string& out) {
   const record::McapEnd end = reader.stream(copier);
   writer.finish();
   if (file.error() != 0) {
+    std::error_code ignored;
     fs::remove(out, ignored);
     throw SetupError(out + ": cannot be written (" + std::strerror(file.error()) +
                      "); check free space, or give another --out");

@@ -8,6 +8,7 @@
 #include <optional>
 #include <system_error>
 
+#include "text/atomic_file.h"
 #include "text/format.h"
 
 namespace tp100::course {
@@ -64,6 +65,7 @@ TextFile read_text_file(const std::string& path) {
   if (!file) {
     throw SetupError(path + ": cannot be opened (" + std::strerror(errno) + "); check the path");
   }
+  text::note_read(path);
   TextFile result{path, {}};
   char block[1U << 14U];
   while (file.read(block, sizeof block) || file.gcount() > 0) {

@@ -13,6 +13,7 @@
 #include "core/bytes.h"
 #include "record/mcap_format.h"
 #include "record/recording_file.h"
+#include "text/atomic_file.h"
 
 namespace tp100::record {
 namespace {
@@ -297,6 +298,7 @@ bool McapReader::State::hand_on(McapOp op, Span content, Directory& known, McapH
 
 McapReader::McapReader(const std::string& path) : state_(std::make_unique<State>(path)) {
   state_->open();
+  text::note_read(path);
   state_->read_summary();
 }
 

@@ -14,10 +14,12 @@
 #include <utility>
 
 #include "core/error.h"
+#include "text/atomic_file.h"
 
 namespace tp100::record {
 
 RecordingFile::RecordingFile(std::string path) : path_(std::move(path)) {
+  text::require_not_read(path_);
   descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOCTTY, 0666);
   if (descriptor_ < 0)
     throw SetupError(path_ + ": cannot be written (" + std::strerror(errno) +
