@@ -2,18 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <sstream>
 #include <utility>
 
+#include "text/toml_depth.h"
 #include "text/unit.h"
 #include "toml++/toml.h"
 
 namespace tp100::text {
 namespace {
-
-// toml++ recurses once per dotted part, and its own limit counts brackets only.
-constexpr std::ptrdiff_t kMaxDots = 32;
 
 std::string at(const std::string& file, toml::source_position where) {
   return file + ":" + std::to_string(where.line) + ":" + std::to_string(where.column) + ": ";
@@ -44,20 +41,6 @@ std::string range_text(std::string_view key, Range range) {
   const std::string_view unit = unit_of(key);
   return number_text(range.min) + " to " + number_text(range.max) +
          (unit.empty() ? std::string() : " " + std::string(unit));
-}
-
-void refuse_deep_lines(const std::string& text, const std::string& file) {
-  std::size_t begin = 0;
-  for (std::uint32_t line = 1; begin < text.size(); ++line) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    const std::string_view row(text.data() + begin, end - begin);
-    const std::size_t first = row.find_first_not_of(" \t");
-    if (first != std::string_view::npos && row[first] != '#' &&
-        std::count(row.begin(), row.end(), '.') > kMaxDots)
-      throw SetupError(at(file, {line, 1}) + "more than " + std::to_string(kMaxDots) +
-                       " dots on one line; no key is nested that deep");
-    begin = end + 1;
-  }
 }
 
 }  // namespace
@@ -193,7 +176,7 @@ toml::table parse(const std::string& text, const std::string& file) {
   if (text.size() > kMaxTomlSize)
     throw SetupError(file + ": larger than " + std::to_string(kMaxTomlSize / 1024) +
                      " kB, too large for a file of this program");
-  refuse_deep_lines(text, file);
+  refuse_deep_keys(text, file);
   try {
     return toml::parse(text, file);
   } catch (const toml::parse_error& error) {

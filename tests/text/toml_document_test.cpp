@@ -9,9 +9,11 @@
 namespace tp100::text {
 namespace {
 
+using testing::AnyOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 using testing::StartsWith;
 
 /// The error message for `text`; empty if there is no error.
@@ -167,6 +169,69 @@ TEST(TomlDocument, SurvivesDeepAndLargeFiles) {
   EXPECT_THAT(error_of(std::string(kMaxTomlSize + 1, '#'), read_speed),
               HasSubstr("larger than 256 kB"));
   EXPECT_THAT(error_of(std::string(100000, 'a').append(" = 1"), read_speed), HasSubstr("aaa...'"));
+}
+
+// A fence of many corners is written on one line.
+TEST(TomlDocument, DotsThatAreInNoKeyAreNotCounted) {
+  std::string corners = "polygon = [";
+  for (int i = 0; i < 100; ++i) corners += "[0.5, -1.25e-1], ";
+  const std::string dots(99, '.');
+  for (const std::string& text : {corners + "]", "text = \"" + dots + "\"", "a = 1 # " + dots,
+                                  "text = \"\"\"\n" + dots + "\n\"\"\"", "text = '" + dots + "'"})
+    EXPECT_THAT(error_of(text + "\n", read_speed), Not(HasSubstr("dots"))) << text;
+}
+
+// A text of a viewer that hides a deep key from the count would overflow the stack.
+TEST(TomlDocument, NoTextBeforeItHidesADeepKey) {
+  const std::vector<std::string> values = {R"("")",
+                                           R"('')",
+                                           R"("\"")",
+                                           R"("\\")",
+                                           R"('\')",
+                                           R"("'")",
+                                           R"('"')",
+                                           R"("#")",
+                                           R"('#')",
+                                           R"("""""")",
+                                           R"('''''')",
+                                           R"("""a"""")",
+                                           R"("""a""""")",
+                                           R"("""\"""")",
+                                           R"("""\"""a""")",
+                                           R"(""""a""b""""")",
+                                           R"('''a''b''''')",
+                                           R"('''\''')",
+                                           "\"\"\"\n\"\n\"\"\"",
+                                           "'''\n'\n'''",
+                                           "\"\"\"\\\n\"\"\"",
+                                           "[\n1.5, # ]\"\n]",
+                                           R"([["a", 'b'], ["#"]])",
+                                           R"({ a.b = '"' })",
+                                           R"(1.5 # ")",
+                                           "1.5 # '''",
+                                           "2026-11-29T14:00:00.5",
+                                           R"("""'''""")",
+                                           R"('''"""''')"};
+  constexpr std::size_t kOneLine = 18;  // values that an inline table may have
+  const std::vector<std::string> parts = {".a", ".\"b.,=\"", " . 'c[{'", ".1"};
+  std::mt19937 random(1);
+  for (int round = 0; round < 500; ++round) {
+    std::string text, key = "x";
+    for (int i = 0; i < 6; ++i)
+      text += "k" + std::to_string(i) + " = " + values[random() % values.size()] + "\n";
+    for (int i = 0; i < 40; ++i) key += parts[random() % parts.size()];
+    const std::string inside = "y = { z = " + values[random() % kOneLine] + ", ";
+    const auto how = random() % 3;
+    const auto with = [&](const std::string& last) {
+      return text + (how == 0   ? "[" + last + "]\n"
+                     : how == 1 ? last + " = 1\n"
+                                : inside + last + " = 1 }\n");
+    };
+    ASSERT_THAT(error_of(with("x.a"), read_speed),
+                Not(AnyOf(HasSubstr("dots"), HasSubstr("not TOML"))))
+        << with("x.a");
+    ASSERT_THAT(error_of(with(key), read_speed), HasSubstr("more than 32 dots")) << with(key);
+  }
 }
 
 TEST(TomlDocument, ValuesAreOfAnySimpleType) {
