@@ -117,7 +117,7 @@ std::span<const Key<RecordSettings>> record_keys() {
        {0, 100000000},
        "Before a recording begins, the oldest runs in the folder are deleted until all together "
        "are at most this large; never one with a name, note or tags, and never one that is open. "
-       "0: nothing is deleted"},
+       "0: nothing is deleted but black boxes, beyond 500 MB of them"},
       {"black_box_s",
        &T::black_box_s,
        {0, 60},

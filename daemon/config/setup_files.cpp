@@ -4,12 +4,14 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <utility>
 
 #include "core/error.h"
 #include "course/course.h"
 #include "course/robot_file.h"
 #include "text/atomic_file.h"
+#include "text/file_name.h"
 #include "text/format.h"
 #include "text/standard_streams.h"
 
@@ -57,11 +59,19 @@ std::string library_folder(const std::string& configured) {
 course::TextFile read_setup_file(Bundled kind, const std::string& name_or_path,
                                  const std::string& library) {
   std::error_code error;
-  const bool named = text::is_file_name(name_or_path) && !fs::exists(name_or_path, error);
-  if (!named || bundled(kind, name_or_path)) return course::read_bundled(kind, name_or_path);
-  const std::string own = library.empty() ? library : own_path(library, kind, name_or_path);
-  return is_plain_file(own) ? course::read_text_file(own)
-                            : course::read_bundled(kind, name_or_path);
+  const bool named = text::is_found_name(name_or_path) && !fs::exists(name_or_path, error);
+  if (!named || library.empty() || bundled(kind, name_or_path))
+    return course::read_bundled(kind, name_or_path);
+  const std::string own = own_path(library, kind, name_or_path);
+  if (is_plain_file(own)) return course::read_text_file(own);
+  if (fs::exists(fs::symlink_status(own, error)))
+    throw SetupError(own + ": a link or folder, which is not followed; copy the file there");
+  try {
+    return course::read_bundled(kind, name_or_path);
+  } catch (const SetupError& none) {
+    throw SetupError(std::string(none.what()) + "; your own are files NAME.toml in " +
+                     own_folder(library, kind));
+  }
 }
 
 SetupFiles::SetupFiles(std::string library, const RunFiles& given)
@@ -78,12 +88,8 @@ std::vector<SetupFiles::Entry> SetupFiles::list(Bundled kind) const {
                                    [&](const Entry& each) { return each.name == name; });
     if (!known) entries.push_back({name, from});
   };
-  // A file that was given by its name, not by its path, is found below.
-  const std::string& at = given(kind).path;
-  const std::string name = course::file_stem(at);
-  const bool listed = (bundled(kind, name) && at.starts_with(course::config_directory())) ||
-                      (!library_.empty() && at == own_path(library_, kind, name));
-  if (!at.empty() && !listed) add(name, From::kGiven);
+  const std::string name = course::file_stem(given(kind).path);
+  if (!name.empty() && origin(kind, name) == From::kGiven) add(name, From::kGiven);
   for (const std::string& each : course::bundled_names(kind)) add(each, From::kBundled);
   std::error_code error;
   std::size_t own = 0;
@@ -91,7 +97,7 @@ std::vector<SetupFiles::Entry> SetupFiles::list(Bundled kind) const {
     for (fs::directory_iterator file(own_folder(library_, kind), error), end;
          !error && file != end && own < kMaxOwn; file.increment(error)) {
       const std::string stem = file->path().stem().string();
-      if (file->path().extension() != kEnding || !text::is_file_name(stem) ||
+      if (file->path().extension() != kEnding || !text::is_found_name(stem) ||
           !is_plain_file(file->path()))
         continue;
       add(stem, From::kOwn);
@@ -103,39 +109,50 @@ std::vector<SetupFiles::Entry> SetupFiles::list(Bundled kind) const {
   return entries;
 }
 
+std::optional<SetupFiles::From> SetupFiles::origin(Bundled kind, const std::string& name) const {
+  const std::string own = library_.empty() ? library_ : own_path(library_, kind, name);
+  const std::string& at = given(kind).path;
+  const bool is_bundled = bundled(kind, name);
+  // A file that was given by its name, not by its path, is one of the others.
+  const bool by_name = at == own || (is_bundled && at.starts_with(course::config_directory()));
+  if (!at.empty() && !by_name && course::file_stem(at) == name) return From::kGiven;
+  if (is_bundled) return From::kBundled;
+  if (text::is_found_name(name) && is_plain_file(own)) return From::kOwn;
+  return std::nullopt;
+}
+
 course::TextFile SetupFiles::read(Bundled kind, const std::string& name) const {
-  const std::vector<Entry> entries = list(kind);
-  std::vector<std::string_view> names;
-  for (const Entry& entry : entries) {
-    names.push_back(entry.name);
-    if (entry.name != name) continue;
-    if (entry.from == From::kGiven) return given(kind);
-    course::TextFile file = entry.from == From::kBundled
+  const std::optional<From> from = origin(kind, name);
+  if (from == From::kGiven) return given(kind);
+  if (from) {
+    course::TextFile file = *from == From::kBundled
                                 ? course::read_bundled(kind, name + kEnding)
                                 : course::read_text_file(own_path(library_, kind, name));
     file.path = name + kEnding;
     return file;
   }
+  const std::vector<Entry> entries = list(kind);
+  std::vector<std::string_view> names;
+  for (const Entry& entry : entries) names.push_back(entry.name);
   throw SetupError(text::one_line(name, kMaxName) + ": no such " + noun(kind) +
                    text::suggestion(name, names) + "; GET /api/setup lists them");
 }
 
 void SetupFiles::save(Bundled kind, const std::string& name, const std::string& content,
                       bool replace) const {
-  if (!text::is_file_name(name)) throw SetupError(text::kFileNameRule);
+  const std::optional<From> from = origin(kind, name);
+  if (from && *from != From::kOwn)
+    throw SetupError(name + " is not one of your own files; give it another name");
+  if (!from && !text::is_file_name(name)) throw SetupError(text::kFileNameRule);
+  if (from && !replace)
+    throw SetupError(name + " exists already; replace it, or give another name");
   if (library_.empty())
     throw SetupError("there is no folder for your own files: set library in the configuration");
   const std::string path = own_path(library_, kind, name);
-  const std::string& at = given(kind).path;
-  if (bundled(kind, name) || (at != path && course::file_stem(at) == name))
-    throw SetupError(name + " is not one of your own files; give it another name");
   std::error_code none;
-  const bool exists = fs::exists(fs::symlink_status(path, none));
-  if (exists && !is_plain_file(path))
+  if (!from && fs::exists(fs::symlink_status(path, none)))
     throw SetupError(name + kEnding +
                      ": a link or folder, no plain file; delete it by hand, or give another name");
-  if (exists && !replace)
-    throw SetupError(name + " exists already; replace it, or give another name");
   if (kind == Bundled::kCourses) {
     course::parse_course(content, name + kEnding);
   } else {
@@ -146,15 +163,13 @@ void SetupFiles::save(Bundled kind, const std::string& name, const std::string& 
 }
 
 void SetupFiles::remove(Bundled kind, const std::string& name) const {
-  for (const Entry& entry : list(kind)) {
-    if (entry.name != name) continue;
-    if (entry.from != From::kOwn)
-      throw SetupError(name + " is not one of your own files and cannot be deleted");
-    std::error_code error;
-    if (fs::remove(own_path(library_, kind, name), error) && !error) return;
+  const std::optional<From> from = origin(kind, name);
+  if (!from) throw SetupError(text::one_line(name, kMaxName) + ": no such " + noun(kind));
+  if (*from != From::kOwn)
+    throw SetupError(name + " is not one of your own files and cannot be deleted");
+  std::error_code error;
+  if (!fs::remove(own_path(library_, kind, name), error) || error)
     throw SetupError(name + ": cannot be deleted (" + error.message() + ")");
-  }
-  throw SetupError(text::one_line(name, kMaxName) + ": no such " + noun(kind));
 }
 
 }  // namespace tp100::config

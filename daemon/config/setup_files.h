@@ -2,6 +2,7 @@
 // The course and robot files among which an operator chooses: those that the program was started
 // with, the bundled ones, and the user's own in a folder that may be written.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,8 @@ class SetupFiles {
 
  private:
   const course::TextFile& given(course::Bundled kind) const;
+  /// Where the file of that name comes from; nothing: there is none.
+  std::optional<From> origin(course::Bundled kind, const std::string& name) const;
 
   std::string library_;
   course::TextFile course_, robot_;  ///< as given

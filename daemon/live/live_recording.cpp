@@ -1,17 +1,15 @@
 #include "live/live_recording.h"
 
 #include <algorithm>
-#include <array>
-#include <ctime>
 #include <filesystem>
 #include <future>
-#include <system_error>
 #include <utility>
 
 #include "core/clock.h"
 #include "core/error.h"
 #include "record/recording_file.h"
 #include "runs/run_folder.h"
+#include "text/atomic_file.h"
 #include "text/standard_streams.h"
 
 namespace tp100::live {
@@ -20,13 +18,9 @@ namespace {
 namespace fs = std::filesystem;
 using messages::Channel;
 
-std::string date_and_time(std::int64_t unix_ns) {
-  const auto seconds = static_cast<std::time_t>(unix_ns / kNsPerS);
-  std::tm local{};
-  ::localtime_r(&seconds, &local);
-  std::array<char, 32> text{};
-  return {text.data(), std::strftime(text.data(), text.size(), "%Y%m%d-%H%M%S", &local)};
-}
+// A cable that comes and goes makes a black box each time, and nobody may look for weeks.
+constexpr int kBlackBoxesMb = 500;
+constexpr std::string_view kBlackBoxName = "-black-box-";
 
 /// Channels of what happens once; the other channels hold a state.
 bool is_event_channel(Channel channel) {
@@ -44,16 +38,9 @@ std::string describe_freed(const runs::FreedSpace& freed) {
   return text;
 }
 
-[[noreturn]] void fail(const std::string& folder, const std::error_code& error) {
-  throw SetupError(folder + ": cannot create the folder (" + error.message() +
-                   "); give another --record");
-}
-
 record::RecorderSettings recorder_settings(const config::Configuration& configuration) {
   const config::RecordSettings& settings = configuration.record;
-  std::error_code error;
-  if (!settings.directory.empty()) fs::create_directories(settings.directory, error);
-  if (error) fail(settings.directory, error);
+  text::make_folder(settings.directory, "--record");
   if (settings.directory.empty() && settings.black_box_s == 0.0) return {};
   const std::uint64_t half = std::uint64_t{500'000} * static_cast<std::uint64_t>(settings.max_mb);
   record::HistorySettings history{.folder = black_box_directory(settings)};
@@ -81,20 +68,6 @@ bool is_recorded(Channel channel) {
          channel == Channel::kState || channel == Channel::kParameter;
 }
 
-std::string make_run_folder(const std::string& directory, const std::string& name,
-                            std::int64_t unix_ns) {
-  std::error_code error;
-  fs::create_directories(directory, error);
-  if (error) fail(directory, error);
-  const std::string stem = directory + "/" + date_and_time(unix_ns) + "-" + name;
-  std::string folder = stem;
-  for (int i = 2; !fs::create_directory(folder, error); ++i) {
-    if (error) fail(folder, error);
-    folder = stem + "-" + std::to_string(i);
-  }
-  return folder;
-}
-
 LiveRecording::LiveRecording(const config::RunFiles& files, const config::RunSetup& run,
                              const messages::PublishClock& clock)
     : settings_(run.configuration.record),
@@ -113,19 +86,19 @@ void LiveRecording::change_setup(std::shared_ptr<const config::LoadedRun> run, s
 }
 
 record::Recorder::Make LiveRecording::make(const std::string& directory, const std::string& name,
-                                           HostNs now, const record::McapMap& facts,
-                                           int quota_mb) const {
+                                           HostNs now, const record::McapMap& facts, int quota_mb,
+                                           std::string_view only) const {
   const auto unix_ns = static_cast<std::int64_t>(clock_.unix_ns(now));
   return [clock = clock_, max_mb = static_cast<std::uint64_t>(settings_.max_mb), run = run_,
-          directory, name, facts, unix_ns, quota_mb, note = note_] {
+          directory, name, facts, unix_ns, quota_mb, only, note = note_] {
     if (quota_mb > 0) {
       const std::uint64_t max_bytes = static_cast<std::uint64_t>(quota_mb) * 1'000'000;
-      std::string text = describe_freed(runs::free_space(directory, max_bytes));
+      std::string text = describe_freed(runs::free_space(directory, max_bytes, only));
       if (!text.empty()) note->set(std::move(text));
     }
     return std::make_unique<record::RecordingWriter>(
         record::RecordingSettings{
-            .path = make_run_folder(directory, name, unix_ns) + "/" + record::kRecordingFile,
+            .path = runs::make_run_folder(directory, name, unix_ns) + "/" + record::kRecordingFile,
             .max_bytes = max_mb * 1'000'000,
             .clock = clock},
         config::run_facts(run->files, run->setup, facts));
@@ -144,7 +117,7 @@ std::uint64_t LiveRecording::start(const std::string& name, const Answer& answer
   const std::string usual = course == nullptr ? "poses" : course->name;
   const std::uint64_t number =
       recorder_.ask_begin(make(directory, name.empty() ? usual : name, now,
-                               {{"program", "tp100d run"}}, settings_.quota_mb),
+                               {{"program", "tp100d run"}}, settings_.quota_mb, ""),
                           answer);
   if (number == 0) return 0;
   for (const auto& [channel, json] : last_) recorder_.message(channel, now, json);
@@ -160,9 +133,11 @@ std::uint64_t LiveRecording::start_black_box(const std::string& fault, HostNs no
     return 0;
   }
   const std::lock_guard lock(mutex_);
-  return recorder_.ask_look_back(make(directory, "black-box-" + fault, now,
-                                      {{"program", "tp100d run"}, {"black_box", fault}}, 0),
-                                 ended);
+  const int quota_mb = settings_.quota_mb > 0 ? settings_.quota_mb : kBlackBoxesMb;
+  return recorder_.ask_look_back(
+      make(directory, "black-box-" + fault, now, {{"program", "tp100d run"}, {"black_box", fault}},
+           quota_mb, kBlackBoxName),
+      ended);
 }
 
 void LiveRecording::stop(std::uint64_t number, Answer answer) {

@@ -41,7 +41,8 @@ class LiveRecording : public messages::Sink {
   /// Ends recording `number`, or the current one if that is 0.
   void stop(std::uint64_t number, Answer answer);
   /// Begins a recording in black_box_directory() that looks back, so that it is record.black_box_s
-  /// long after another kTailNs. It ends when another recording begins. `ended`: see
+  /// long after another kTailNs. It ends when another recording begins. Older black boxes without a
+  /// note are deleted first, beyond record.quota_mb or, without it, 500 MB. `ended`: see
   /// record::Recorder. 0: refused.
   std::uint64_t start_black_box(const std::string& fault, HostNs now,
                                 const record::Recorder::Ended& ended);
@@ -72,9 +73,11 @@ class LiveRecording : public messages::Sink {
   void discard();
 
  private:
-  /// `quota_mb`: as record.quota_mb, applied first; 0: none. Call it with the mutex held.
+  /// `quota_mb`: as record.quota_mb, applied first, to runs with `only`, a literal, in their names;
+  /// 0: none. Call it with the mutex held.
   record::Recorder::Make make(const std::string& directory, const std::string& name, HostNs now,
-                              const record::McapMap& facts, int quota_mb) const;
+                              const record::McapMap& facts, int quota_mb,
+                              std::string_view only) const;
 
   const config::RecordSettings settings_;
   messages::PublishClock clock_;
@@ -88,10 +91,5 @@ class LiveRecording : public messages::Sink {
 /// Whether messages of that channel are recorded when they are published, because they cannot be
 /// derived from the steps.
 bool is_recorded(messages::Channel channel);
-
-/// Makes DIRECTORY/YYYYMMDD-HHMMSS-NAME in local time, with -2, -3, ... after NAME if that folder
-/// already exists. Throws SetupError.
-std::string make_run_folder(const std::string& directory, const std::string& name,
-                            std::int64_t unix_ns);
 
 }  // namespace tp100::live

@@ -13,6 +13,7 @@
 #include "course/bundled_files.h"
 #include "record/recording_file.h"
 #include "text/atomic_file.h"
+#include "text/file_name.h"
 #include "text/format.h"
 #include "text/json_writer.h"
 #include "text/temporary.h"
@@ -22,7 +23,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Of the name of the other run in the name of a comparison.
+constexpr std::size_t kMaxCompared = 128;
 constexpr auto kFresh = std::chrono::seconds(1);
+
+std::string address(const std::string& run, const std::string& file) {
+  return "/runs/" + text::percent_encoded(run) + "/" + text::percent_encoded(file);
+}
 
 void write_run(text::JsonWriter& json, const Run& run, bool active) {
   json.begin_object()
@@ -41,7 +48,7 @@ void write_run(text::JsonWriter& json, const Run& run, bool active) {
     json.begin_object()
         .field("name", file.name)
         .field("bytes", file.bytes)
-        .field("url", "/runs/" + run.folder + "/" + file.name)
+        .field("url", address(run.folder, file.name))
         .field("kind", kind_of(file.name).kind)
         .end_object();
   json.end_array().end_object();
@@ -100,6 +107,10 @@ void require_run(const std::vector<Run>& runs, const std::string& name, const st
 }
 
 }  // namespace
+
+RunArchive::RunArchive(ArchiveSettings settings) : settings_(std::move(settings)) {
+  disk_.post([this] { sweep_runs(settings_.folder); }, [](const std::string&) {});
+}
 
 std::string RunArchive::json() {
   const std::string active = settings_.active();
@@ -235,14 +246,14 @@ std::string RunArchive::make_report(const std::string& run, const std::string& w
     throw SetupError(why);
   const fs::path beside = fs::path(settings_.folder) / run;
   if (!with.empty()) {
-    const std::string name = "compare-" + with + ".html";
+    const std::string name = "compare-" + text::file_name_of(with, kMaxCompared) + ".html";
     move_file(fs::path(work.path()) / "compare.html", beside / name);
-    return "/runs/" + run + "/" + name;
+    return address(run, name);
   }
   std::error_code error;
   for (fs::directory_iterator at(work.path(), error), end; !error && at != end; at.increment(error))
     move_file(at->path(), beside / at->path().filename());
-  return "/runs/" + run + "/report.html";
+  return address(run, "report.html");
 }
 
 std::string RunArchive::make_robot(const std::vector<std::string>& names,

@@ -33,7 +33,8 @@ class RunArchive {
   /// from any thread, also at the archive's end.
   using Answer = record::Worker::Answer;
 
-  explicit RunArchive(ArchiveSettings settings) : settings_(std::move(settings)) {}
+  /// Removes what a killed program has left in the runs, once the disk answers.
+  explicit RunArchive(ArchiveSettings settings);
   /// Ends a report that is being made.
   ~RunArchive() { process_.stop(); }
 

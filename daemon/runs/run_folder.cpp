@@ -10,14 +10,18 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <utility>
 
 #include "core/error.h"
+#include "core/time.h"
 #include "record/recording_file.h"
 #include "text/atomic_file.h"
+#include "text/file_name.h"
 #include "text/format.h"
+#include "text/temporary.h"
 
 namespace tp100::runs {
 namespace {
@@ -45,6 +49,14 @@ double seconds(const timespec& time) {
   return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
 }
 
+std::string date_and_time(std::int64_t unix_ns) {
+  const auto at = static_cast<std::time_t>(unix_ns / kNsPerS);
+  std::tm local{};
+  ::localtime_r(&at, &local);
+  std::array<char, 32> text{};
+  return {text.data(), std::strftime(text.data(), text.size(), "%Y%m%d-%H%M%S", &local)};
+}
+
 bool is_folder(const fs::path& path) {
   struct stat status {};
   return ::lstat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode);
@@ -69,7 +81,7 @@ bool look_at(const fs::path& folder, Run& run) {
   std::error_code error;
   for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
     const std::string name = at->path().filename().string();
-    if (!is_run_name(name) || ::lstat(at->path().c_str(), &status) != 0) continue;
+    if (!text::is_found_name(name) || ::lstat(at->path().c_str(), &status) != 0) continue;
     if (name == kRunNoteFile) {
       run.has_note = true;
       try {
@@ -98,7 +110,7 @@ bool look_at(const fs::path& folder, Run& run) {
 /// The path of a run's folder. Throws SetupError.
 fs::path run_path(const std::string& folder, const std::string& run) {
   fs::path path = fs::path(folder) / run;
-  if (folder.empty() || !is_run_name(run) || !is_folder(path))
+  if (folder.empty() || !text::is_found_name(run) || !is_folder(path))
     throw SetupError(text::one_line(run) + ": no such run; GET /api/runs lists them");
   return path;
 }
@@ -129,8 +141,6 @@ class OwnRecording {
 
 }  // namespace
 
-bool is_run_name(std::string_view name) { return text::is_file_name(name, kMaxFileName); }
-
 const RunFileType& kind_of(std::string_view file) {
   for (const RunFileType& each : kKinds)
     if (each.end == kRunNoteFile ? file == each.end : file.ends_with(each.end)) return each;
@@ -145,7 +155,7 @@ std::vector<Run> list_runs(const std::string& folder) {
   for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
     if (++seen > kMaxEntries) break;
     Run run{.folder = at->path().filename().string()};
-    if (is_run_name(run.folder) && look_at(at->path(), run)) runs.push_back(std::move(run));
+    if (text::is_found_name(run.folder) && look_at(at->path(), run)) runs.push_back(std::move(run));
   }
   std::sort(runs.begin(), runs.end(), [](const Run& a, const Run& b) {
     return std::pair(a.recorded_unix_s, a.folder) > std::pair(b.recorded_unix_s, b.folder);
@@ -160,7 +170,8 @@ std::vector<std::string> files_of(const std::string& folder, const std::string& 
   for (fs::directory_iterator at(run_path(folder, run), error), end; !error && at != end;
        at.increment(error)) {
     const std::string name = at->path().filename().string();
-    if (is_run_name(name) && ::lstat(at->path().c_str(), &status) == 0 && S_ISREG(status.st_mode))
+    if (text::is_found_name(name) && ::lstat(at->path().c_str(), &status) == 0 &&
+        S_ISREG(status.st_mode))
       names.push_back(name);
   }
   std::sort(names.begin(), names.end());
@@ -173,7 +184,7 @@ OpenFile::~OpenFile() {
 
 OpenFile open_run_file(const std::string& folder, const std::string& run, const std::string& file,
                        std::uint64_t& bytes) {
-  if (folder.empty() || !is_run_name(run) || !is_run_name(file)) return OpenFile();
+  if (folder.empty() || !text::is_found_name(run) || !text::is_found_name(file)) return OpenFile();
   const OpenFile root(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   const OpenFile inside(
       ::openat(root.get(), run.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
@@ -211,8 +222,11 @@ RunNote change_note(const std::string& folder, const std::string& run,
 
 void delete_run(const std::string& folder, const std::string& run) {
   const fs::path path = run_path(folder, run);
-  const OwnRecording own(path / kRecordingFile, run);
   std::error_code error;
+  // A deletion that was interrupted leaves an empty folder at last.
+  if (fs::remove(path, error)) return;
+  error.clear();
+  const OwnRecording own(path / kRecordingFile, run);
   std::vector<fs::path> files;
   for (fs::directory_iterator at(path, error), end; !error && at != end; at.increment(error)) {
     if (is_folder(at->path()))
@@ -220,10 +234,12 @@ void delete_run(const std::string& folder, const std::string& run) {
                        text::one_line(at->path().filename().string()) + "; delete it by hand");
     files.push_back(at->path());
   }
-  // The note, which protects the run, is deleted last.
-  std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
-    return std::pair(a.filename() == kRunNoteFile, a) < std::pair(b.filename() == kRunNoteFile, b);
-  });
+  // The note, which protects the run, is deleted late, and the recording, without which nothing is
+  // taken for a run, is the last.
+  const auto rank = [](const fs::path& file) {
+    return file.filename() == kRecordingFile ? 2 : file.filename() == kRunNoteFile ? 1 : 0;
+  };
+  std::ranges::stable_sort(files, {}, rank);
   for (const fs::path& file : files)
     if (!error) fs::remove(file, error);
   if (!error) fs::remove(path, error);
@@ -232,9 +248,10 @@ void delete_run(const std::string& folder, const std::string& run) {
                      "); check the folder's permissions");
 }
 
-FreedSpace free_space(const std::string& folder, std::uint64_t max_bytes) {
+FreedSpace free_space(const std::string& folder, std::uint64_t max_bytes, std::string_view only) {
   FreedSpace freed;
   std::vector<Run> runs = list_runs(folder);
+  std::erase_if(runs, [&](const Run& run) { return run.folder.find(only) == std::string::npos; });
   std::size_t noted = 0;
   std::string failure;
   for (const Run& run : runs) freed.bytes += run.bytes;
@@ -261,6 +278,30 @@ FreedSpace free_space(const std::string& folder, std::uint64_t max_bytes) {
             static_cast<double>(freed.bytes) * 1e-6, static_cast<double>(max_bytes) * 1e-6, noted) +
         (failure.empty() ? "; delete some" : "; " + failure);
   return freed;
+}
+
+std::string make_run_folder(const std::string& directory, std::string_view name,
+                            std::int64_t unix_ns) {
+  text::make_folder(directory, "--record");
+  const std::string stem =
+      directory + "/" + date_and_time(unix_ns) + "-" + text::file_name_of(name);
+  std::string folder = stem;
+  std::error_code error;
+  for (int i = 2; !fs::create_directory(folder, error); ++i) {
+    if (error)
+      throw SetupError(folder + ": cannot create the folder (" + error.message() +
+                       "); give another --record");
+    folder = stem + "-" + std::to_string(i);
+  }
+  return folder;
+}
+
+void sweep_runs(const std::string& folder) {
+  if (folder.empty()) return;
+  text::sweep_temporary(folder);
+  std::error_code error;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error))
+    if (is_folder(at->path())) text::sweep_temporary(at->path().string());
 }
 
 std::uint64_t free_bytes(const std::string& folder) {

@@ -1,7 +1,7 @@
 #pragma once
 // The folder of recordings (record.directory) as it is on the disk: a folder for each run.
-// Everything found there is treated as hostile: names are checked, no link is followed. Functions
-// wait for the disk; any thread.
+// Everything found there is treated as hostile: names are checked (text::is_found_name), no link is
+// followed. Functions wait for the disk; any thread.
 
 #include <cstdint>
 #include <string>
@@ -12,11 +12,6 @@
 #include "runs/run_note.h"
 
 namespace tp100::runs {
-
-inline constexpr std::size_t kMaxFileName = 128;
-/// Whether a run or one of its files may have this name: letters, digits, '-', '_' and '.', no '.'
-/// first.
-bool is_run_name(std::string_view name);
 
 /// The type of a file of a run, by the end of its name.
 struct RunFileType {
@@ -87,8 +82,17 @@ struct FreedSpace {
   std::string why_not{};    ///< why that is still more than permitted, in one line, or empty
 };
 /// Deletes the oldest runs without a note, as delete_run() does, until all together are at most
-/// `max_bytes`.
-FreedSpace free_space(const std::string& folder, std::uint64_t max_bytes);
+/// `max_bytes`. `only`: runs without this text in their name are neither counted nor deleted.
+FreedSpace free_space(const std::string& folder, std::uint64_t max_bytes,
+                      std::string_view only = {});
+
+/// Makes DIRECTORY/YYYYMMDD-HHMMSS-NAME in local time, with -2, -3, ... after NAME if that folder
+/// already exists; NAME is text::file_name_of(name). Throws SetupError.
+std::string make_run_folder(const std::string& directory, std::string_view name,
+                            std::int64_t unix_ns);
+
+/// Removes what killed programs have left in the folder and in the runs (text/temporary.h).
+void sweep_runs(const std::string& folder);
 
 /// Free space on the disk of the folder; 0: not known.
 std::uint64_t free_bytes(const std::string& folder);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint32_t kIn64 = 0xFFFF'FFFF;  // the value is in the 64-bit field
 constexpr std::uint16_t kPlainVersion = 20, kLargeVersion = 45;
-constexpr std::uint16_t kUnix = 3;
+constexpr std::uint16_t kUnix = 3, kNamesInUtf8 = 1U << 11U;
 constexpr std::uint32_t kFileMode = (S_IFREG | 0644U) << 16U;
 
 /// Little-endian fields, one after the other.
@@ -90,7 +90,8 @@ std::string RunZip::header(const Entry& entry, bool central) const {
     fields.u32(0x02014b50).u16(kUnix << 8U | kLargeVersion);
   else
     fields.u32(0x04034b50);
-  fields.u16(large_ ? kLargeVersion : kPlainVersion).u16(0).u16(0).u32(dos_time(entry.modified));
+  fields.u16(large_ ? kLargeVersion : kPlainVersion).u16(kNamesInUtf8).u16(0);
+  fields.u32(dos_time(entry.modified));
   fields.u32(entry.crc).u32(bytes).u32(bytes).u16(name.size());
   fields.u16(!large_ ? 0 : central ? 28 : 20);
   if (central) fields.u16(0).u16(0).u16(0).u32(kFileMode).u32(large_ ? kIn64 : entry.at);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "text/file_name.h"
 
 namespace tp100::server {
 namespace {
@@ -24,6 +25,7 @@ constexpr std::string_view kReportPolicy =
 constexpr std::string_view kRunList = "/api/runs";
 constexpr std::string_view kRuns = "/runs/";
 constexpr std::string_view kZip = ".zip";
+constexpr std::size_t kMaxZipName = 255;
 constexpr std::string_view kHistory = "/api/history/";
 constexpr std::string_view kSetupList = "/api/setup";
 constexpr std::string_view kRobots = "/api/robots";
@@ -32,8 +34,9 @@ bool is_setup(std::string_view path) {
   return path == kSetupList || path.starts_with("/courses/") || path.starts_with("/robots/");
 }
 
-std::string_view path_of(std::string_view target) {
-  return target.substr(0, target.find_first_of("?#"));
+/// Nothing: not an address.
+std::optional<std::string> path_of(std::string_view target) {
+  return text::percent_decoded(target.substr(0, target.find_first_of("?#")));
 }
 
 HttpAnswer fresh_answer(std::string text, std::string type) {
@@ -70,8 +73,11 @@ HttpAnswer zip_answer(const std::string& folder, std::string_view run) {
     answer.length = answer.zip->size();
     answer.type = "application/zip";
     answer.headers.emplace_back("Cache-Control", "no-store");
-    answer.headers.emplace_back("Content-Disposition",
-                                "attachment; filename=\"" + std::string(run) + ".zip\"");
+    // RFC 6266: the first name is for programs that do not know the second form.
+    answer.headers.emplace_back("Content-Disposition", "attachment; filename=\"" +
+                                                           text::file_name_of(run, kMaxZipName) +
+                                                           ".zip\"; filename*=UTF-8''" +
+                                                           text::percent_encoded(run) + ".zip");
     return answer;
   } catch (const SetupError& error) {
     return http_text(404, error.what());
@@ -173,7 +179,7 @@ std::optional<std::pair<std::uint64_t, std::uint64_t>> byte_range(std::string_vi
 }
 
 bool needs_disk(std::string_view target) {
-  const std::string_view path = path_of(target);
+  const std::string path = path_of(target).value_or("");
   return path == kRunList || path.starts_with(kRuns) || is_setup(path);
 }
 
@@ -183,7 +189,9 @@ HttpAnswer http_answer(const HttpRequest& request, const HttpSources& sources) {
     answer.headers.emplace_back("Allow", "GET, HEAD");
     return answer;
   }
-  const std::string_view path = path_of(request.target);
+  const std::optional<std::string> decoded = path_of(request.target);
+  if (!decoded) return http_text(404, "a % without two hexadecimal digits in the address");
+  const std::string_view path = *decoded;
   if (path == "/healthz") return json_answer(sources.health());
   if (path == "/metrics")
     return fresh_answer(sources.metrics(), "text/plain; version=0.0.4; charset=utf-8");

@@ -7,7 +7,7 @@
 
 #include "messages/messages.h"
 #include "runs/run_folder.h"
-#include "text/atomic_file.h"
+#include "text/file_name.h"
 #include "text/format.h"
 #include "text/json_writer.h"
 
@@ -275,8 +275,8 @@ std::string read_file(const Arguments& arguments, SetupFile& file) {
   file.text = text_of(arguments, "text").value_or("");
   for (const RequestField& field : arguments)
     if (const bool* replace = std::get_if<bool>(&field.value)) file.replace = *replace;
-  if (text::is_file_name(file.name)) return {};
-  return text::kFileNameRule;
+  if (text::is_found_name(file.name)) return {};
+  return text::kFoundNameRule;
 }
 
 std::string read_part(const Arguments& arguments, DoctorPart& part) {
@@ -346,8 +346,8 @@ std::string read_parameters(const Arguments& arguments,
     if (const auto* words = std::get_if<std::string>(&field.value)) {
       value = *words;
       const bool name = found->type == messages::ParameterText::Type::kText;
-      if (name && !words->empty() && !text::is_file_name(*words))
-        return field.name + ": " + text::kFileNameRule;
+      if (name && !words->empty() && !text::is_found_name(*words))
+        return field.name + ": " + text::kFoundNameRule;
     }
     if (std::holds_alternative<RequestField::Other>(field.value))
       return field.name + " takes no value of that type";
@@ -366,7 +366,7 @@ std::string read_drives(const Arguments& arguments, RunRequest& request) {
   request.measured = text_of(arguments, "measured").value_or("");
   std::istringstream words(text_of(arguments, "runs").value_or(""));
   for (std::string name; words >> name;) request.drives.push_back(name);
-  const bool named = std::ranges::all_of(request.drives, runs::is_run_name);
+  const bool named = std::ranges::all_of(request.drives, text::is_found_name);
   if (texts_only(arguments) && named && !request.drives.empty() &&
       request.drives.size() <= kMaxDrives)
     return {};
@@ -393,7 +393,7 @@ std::string read_run(Service service, const Arguments& arguments, RunRequest& re
   for (const RequestField& field : arguments)
     if (const bool* keep = std::get_if<bool>(&field.value)) request.note.keep = *keep;
   const bool compares = request.what == What::kCompare;
-  if (!runs::is_run_name(request.run) || (compares && !runs::is_run_name(request.with)))
+  if (!text::is_found_name(request.run) || (compares && !text::is_found_name(request.with)))
     return compares ? "run and with must be names of runs, as GET /api/runs lists them"
                     : "run must be the name of a run, as GET /api/runs lists it";
   return runs::why_not(runs::changed({}, request.note));

@@ -275,14 +275,6 @@ void require_not_read(const std::string& path) {
                        ": this file is read, so nothing is written over it; give another one");
 }
 
-bool is_file_name(std::string_view name, std::size_t most) {
-  return !name.empty() && name.size() <= most && name.front() != '.' &&
-         std::all_of(name.begin(), name.end(), [](char c) {
-           return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                  c == '-' || c == '_' || c == '.';
-         });
-}
-
 void make_folder(const std::string& path, const std::string& option) {
   if (path.empty()) return;
   std::error_code error;

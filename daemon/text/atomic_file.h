@@ -57,13 +57,6 @@ void note_read(const std::string& path);
 /// program reads that file.
 void require_not_read(const std::string& path);
 
-/// Whether a file may have a name that came from elsewhere, and be created in a folder of the
-/// program's: letters, digits, '-', '_' and '.', at most `most`, no '.' first.
-bool is_file_name(std::string_view name, std::size_t most = 64);
-/// The rule of is_file_name, for an argument called name.
-inline constexpr const char* kFileNameRule =
-    "name must be 1 to 64 letters, digits, '-', '_' or '.', not starting with '.'";
-
 /// Creates the folder for results and its parents if absent; empty is the working folder. Throws
 /// SetupError, which asks for another value of `option`.
 void make_folder(const std::string& path, const std::string& option = "--out");

@@ -57,7 +57,8 @@ int make_temporary_folder(const std::string& folder, std::string& path) {
 
 void sweep_temporary(const std::string& folder) {
   std::error_code error;
-  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+  for (fs::directory_iterator at(folder.empty() ? "." : folder, error), end; !error && at != end;
+       at.increment(error)) {
     const fs::path& path = at->path();
     if (!is_temporary(path.filename().native())) continue;
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);

@@ -13,9 +13,9 @@ int make_temporary_file(const std::string& folder, std::string& path);
 /// The same for a folder, open for reading.
 int make_temporary_folder(const std::string& folder, std::string& path);
 
-/// Removes the temporary files and folders directly in `folder` that this account has made and no
-/// program has open. Leaves links, other names, and everything on a disk without locks. What cannot
-/// be removed stays.
+/// Removes the temporary files and folders directly in `folder` (empty: the working folder) that
+/// this account has made and no program has open. Leaves links, other names, and everything on a
+/// disk without locks. What cannot be removed stays.
 void sweep_temporary(const std::string& folder);
 
 }  // namespace tp100::text

@@ -172,6 +172,29 @@ TEST_F(BlackBoxTest, ARecordingMakesRoomForItselfAndSaysSo) {
   finish();
 }
 
+// A cable that comes and goes would fill the disk over the weeks; the runs of a person must stay.
+TEST_F(BlackBoxTest, BlackBoxesOfEarlierStartsMakeRoomAndNothingElseDoes) {
+  const auto leave = [this](const std::string& name, std::uintmax_t bytes, const char* note = "") {
+    const fs::path run = fs::path(folder_.path()) / "boxes" / name;
+    fs::create_directories(run);
+    std::ofstream(run / "run.mcap") << "x";
+    fs::resize_file(run / "run.mcap", bytes);
+    if (*note != '\0') std::ofstream(run / "run.toml") << note;
+    return run;
+  };
+  run_.configuration.record.black_box_directory = folder_.file("boxes");
+  const fs::path old = leave("20260101-000000-black-box-link_lost", 300'000'000),
+                 noted = leave("20260102-000000-black-box-heading", 150'000'000, "keep = true\n"),
+                 run = leave("20260103-000000-1-straight", 400'000'000),
+                 newer = leave("20260104-000000-black-box-cross_track", 100'000'000);
+  fs::last_write_time(old / "run.mcap", fs::file_time_type::clock::now() - std::chrono::hours(9));
+  drive(0.5);
+  drive(1.5, fault_bit(Fault::link_lost));
+  finish();
+  EXPECT_FALSE(fs::exists(old));
+  EXPECT_TRUE(fs::exists(noted) && fs::exists(run) && fs::exists(newer));
+}
+
 TEST_F(BlackBoxTest, AProgramThatEndsWritesWhatItHas) {
   drive(0.5);
   drive(0.1, fault_bit(Fault::link_lost));

@@ -18,6 +18,7 @@
 #include "../support/temporary_folder.h"
 #include "core/error.h"
 #include "record/recording_file.h"
+#include "runs/run_zip.h"
 
 namespace tp100::runs {
 namespace {
@@ -57,6 +58,47 @@ class RunFolder : public ::testing::Test {
   test::TemporaryFolder folder_;
   const std::string runs_ = folder_.file("runs");
 };
+
+// Runs that were recorded under the name of their course, before names were made harmless, would
+// be neither listed nor counted by the quota, and fill the disk.
+TEST_F(RunFolder, ARunOfAnyNameIsManagedAsOthersAre) {
+  const std::vector<std::string> names = {"20260101-000000-slalom (copy)", "Prüf strecke",
+                                          "a'b\"c <i>", std::string(245, 'x')};
+  for (const std::string& name : names) run(name, 100, 1);
+  ASSERT_EQ(list_runs(runs_).size(), names.size());
+  for (const std::string& name : names) {
+    EXPECT_EQ(change_note(runs_, name, {.name = "n"}).name, "n");
+    EXPECT_EQ(change_note(runs_, name, {.name = ""}).name, "");
+    EXPECT_EQ(files_of(runs_, name), std::vector<std::string>{"run.mcap"});
+    std::uint64_t bytes = 0;
+    EXPECT_TRUE(open_run_file(runs_, name, "run.mcap", bytes));
+    EXPECT_EQ(bytes, 100U);
+    EXPECT_GT(RunZip(runs_, name).size(), 100U);
+  }
+  delete_run(runs_, names.front());
+  EXPECT_EQ(free_space(runs_, 150).deleted.size(), names.size() - 2);
+  EXPECT_EQ(list_runs(runs_).size(), 1U);
+}
+
+TEST_F(RunFolder, AFolderForARunIsOneThatIsFound) {
+  for (const std::string& course :
+       {std::string("1-straight"), std::string("slalom (copy)"), std::string("Prüf strecke"),
+        std::string("道路"), std::string(245, 'x'), std::string("../../x"), std::string("..."),
+        std::string("a\nb"), std::string("\xff")}) {
+    const std::size_t before = list_runs(runs_).size();
+    for (int i = 0; i < 3; ++i)
+      write(fs::path(make_run_folder(runs_, course, 0)).filename().string() + "/run.mcap", "0");
+    EXPECT_EQ(list_runs(runs_).size(), before + 3) << course;
+  }
+  EXPECT_TRUE(there(fs::path(make_run_folder(runs_, "Prüf strecke", 0)).filename().string()));
+  EXPECT_THAT(make_run_folder(runs_, "Öl", 1), ::testing::EndsWith("-Oel"));
+}
+
+TEST_F(RunFolder, AnInterruptedDeletionCanBeCompleted) {
+  fs::create_directory(file("empty"));
+  delete_run(runs_, "empty");
+  EXPECT_FALSE(there("empty"));
+}
 
 TEST_F(RunFolder, ListsRunsByTheTimeOfTheirRecording) {
   run("a", 10, 1);

@@ -7,10 +7,12 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
 #include "../support/temporary_folder.h"
+#include "text/file_name.h"
 
 namespace tp100::server {
 namespace {
@@ -139,13 +141,46 @@ TEST_F(HttpContent, AWholeRunIsServedAsOneArchive) {
   EXPECT_EQ(answer.status, 200U);
   EXPECT_EQ(answer.type, "application/zip");
   EXPECT_THAT(answer.headers,
-              Contains(Pair("Content-Disposition", "attachment; filename=\"a.zip\"")));
+              Contains(Pair("Content-Disposition",
+                            "attachment; filename=\"a.zip\"; filename*=UTF-8''a.zip")));
   std::string all, part(65'536, '\0');
   while (answer.length > 0) all.append(part, 0, answer.read(part).value());
   EXPECT_EQ(all.substr(0, 4), "PK\3\4");
   EXPECT_NE(all.find("a/run.mcap0123456789"), std::string::npos);
   for (const char* none : {"/runs/none.zip", "/runs/.zip", "/runs/...zip", "/runs/../a.zip"})
     EXPECT_EQ(get(none).status, 404U) << none;
+}
+
+// A run that was recorded on a course of a person's own naming would be invisible.
+TEST_F(HttpContent, ARunOfAnyNameIsServedByItsAddress) {
+  const std::string runs = (folder_.path() / "runs").string();
+  for (const char* name :
+       {"slalom (copy)", "Prüf strecke", "a&b=c", "道路", "a'b\"c", "<script>", "a+b;c"}) {
+    fs::create_directory(runs + "/" + name);
+    test::write_bytes(runs + "/" + name + "/run.mcap", "0123456789");
+    const std::string address = "/runs/" + text::percent_encoded(name);
+    EXPECT_EQ(get((address + "/run.mcap").c_str()).length, 10U) << name;
+    // As browsers and people write it.
+    EXPECT_EQ(get(("/runs/" + std::string(name) + "/run.mcap").c_str()).length, 10U) << name;
+    const HttpAnswer zip = get((address + ".zip").c_str());
+    EXPECT_EQ(zip.status, 200U) << name;
+    for (const auto& [header, value] : zip.headers)
+      EXPECT_TRUE(std::ranges::all_of(value, [](char c) { return c >= ' ' && c <= '~'; }))
+          << header << ": " << value;
+    EXPECT_TRUE(needs_disk(address + ".zip"));
+  }
+}
+
+// The server's thread, which serves STOP, would wait for the disk.
+TEST_F(HttpContent, AnAddressInDisguiseNeedsTheDiskToo) {
+  for (const char* target : {"/runs/a/run.mcap", "/%72uns/a/run.mcap", "/runs%2fa%2frun.mcap",
+                             "/api/%72uns", "/api%2Fsetup", "/%63ourses/a.toml?x"})
+    EXPECT_TRUE(needs_disk(target)) << target;
+  for (const char* target : {"/", "/healthz", "/%", "/%zz/runs/"}) EXPECT_FALSE(needs_disk(target));
+  for (const char* target : {"/runs/a/run.mcap%", "/runs/%zz/run.mcap", "/runs/a%2F..%2Fb/run.mcap",
+                             "/runs/a%2F%2E%2E/b/run.mcap", "/runs/%2E%2E/secret", "/runs/a/%00",
+                             "/runs/a%5Cb/run.mcap", "/runs/%2e%2e%2fsecret", "/runs/a%252Fb.zip"})
+    EXPECT_EQ(get(target).status, 404U) << target;
 }
 
 TEST_F(HttpContent, AReportIsKeptAwayFromTheServer) {

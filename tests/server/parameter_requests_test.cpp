@@ -151,7 +151,7 @@ TEST_F(RequestHandlerTest, HostileParametersToSaveAreRefusedByName) {
   EXPECT_NE(refused(R"({"control.gain":1e999})"), "");
   for (const char* name : {R"(a\nb)", "../x", "/etc/passwd", R"(a\u0000)"})
     EXPECT_THAT(refused((R"({"course":")" + std::string(name) + "\"}").c_str()),
-                HasSubstr("course: name must be 1 to 64 letters"));
+                HasSubstr("course: name must be 1 to 255 bytes"));
   EXPECT_NE(call(Service::kParametersRestore, R"({"check":null})").texts.size(), 0U);
   EXPECT_NE(call(Service::kParametersRestore, R"({"file":"x"})").texts.size(), 0U);
   EXPECT_TRUE(controls_.parameters_saved.empty());
