@@ -296,6 +296,7 @@ int run_identify(const IdentifyOptions& options) {
   std::optional<identify::AutoProgress> progress;
   if (options.drive) {
     const course::TextFile& file = assumed.assumed().robot;
+    text::require_not_read(options.out);  // before an hour of drives
     GuidedDrives guided =
         driven(options, course::parse_robot(file.text, file.path), assumed.assumed().configuration);
     progress = guided.progress;
@@ -303,6 +304,7 @@ int run_identify(const IdentifyOptions& options) {
     drives = std::move(guided.drives);
   } else {
     drives = recorded(options, assumed);
+    text::require_not_read(options.out);
   }
   const auto& [base_file, configuration] = assumed.assumed();
   const course::Robot base = course::parse_robot(base_file.text, base_file.path);

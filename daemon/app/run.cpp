@@ -29,6 +29,7 @@
 #include "server/local_daemons.h"
 #include "server/server.h"
 #include "text/format.h"
+#include "text/temporary.h"
 #include "text/toml_document.h"
 #include "web/bundle.h"
 
@@ -109,6 +110,18 @@ runs::ArchiveSettings archive_settings(const config::RecordSettings& settings,
           }};
 }
 
+/// Removes what a killed program has left where this one will write, besides the recorded runs.
+void sweep(const config::RunSetup& run, const std::string& configuration_file,
+           const std::string& stats) {
+  for (const std::string& file : {configuration_file, stats})
+    if (!file.empty()) text::sweep_temporary(std::filesystem::path(file).parent_path());
+  const std::string library = config::library_folder(run.configuration.library);
+  for (const char* folder : {"/courses", "/robots"})
+    if (!library.empty()) text::sweep_temporary(library + folder);
+  const std::string black_boxes = live::black_box_directory(run.configuration.record);
+  if (black_boxes != run.configuration.record.directory) runs::sweep_runs(black_boxes);
+}
+
 /// Tells several robots apart: each has a configuration file of its own.
 std::string robot_name(const config::RunSetup& run, const std::string& configuration_file) {
   const std::string stem = std::filesystem::path(configuration_file).stem().string();
@@ -187,6 +200,9 @@ int run_run(const RunOptions& options) {
   settings.recording = &recording;
   record::Worker disk;
   settings.disk = &disk;
+  disk.post(
+      [run, file = files.configuration.path, stats = options.stats] { sweep(run, file, stats); },
+      [](const std::string&) {});
   live::BlackBox black_box(configuration.record, recording);
   settings.black_box = &black_box;
   live::SetupChanger setup({files, run}, cycle);

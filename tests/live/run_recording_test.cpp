@@ -5,16 +5,19 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "../server/web_client.h"
 #include "../support/frozen_disk.h"
 #include "../support/notify_socket.h"
+#include "../support/paths.h"
 #include "run_rig.h"
 #include "server/services.h"
 
@@ -75,6 +78,40 @@ TEST_F(Run, WhoStaysRecordsRunByRun) {
               ::testing::AnyOf(0, 1))
       << message_;
   EXPECT_EQ(replayed_recordings(), 2);
+}
+
+// What killed programs leave would fill the disk, one kill after the other.
+TEST_F(Run, WhatAKilledProgramLeftIsGoneAfterTheNextStart) {
+  options_.record = folder_.file("runs");
+  const std::vector<std::string> left = {"runs/.tp100-abcdef", "runs/a/.tp100-ABCDEF",
+                                         "runs/.tp100-report/page.html", ".tp100-000000"};
+  for (const std::string& name : left) {
+    std::filesystem::create_directories(std::filesystem::path(folder_.file(name)).parent_path());
+    test::write_bytes(folder_.file(name), "x");
+  }
+  robot_->plug_in();
+  run([&] {
+    EXPECT_TRUE(soon([&] {
+      return std::ranges::none_of(left, [&](const std::string& name) {
+        return std::filesystem::exists(folder_.file(name));
+      });
+    }));
+  });
+}
+
+// A run whose course has a name of a person's choice would be in no list, and no quota would count
+// it.
+TEST_F(Run, ARunIsListedWhateverItsCourseIsCalled) {
+  options_.record = folder_.file("runs");
+  options_.course = folder_.file("Prüf strecke (Kopie).toml");
+  std::filesystem::copy_file(source_path("config/courses/1-straight.toml"), options_.course);
+  robot_->plug_in();
+  std::string runs;
+  run([&] {
+    says_of_itself("\"active\": true");
+    runs = server::http_get(page(), "GET /api/runs HTTP/1.0\r\nHost: localhost\r\n\r\n");
+  });
+  EXPECT_THAT(runs, HasSubstr("-Pruef-strecke-Kopie\""));
 }
 
 // Records on a disk that a test can freeze.
