@@ -149,8 +149,14 @@ void SetupFiles::save(Bundled kind, const std::string& name, const std::string& 
   if (library_.empty())
     throw SetupError("there is no folder for your own files: set library in the configuration");
   const std::string path = own_path(library_, kind, name);
-  std::error_code none;
-  if (!from && fs::exists(fs::symlink_status(path, none)))
+  std::error_code error;
+  const fs::file_type there =
+      from ? fs::file_type::not_found : fs::symlink_status(path, error).type();
+  // Only a file that is certainly not there is made anew.
+  if (there == fs::file_type::none)
+    throw SetupError(name + kEnding + ": " + error.message() +
+                     "; check folder, permission and disk");
+  if (there != fs::file_type::not_found)
     throw SetupError(name + kEnding +
                      ": a link or folder, no plain file; delete it by hand, or give another name");
   if (kind == Bundled::kCourses) {

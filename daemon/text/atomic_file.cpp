@@ -24,6 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kKept = ".bak";
 constexpr std::size_t kBlock = std::size_t{1} << 16;
 
 // Read once, before there is a second thread, because reading the mask changes it for a moment.
@@ -65,17 +66,19 @@ struct Target {
 };
 
 Target target_of(const std::string& path) {
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (fs::is_directory(status)) fail(path, EISDIR);
-  if (!fs::exists(status)) return {path};
-  if (!fs::is_regular_file(status)) return {.path = path, .direct = true};
+  struct stat status {};
+  // Only a file that is certainly not there is made anew.
+  if (::stat(path.c_str(), &status) != 0) {
+    if (errno == ENOENT) return {path};
+    fail(path, errno);
+  }
+  if (S_ISDIR(status.st_mode)) fail(path, EISDIR);
+  if (!S_ISREG(status.st_mode)) return {.path = path, .direct = true};
   // A link stays in place; the file that it points to is replaced.
-  Target target{.path = fs::canonical(path, error).string()};
+  std::error_code error;
+  const std::string file = fs::canonical(path, error).string();
   if (error) fail(path, error.value());
-  struct stat like {};
-  if (::stat(target.path.c_str(), &like) == 0) target.like = like;
-  return target;
+  return {.path = file, .like = status};
 }
 
 std::string folder_of(const std::string& path) { return fs::path(path).parent_path().string(); }
@@ -163,7 +166,7 @@ int move(const std::string& from, const std::string& to) {
 }
 
 /// Throws SetupError.
-void exchange(const std::string& path, const std::string& kept) {
+void swap_files(const std::string& path, const std::string& kept) {
   if (::renameat2(AT_FDCWD, path.c_str(), AT_FDCWD, kept.c_str(), RENAME_EXCHANGE) == 0) return;
   if (errno != EINVAL && errno != ENOSYS && errno != ENOTSUP) fail(path, errno);
   const std::string third = kept + ".old";
@@ -182,10 +185,12 @@ void exchange(const std::string& path, const std::string& kept) {
 
 /// Throws SetupError.
 void require_plain(const std::string& path) {
-  std::error_code error;
-  const fs::file_status status = fs::symlink_status(path, error);
-  if (fs::exists(status) && !fs::is_regular_file(status))
+  struct stat status {};
+  if (::lstat(path.c_str(), &status) != 0) {
+    if (errno != ENOENT) fail(path, errno);
+  } else if (!S_ISREG(status.st_mode)) {
     throw SetupError(path + ": a link or folder, no plain file; delete it by hand");
+  }
 }
 
 }  // namespace
@@ -237,23 +242,23 @@ void write_file(const std::string& path, std::string_view content, Flush flush) 
 std::string kept_path(const std::string& path) {
   std::error_code none;
   const fs::path file = fs::canonical(path, none);
-  return (none ? path : file.string()) + ".bak";
+  return (none ? path : file.string()) + kKept;
 }
 
 void edit_file(const std::string& path, std::string_view content) {
   const Target target = target_of(path);
   if (!target.like) return write_file(path, content);
   // The new text comes under the other name first, so that nothing is lost if it does not fit.
-  const std::string kept = kept_path(path);
+  const std::string kept = target.path + kKept;
   require_plain(kept);
   write_like(kept, content, *target.like);
-  exchange(target.path, kept);
+  swap_files(target.path, kept);
 }
 
 void restore_file(const std::string& path) {
-  const std::string kept = kept_path(path);
-  require_plain(kept);
-  exchange(target_of(path).path, kept);
+  const std::string file = target_of(path).path;
+  require_plain(file + kKept);
+  swap_files(file, file + kKept);
 }
 
 void note_read(const std::string& path) {
@@ -262,15 +267,20 @@ void note_read(const std::string& path) {
 }
 
 void require_not_read(const std::string& path) {
-  std::error_code error;
-  if (!fs::is_regular_file(path, error)) return;
+  struct stat out {
+  }, in{};
+  if (::stat(path.c_str(), &out) != 0) {
+    if (errno == ENOENT) return;
+    fail(path, errno);
+  }
+  if (!S_ISREG(out.st_mode)) return;
   std::set<std::string> read;
   {
     const std::lock_guard lock(inputs().mutex);
     read = inputs().read;
   }
   for (const std::string& input : read)
-    if (fs::equivalent(input, path, error))
+    if (::stat(input.c_str(), &in) == 0 && in.st_dev == out.st_dev && in.st_ino == out.st_ino)
       throw SetupError(path +
                        ": this file is read, so nothing is written over it; give another one");
 }

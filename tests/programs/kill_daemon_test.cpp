@@ -73,7 +73,7 @@ TEST_F(KilledDaemon, FilesAreWholeWheneverItIsKilled) {
                                        "library/courses/mine.toml.bak"};
   int number = 0;
   for (int round = 0; round < 12; ++round) {
-    Process daemon({"tp100d", "run", "--wait", "--port", folder_.file("none"), "--config",
+    Process daemon({"tp100d", "run", "--wait", "--stay", "--port", folder_.file("none"), "--config",
                     folder_.file("c.toml")});
     ASSERT_TRUE(daemon.wait_for("page: http://127.0.0.1:")) << daemon.output();
     const std::string& output = daemon.output();

@@ -2,9 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cerrno>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "../support/each_kill.h"
 #include "../support/temporary_folder.h"
@@ -14,6 +17,7 @@
 #include "record/mcap_writer.h"
 #include "record/recording_file.h"
 #include "runs/run_folder.h"
+#include "runs/run_zip.h"
 #include "text/atomic_file.h"
 #include "text/temporary.h"
 
@@ -83,6 +87,53 @@ TEST_F(Kill, ARestoredFileIsExchangedAtOnce) {
                      [&] { EXPECT_THAT(found(), AnyOf(before, after)); });
   EXPECT_EQ(found(), after);
 }
+
+#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
+// A disk that fails or is full at any moment must neither end the daemon nor cost a file.
+TEST_F(Kill, AnErrorOfTheDiskLosesNothing) {
+  const std::string folder = folder_.path().string(), next = std::string(kCourse) + "# 2\n";
+  const config::SetupFiles files(folder, {});
+  const Files before = {{"c", "old"},        {"c.bak", "older"},
+                        {"a/run.mcap", "0"}, {"a/run.toml", "name = \"old\"\n"},
+                        {"b/run.mcap", "1"}, {"courses/a.toml", kCourse}};
+  const auto with = [&](Files changed) {
+    changed.insert(before.begin(), before.end());
+    return changed;
+  };
+  struct Change {
+    std::function<void()> make;
+    std::vector<Files> results;
+  };
+  write(before);
+  change_note(folder, "a", {.name = "new"});
+  const std::string noted = found()["a/run.toml"];
+  Files deleted = before;
+  deleted.erase("b/run.mcap");
+  const std::vector<Change> changes = {
+      {[&] { text::write_file(file("c"), "new"); }, {with({{"c", "new"}})}},
+      {[&] { text::edit_file(file("c"), "new"); },
+       {with({{"c.bak", "new"}}), with({{"c", "new"}, {"c.bak", "old"}})}},
+      {[&] { text::restore_file(file("c")); }, {with({{"c", "older"}, {"c.bak", "old"}})}},
+      {[&] { files.save(course::Bundled::kCourses, "a", next, true); },
+       {with({{"courses/a.toml.bak", next}}),
+        with({{"courses/a.toml", next}, {"courses/a.toml.bak", kCourse}})}},
+      {[&] { change_note(folder, "a", {.name = "new"}); }, {with({{"a/run.toml", noted}})}},
+      {[&] { delete_run(folder, "b"); }, {deleted}},
+      {[&] { list_runs(folder); }, {}},
+      {[&] { free_space(folder, 1'000'000); }, {}},
+      {[&] { RunZip(folder, "a").size(); }, {}},
+      {[&] { sweep_runs(folder); }, {}}};
+  for (const int error : {EIO, ENOSPC, EACCES, ENOMEM})
+    for (const Change& change : changes) {
+      std::vector<Files> allowed = change.results;
+      allowed.push_back(before);
+      test::at_each_error(
+          error, [&] { write(before); }, change.make,
+          [&] { EXPECT_THAT(allowed, ::testing::Contains(found())); });
+      EXPECT_EQ(found(), change.results.empty() ? before : change.results.back());
+    }
+}
+#endif
 
 TEST_F(Kill, ASavedCourseIsTheOldOneOrTheNewOne) {
   const std::string old = kCourse, next = old + "# 2\n";
