@@ -50,6 +50,9 @@ Vertex nearest_on_edge(const Polygon& polygon, std::size_t index, double x_m, do
 /// Smaller segments are invalid.
 inline constexpr double kSmallestLengthM = 0.001, kSmallestTurnDeg = 0.1;
 
+/// Longer paths are invalid: what viewers get of a course grows with its path.
+inline constexpr double kLongestPathM = 1000.0;
+
 /// Straight segment. [m]
 struct Line {
   double length_m;

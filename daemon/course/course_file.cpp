@@ -97,6 +97,12 @@ Segment segment_of(text::TomlTable table) {
   return Arc{radius_m, turn_rad(table)};
 }
 
+double length_of(const Segment& segment) {
+  if (const auto* line = std::get_if<Line>(&segment)) return line->length_m;
+  const auto* arc = std::get_if<Arc>(&segment);
+  return arc == nullptr ? 0.0 : arc->radius_m * std::abs(arc->angle_rad);
+}
+
 Pose start_of(text::TomlTable table) {
   Pose start;
   start.x_m = table.number("x_m", 0.0, kPlace);
@@ -179,7 +185,17 @@ Course parse_course(const std::string& text, const std::string& file) {
   if (segments.size() > kMaxSegments) root.fail("segment", "more than 1000 segments");
   if (disturbances.size() > kMaxDisturbances)
     root.fail("disturbance", "more than 100 disturbances");
-  for (const text::TomlTable& segment : segments) course.path.push_back(segment_of(segment));
+  double length_m = 0.0;
+  for (const text::TomlTable& segment : segments) {
+    course.path.push_back(segment_of(segment));
+    length_m += length_of(course.path.back());
+    if (length_m > kLongestPathM + 1e-6)  // sums are rounded
+      segment.fail(
+          segment.has("length_m") ? "length_m" : "angle_deg",
+          text::format("the path is %.1f m long at the end of this segment, at most %.0f m "
+                       "are accepted; split the course",
+                       length_m, kLongestPathM));
+  }
 
   const Path path(course);
   for (const text::TomlTable& disturbance : disturbances)

@@ -74,6 +74,82 @@ struct Builder {
   }
 };
 
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+/// A segment as edges are compared with it: in the frame of its begin, u ahead and v to the left,
+/// mirrored to a left turn.
+struct Crossing {
+  explicit Crossing(const PathSegment& segment)
+      : begin(segment.begin),
+        length_m(segment.length_m),
+        cosine(std::cos(begin.yaw_rad)),
+        sine(std::sin(begin.yaw_rad)),
+        side(begin.curvature_1pm < 0.0 ? -1.0 : 1.0) {
+    const PathPoint& end = segment.end;
+    min_x_m = std::min(begin.x_m, end.x_m), max_x_m = std::max(begin.x_m, end.x_m);
+    min_y_m = std::min(begin.y_m, end.y_m), max_y_m = std::max(begin.y_m, end.y_m);
+    if (begin.curvature_1pm == 0.0) return;
+    radius_m = 1.0 / std::abs(begin.curvature_1pm);
+    const double x_m = begin.x_m - side * radius_m * sine,
+                 y_m = begin.y_m + side * radius_m * cosine;
+    min_x_m = x_m - radius_m, max_x_m = x_m + radius_m;
+    min_y_m = y_m - radius_m, max_y_m = y_m + radius_m;
+  }
+
+  /// Offset of the segment's first point on the edge from `a` to `b`; kNever: there is none.
+  double first_m(const Vertex& a, const Vertex& b) const {
+    if (std::max(a.x_m, b.x_m) < min_x_m || std::min(a.x_m, b.x_m) > max_x_m ||
+        std::max(a.y_m, b.y_m) < min_y_m || std::min(a.y_m, b.y_m) > max_y_m)
+      return kNever;
+    const double dx = a.x_m - begin.x_m, dy = a.y_m - begin.y_m;
+    const double ex = b.x_m - a.x_m, ey = b.y_m - a.y_m;
+    const double u = dx * cosine + dy * sine, v = side * (dy * cosine - dx * sine);
+    const double du = ex * cosine + ey * sine, dv = side * (ey * cosine - ex * sine);
+    return radius_m == 0.0 ? on_line(u, v, du, dv) : on_arc(u, v, du, dv);
+  }
+
+ private:
+  double on_line(double u, double v, double du, double dv) const {
+    if (dv == 0.0) return kNever;  // parallel: the path meets one of the neighbouring edges
+    const double part = -v / dv, offset_m = u + part * du;
+    const bool meets = part >= 0.0 && part <= 1.0 && offset_m >= 0.0 && offset_m <= length_m;
+    return meets ? offset_m : kNever;
+  }
+  double on_arc(double u, double v, double du, double dv) const {
+    // (u + part du)^2 + (v + part dv - radius)^2 = radius^2
+    const double squared = du * du + dv * dv, half = u * du + (v - radius_m) * dv;
+    const double under_root = half * half - squared * (u * u + v * v - 2.0 * v * radius_m);
+    if (squared == 0.0 || under_root < 0.0) return kNever;
+    double first = kNever;
+    for (const double root : {-std::sqrt(under_root), std::sqrt(under_root)}) {
+      const double part = (root - half) / squared;
+      if (part < 0.0 || part > 1.0) continue;
+      double angle = std::atan2(u + part * du, radius_m - v - part * dv);
+      if (angle < 0.0) angle += 2.0 * kPi;
+      if (angle * radius_m <= length_m) first = std::min(first, angle * radius_m);
+    }
+    return first;
+  }
+
+  PathPoint begin;
+  double length_m, cosine, sine, side;
+  double radius_m = 0.0;                      // 0: a line
+  double min_x_m, max_x_m, min_y_m, max_y_m;  // of an arc: of its whole circle
+};
+
+/// Offset of the first of 181 points that lies outside of a rectangular fence.
+double first_outside_bounds(const PathSegment& segment, const Fence& fence) {
+  constexpr int kSteps = 180;
+  for (int step = 0; step <= kSteps; ++step) {
+    const double offset_m = segment.length_m * step / kSteps;
+    const PathPoint point = along(segment.begin, offset_m);
+    if (point.x_m < fence.min_x_m || point.x_m > fence.max_x_m || point.y_m < fence.min_y_m ||
+        point.y_m > fence.max_y_m)
+      return offset_m;
+  }
+  return kNever;
+}
+
 }  // namespace
 
 Path::Path(const Course& course) {
@@ -130,19 +206,21 @@ double Path::distance(double x_m, double y_m, double s_from, double s_to) const 
 }
 
 std::optional<PathPoint> first_point_outside(const Path& path, const Fence& fence) {
-  constexpr double kStepM = 0.005;
-  constexpr int kMinSteps = 180, kMaxSteps = 20000;
-  // A line between two points of a rectangle stays inside; an arc that leaves it does so for longer
-  // than a coarse step.
-  const bool rectangle = fence.corners.empty() && fence.keep_out.empty();
+  const PathPoint& start = path.segments().front().begin;
+  if (!contains(fence, start.x_m, start.y_m)) return start;
   for (std::size_t i = 0; i < path.segments().size(); ++i) {
-    const double length_m = path.segments()[i].length_m;
-    const int fine = rectangle ? 0 : static_cast<int>(length_m / kStepM);
-    const int steps = std::clamp(fine, kMinSteps, kMaxSteps);
-    for (int step = 0; step <= steps; ++step) {
-      const PathPoint point = path.at(i, length_m * step / steps);
-      if (!contains(fence, point.x_m, point.y_m)) return point;
-    }
+    const PathSegment& segment = path.segments()[i];
+    double first_m = kNever;
+    if (fence.corners.empty()) first_m = first_outside_bounds(segment, fence);
+    const Crossing crossing(segment);
+    const auto cross = [&](const Polygon& polygon) {
+      for (std::size_t k = 0; k < polygon.size(); ++k)
+        first_m = std::min(
+            first_m, crossing.first_m(polygon[k], polygon[k + 1 < polygon.size() ? k + 1 : 0]));
+    };
+    cross(fence.corners);
+    for (const Polygon& area : fence.keep_out) cross(area);
+    if (first_m <= segment.length_m) return path.at(i, first_m);
   }
   return std::nullopt;
 }

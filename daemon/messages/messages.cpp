@@ -184,10 +184,13 @@ void write_polygon(text::JsonWriter& json, const course::Polygon& polygon) {
 }  // namespace
 
 std::vector<course::PathPoint> path_points(const course::Path& path) {
+  // Each segment adds at most one point to those that are one spacing apart.
+  const double free = static_cast<double>(kMaxPathPoints - 1 - path.segments().size());
+  const double spacing_m = std::max(kPathSpacingM, path.length_m() / free);
   std::vector<course::PathPoint> points;
   for (std::size_t i = 0; i < path.segments().size(); ++i) {
     const course::PathSegment& segment = path.segments()[i];
-    const auto parts = static_cast<std::size_t>(std::ceil(segment.length_m / kPathSpacingM));
+    const auto parts = static_cast<std::size_t>(std::ceil(segment.length_m / spacing_m));
     if (i == 0) points.push_back(segment.begin);
     for (std::size_t k = 1; k < parts; ++k)
       points.push_back(

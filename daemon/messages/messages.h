@@ -2,6 +2,7 @@
 // Messages of the channels, as JSON (CHANNELS.md): from plain data to text. No socket, file or
 // clock; any thread.
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -86,7 +87,10 @@ class Messages {
   std::optional<course::Path> path_;
 };
 
-/// The reference path, a point at most every 2 cm; both ends of every segment are among them.
+/// The reference path in at most so many points; it has at most 1000 segments.
+inline constexpr std::size_t kMaxPathPoints = 20'000;
+/// A point at most every 2 cm, or as far apart as the limit requires; both ends of every segment
+/// are among them.
 std::vector<course::PathPoint> path_points(const course::Path& path);
 
 }  // namespace tp100::messages

@@ -1,9 +1,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/arithmetic.h"
 #include "core/error.h"
 #include "course/course.h"
+#include "text/format.h"
 
 namespace tp100::course {
 namespace {
@@ -177,6 +180,48 @@ TEST(CourseFile, RefusesTerrainThatIsNone) {
               HasSubstr("unknown key 'shove'; did you mean 'disturbance'?"));
   EXPECT_THAT(course_error(kLine + "[[blok]]\nx_m = 1\n" + kFence),
               HasSubstr("did you mean 'block'?"));
+}
+
+std::string lines(int count, const std::string& length_m) {
+  std::string text;
+  for (int i = 0; i < count; ++i)
+    text += "[[segment]]\ntype = 'line'\nlength_m = " + length_m +
+            "\n[[segment]]\ntype = 'pivot'\nangle_deg = 180\n";
+  return text;
+}
+
+const std::string kWide =
+    "[fence]\nmin_x_m = -100\nmax_x_m = 100\nmin_y_m = -100\nmax_y_m = 100\n[start]\nx_m = -49\n";
+
+// A typing error (3600 for 360, a length that is repeated) must not fill the memory of daemon and
+// viewers.
+TEST(CourseFile, RefusesAPathOfMoreThanAKilometreWhereItGoesBeyond) {
+  EXPECT_EQ(course_error(lines(10, "100") + kWide), "");
+  EXPECT_EQ(
+      course_error(lines(10, "100") + "[[segment]]\ntype = 'line'\nlength_m = 0.5\n" + kWide),
+      "dir/c.toml:63:12: the path is 1000.5 m long at the end of this segment, at most 1000 m "
+      "are accepted; split the course");
+  EXPECT_THAT(course_error("[[segment]]\ntype = 'arc'\nradius_m = 49\nangle_deg = -3600\n" + kWide),
+              StartsWith("dir/c.toml:4:13: the path is 3078.8 m long"));
+}
+
+// The time of a check must not grow with the lengths that a file names: as the daemon makes it, it
+// is the operator who waits.
+TEST(CourseFile, ChecksTheLongestPathAgainstTheMostCornersInTime) {
+  std::string text;
+  for (int i = 0; i < 1000; ++i)
+    text += "[[segment]]\ntype = 'arc'\nradius_m = 0.95\nangle_deg = 60\n";
+  const auto polygon = [](double radius_m) {
+    std::string corners = "corners_m = [";
+    for (int i = 0; i < 100; ++i)
+      corners += text::format("[%.3f, %.3f],", radius_m * std::cos(i * kPi / 50.0) * (i % 2 + 1.0),
+                              0.95 + radius_m * std::sin(i * kPi / 50.0) * (i % 2 + 1.0)) +
+                 (i % 10 == 9 ? "\n" : "");
+    return corners + "]\n";
+  };
+  text += "[fence]\n" + polygon(2.0);
+  for (int i = 0; i < 50; ++i) text += "[[keep_out]]\n" + polygon(0.3 + 0.003 * i);
+  EXPECT_EQ(course_error(text), "");
 }
 
 TEST(CourseFile, RefusesMoreSegmentsThanACourseCanHave) {

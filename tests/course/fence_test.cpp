@@ -6,6 +6,7 @@
 
 #include "core/arithmetic.h"
 #include "course/course.h"
+#include "course/path.h"
 
 namespace tp100::course {
 namespace {
@@ -87,6 +88,69 @@ TEST(Fence, FindsEdgesThatCrossOrTouch) {
   EXPECT_TRUE(crosses_itself({{0, 0}, {1, 0}, {0.5, 0}})) << "without an area";
   EXPECT_TRUE(crosses_itself({{0, 0}, {1, 0}, {1, 0}, {1, 1}})) << "a corner twice";
   EXPECT_FALSE(crosses_itself({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {0, 1}})) << "a corner on a line";
+}
+
+/// The first of points 1 mm apart at which the reference point may not be.
+std::optional<PathPoint> first_sample_outside(const Path& path, const Fence& fence) {
+  for (std::size_t i = 0; i < path.segments().size(); ++i) {
+    const double length_m = path.segments()[i].length_m;
+    for (double offset_m = 0.0; offset_m <= length_m; offset_m += 0.001) {
+      const PathPoint point = path.at(i, offset_m);
+      if (!contains(fence, point.x_m, point.y_m)) return point;
+    }
+  }
+  return std::nullopt;
+}
+
+// A course whose path leaves its fence or crosses a keep-out area would drive the robot there.
+TEST(Fence, APathIsOutsideWhereItFirstCrossesAnEdge) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<> place(-0.2, 0.2), length(0.05, 0.8), turn(-7.0, 7.0),
+      area(-1.5, 1.5);
+  int inside = 0, outside = 0;
+  for (int i = 0; i < 2000; ++i) {
+    Course course;
+    course.start = {.x_m = place(random), .y_m = place(random), .yaw_rad = turn(random)};
+    for (int k = 0; k < 3; ++k) {
+      if (random() % 2 == 0) course.path.push_back(Line{length(random)});
+      if (random() % 2 == 0) course.path.push_back(Pivot{turn(random)});
+      course.path.push_back(Arc{length(random) / 3.0, turn(random)});
+    }
+    if (random() % 4 == 0) {
+      course.fence = {-1.0, 1.0, -1.0, 1.0};
+    } else {
+      course.fence = {-2.0, 2.0, -2.0, 2.0, star(random)};
+    }
+    for (std::size_t k = random() % 3; k > 0; --k) {
+      const double x_m = area(random), y_m = area(random);
+      Polygon polygon = star(random);
+      for (Vertex& corner : polygon) corner = {x_m + 0.2 * corner.x_m, y_m + 0.2 * corner.y_m};
+      course.fence.keep_out.push_back(polygon);
+    }
+    const Path path(course);
+    const auto found = first_point_outside(path, course.fence);
+    const auto sampled = first_sample_outside(path, course.fence);
+    if (sampled) {
+      ASSERT_TRUE(found) << "path " << i;
+      // Rectangles are sampled more coarsely.
+      const double late_m = course.fence.corners.empty() ? 0.05 : 1e-6;
+      EXPECT_LE(found->s_m, sampled->s_m + late_m) << "path " << i;
+      ++outside;
+    } else {
+      ++inside;
+    }
+    // What the samples miss is a corner that the path cuts off or touches.
+    if (found && (!sampled || found->s_m < sampled->s_m - 0.002)) {
+      double least_m = 1e9;
+      for (const Polygon& each : course.fence.keep_out)
+        least_m = std::min(least_m, distance_m(each, found->x_m, found->y_m));
+      if (!course.fence.corners.empty())
+        least_m = std::min(least_m, distance_m(course.fence.corners, found->x_m, found->y_m));
+      EXPECT_LT(least_m, 1e-9) << "path " << i;
+    }
+  }
+  EXPECT_GT(inside, 200);
+  EXPECT_GT(outside, 200);
 }
 
 }  // namespace

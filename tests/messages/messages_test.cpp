@@ -122,6 +122,22 @@ TEST_F(MessagesTest, ThePathIsDenseAndKeepsEveryCorner) {
   EXPECT_DOUBLE_EQ(points.back().yaw_rad, kPi / 2 - 1.0);
 }
 
+// The longest course must fit into the messages that every viewer gets of it.
+TEST_F(MessagesTest, ThePathOfAnyCourseHasFewPoints) {
+  for (const std::size_t segments : {1U, 10U, 999U}) {
+    for (const double length_m : {0.5, 380.0, course::kLongestPathM}) {
+      course::Course course;
+      for (std::size_t i = 0; i < segments; ++i)
+        course.path.push_back(course::Line{length_m / static_cast<double>(segments)});
+      const auto points = path_points(course::Path(course));
+      EXPECT_LE(points.size(), kMaxPathPoints);
+      for (std::size_t i = 1; i < points.size(); ++i)
+        ASSERT_LE(points[i].s_m - points[i - 1].s_m, length_m <= 380.0 ? 0.0201 : 0.053);
+      EXPECT_NEAR(points.back().s_m, length_m, 1e-9);
+    }
+  }
+}
+
 TEST_F(MessagesTest, ACourseTellsItsGeometry) {
   const Json json = Json::parse(messages_.course());
   EXPECT_EQ(json["name"], "example");
