@@ -205,7 +205,7 @@ int run_run(const RunOptions& options) {
       [](const std::string&) {});
   live::BlackBox black_box(configuration.record, recording);
   settings.black_box = &black_box;
-  live::SetupChanger setup({files, run}, cycle);
+  live::SetupChanger setup({files, run}, cycle, clock, participant != nullptr);
   runs::RunArchive runs(archive_settings(configuration.record, recording));
   selftest::SelfTest self_test(configuration, run.robot);
   settings.connector.handover = &self_test.wheels_up().handover();

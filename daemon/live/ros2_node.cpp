@@ -73,10 +73,10 @@ void Ros2Node::drain_events(std::vector<messages::Event>& events, server::Server
   if (requests_.take_stop()) server.stop_pressed("ROS 2 /tp100/stop");
 }
 
-void Ros2Node::take_setup(const messages::RunContext& run_context, HostNs at) {
+void Ros2Node::change_setup(const messages::RunContext& run_context, ros2::SetupMessages setup) {
   requests_.set_course(run_context.course == nullptr ? "" : run_context.course->name);
   const std::lock_guard lock(mutex_);
-  next_.emplace(run_context, at);
+  next_.emplace(run_context, std::move(setup));
 }
 
 /// Publishes the waiting steps, and returns when to look for the next one.
@@ -84,7 +84,7 @@ HostNs Ros2Node::publish() {
   if (const auto answer = requests_.take_answer()) publisher_.answer(*answer);
   {
     const std::lock_guard lock(mutex_);
-    if (next_) publisher_.take_setup(next_->first, next_->second);
+    if (next_) publisher_.change_setup(std::move(next_->first), std::move(next_->second));
     next_.reset();
   }
   while (const StepRecord* step = steps_.front()) {

@@ -41,7 +41,8 @@ class Ros2Node : public messages::Sink {
   // One other thread, which drains the cycle's steps:
   /// Does nothing: the node's thread receives the steps itself, and earlier.
   void take(const StepRecord&) override {}
-  void take_setup(const messages::RunContext& run_context, HostNs at) override;
+  /// Another course, robot or set-up is in force; `setup` are its messages, made elsewhere.
+  void change_setup(const messages::RunContext& run_context, ros2::SetupMessages setup);
   /// Appends what happened since the last call, for log and viewers; reports a STOP to the server.
   void drain_events(std::vector<messages::Event>& events, server::Server& server);
 
@@ -54,7 +55,7 @@ class Ros2Node : public messages::Sink {
   Ros2Requests requests_;
   loop::SlotRing<StepRecord> steps_;
   std::mutex mutex_;  // guards next_
-  std::optional<std::pair<messages::RunContext, HostNs>> next_;
+  std::optional<std::pair<messages::RunContext, ros2::SetupMessages>> next_;
   // The node's thread only:
   HostNs last_step_ns_ = 0;
   HostNs period_ns_ = 0;

@@ -134,8 +134,11 @@ std::string replaced(const course::TextFile& now, const std::string& next, bool 
 
 }  // namespace
 
-SetupChanger::SetupChanger(config::LoadedRun run, LiveCycle& cycle)
+SetupChanger::SetupChanger(config::LoadedRun run, LiveCycle& cycle,
+                           const messages::PublishClock& clock, bool ros2)
     : cycle_(cycle),
+      clock_(clock),
+      ros2_(ros2),
       files_(config::library_folder(run.setup.configuration.library), run.files),
       run_(std::make_shared<const config::LoadedRun>(std::move(run))) {}
 
@@ -187,9 +190,9 @@ std::unique_ptr<SetupRequest> SetupChanger::make(const Asked& asked) {
     const Pose at = asked.at ? *asked.at : now->setup.course->start;
     request->change.place = at;
     const std::lock_guard lock(mutex_);
-    next_.reset();
     json_ = pose_json(at);
-    text_ =
+    next_ = {};
+    next_.text =
         text::format("placed at (%.3f, %.3f) m, %.1f deg", at.x_m, at.y_m, at.yaw_rad * kDegPerRad);
     return request;
   }
@@ -212,12 +215,19 @@ std::unique_ptr<SetupRequest> SetupChanger::make(const Asked& asked) {
   const wire::Parameters parameters = wire_parameters(next->setup);
   if (fields(parameters) != fields(wire_parameters(now->setup)))
     request->change.parameters = parameters;
-  const std::lock_guard lock(mutex_);
-  next_ = next;
-  json_ = names_json(*next);
+  Made made{.run = next, .run_context = config::run_context_of(next->setup)};
+  {
+    const messages::Messages messages(made.run_context, clock_);
+    const HostNs at = monotonic_now();
+    made.for_viewers = messages::setup_messages(messages, at);
+    if (ros2_) made.for_nodes = ros2::setup_messages(messages, at);
+  }
   const std::string name = course_name(*next);
-  text_ = (name.empty() ? "no course" : "course " + name) + ", robot " + next->setup.robot.name +
-          ", set-up " + bridge::to_string(*setup);
+  made.text = (name.empty() ? "no course" : "course " + name) + ", robot " +
+              next->setup.robot.name + ", set-up " + bridge::to_string(*setup);
+  const std::lock_guard lock(mutex_);
+  json_ = names_json(*next);
+  next_ = std::move(made);
   return request;
 }
 
@@ -225,8 +235,9 @@ std::optional<SetupChanger::Made> SetupChanger::take(const StepRecord& next) {
   const SetupRequest* done = cycle_.setup_done();
   if (done == nullptr || !done->made || next.step < done->step) return std::nullopt;
   const std::lock_guard lock(mutex_);
-  if (next_ != nullptr) run_ = next_;
-  return Made{next_, text_, done->step};
+  if (next_.run != nullptr) run_ = next_.run;
+  next_.step = done->step;
+  return std::exchange(next_, {});
 }
 
 void SetupChanger::finish() { end({}); }
@@ -248,7 +259,7 @@ void SetupChanger::end(const std::string& why) {
     freed = std::move(request_);
     answer = std::exchange(answer_, {});
     json = json_;
-    next_.reset();
+    next_ = {};
   }
   answer(why, json);
 }

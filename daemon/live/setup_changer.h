@@ -12,7 +12,9 @@
 #include "config/run_setup.h"
 #include "config/setup_files.h"
 #include "live/live_cycle.h"
+#include "messages/channels.h"
 #include "record/worker.h"
+#include "ros2/topics.h"
 #include "server/controls.h"
 
 namespace tp100::live {
@@ -21,8 +23,10 @@ class SetupChanger {
  public:
   using Answer = server::Controls::Answer;
 
-  /// `run`: in force in `cycle`, which must outlive the changer.
-  SetupChanger(config::LoadedRun run, LiveCycle& cycle);
+  /// `run`: in force in `cycle`, which must outlive the changer. `clock` stamps messages; `ros2`:
+  /// nodes want theirs, too.
+  SetupChanger(config::LoadedRun run, LiveCycle& cycle, const messages::PublishClock& clock = {},
+               bool ros2 = false);
 
   // Any thread; none of these waits for the disk.
   /// Answers when the loop has made the change, with what is then in force.
@@ -47,9 +51,13 @@ class SetupChanger {
   // The thread that drains the steps:
   /// A change that the loop has made.
   struct Made {
-    std::shared_ptr<const config::LoadedRun> run;  ///< null: only the place has changed
-    std::string text;                              ///< of the event
+    std::shared_ptr<const config::LoadedRun> run{};  ///< null: only the place has changed
+    std::string text{};                              ///< of the event
     std::uint64_t step = 0;                        ///< the first with it
+    // With `run`: what its messages need, made by the changer's thread.
+    messages::RunContext run_context{};
+    messages::SharedMessages for_viewers{};
+    ros2::SetupMessages for_nodes{};
   };
   /// Call it with each record before anything else takes the record: returns the change of which it
   /// is the first step. Then call finish().
@@ -72,15 +80,16 @@ class SetupChanger {
   course::TextFile configuration_file() const;
 
   LiveCycle& cycle_;
+  const messages::PublishClock clock_;
+  const bool ros2_;
   const config::SetupFiles files_;
   mutable std::mutex mutex_;  // guards what follows; never held while waiting for a disk
   std::shared_ptr<const config::LoadedRun> run_;
-  std::shared_ptr<const config::LoadedRun> next_;  // of the change under way; null: place only
-  std::string json_;                               // its answer
-  std::string text_;                               // its event
-  Answer answer_;                                  // set: a change is under way
-  std::unique_ptr<SetupRequest> request_;          // is the loop's
-  record::Worker disk_;                            // declared last: its jobs use the others
+  Made next_;                              // the change under way
+  std::string json_;                       // its answer
+  Answer answer_;                          // set: a change is under way
+  std::unique_ptr<SetupRequest> request_;  // is the loop's
+  record::Worker disk_;                    // declared last: its jobs use the others
 };
 
 }  // namespace tp100::live

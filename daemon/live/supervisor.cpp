@@ -54,7 +54,7 @@ struct Supervisor::State {
   void take_events();
   void take_status(HostNs now);
   void take_records();
-  void change_setup(const SetupChanger::Made& made);
+  void change_setup(SetupChanger::Made made);
   void drain_events();
   void on_session_state(SessionState state);
   bool start_by_itself();
@@ -288,14 +288,14 @@ void Supervisor::State::take_status(HostNs now) {
 
 void Supervisor::State::take_records() {
   while (const StepRecord* record = cycle.front_record()) {
-    if (const auto made = settings.setup_changer->take(*record)) change_setup(*made);
+    if (auto made = settings.setup_changer->take(*record)) change_setup(std::move(*made));
     for (messages::Sink* sink : sinks) sink->take(*record);
     cycle.release_record();
   }
 }
 
 // Runs before anything else receives the first step with the change.
-void Supervisor::State::change_setup(const SetupChanger::Made& made) {
+void Supervisor::State::change_setup(SetupChanger::Made made) {
   const messages::Event event{.at_ns = monotonic_now(), .kind = "setup", .text = made.text};
   if (made.run != nullptr) {
     const config::RunSetup& run = made.run->setup;
@@ -305,9 +305,11 @@ void Supervisor::State::change_setup(const SetupChanger::Made& made) {
     const bool goes_on = settings.recording->number() != 0 && !settings.stay;
     settings.black_box->finish();
     settings.recording->change_setup(made.run, made.step);
-    const messages::RunContext run_context = config::run_context_of(run);
-    settings.server->change_setup(run_context, parameter_list(run.configuration, run.robot));
-    for (messages::Sink* sink : sinks) sink->take_setup(run_context, event.at_ns);
+    settings.server->change_setup(made.run_context, std::move(made.for_viewers),
+                                  parameter_list(run.configuration, run.robot));
+    for (messages::Sink* sink : sinks) sink->take_setup(made.run_context, event.at_ns);
+    if (settings.ros2 != nullptr)
+      settings.ros2->change_setup(made.run_context, std::move(made.for_nodes));
     if (goes_on) settings.recording->start({}, [](const std::string&) {});
     first_session.expect(settings.robot);
     terminal->follow(settings.course);

@@ -193,6 +193,15 @@ void StepMessages::take(const StepRecord& record, const Wanted& wanted, const Se
   }
 }
 
+SharedMessages setup_messages(const Messages& messages, HostNs at) {
+  const auto shared = [](std::string text) {
+    return std::make_shared<const std::string>(std::move(text));
+  };
+  return {{Channel::kCourse, shared(messages.course())},
+          {Channel::kPath, shared(path_text(messages, at))},
+          {Channel::kScene, shared(scene_text(messages, at))}};
+}
+
 std::vector<ChannelText> channel_texts() {
   RunContext run_context;
   run_context.course = full_course();

@@ -5,8 +5,10 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/estimates.h"
@@ -55,6 +57,13 @@ struct ChannelText {
 /// All channels, ascending by id. The schemas are derived from example messages, so that they
 /// cannot differ from the messages sent.
 std::vector<ChannelText> channel_texts();
+
+/// Messages of one time: channel and JSON.
+using SharedMessages = std::vector<std::pair<Channel, std::shared_ptr<const std::string>>>;
+
+/// The messages of /course, /path and /scene at `at`, which grow with the path up to some MB. Any
+/// thread that neither operator nor viewer waits for: where the course was loaded.
+SharedMessages setup_messages(const Messages& messages, HostNs at);
 
 /// The messages that follow from steps, for viewers and recordings alike. One thread.
 class StepMessages {

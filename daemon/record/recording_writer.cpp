@@ -7,7 +7,6 @@
 
 #include "core/error.h"
 #include "messages/foxglove.h"
-#include "messages/scene.h"
 #include "record/step_codec.h"
 #include "text/json_writer.h"
 
@@ -66,9 +65,8 @@ RecordingWriter::RecordingWriter(const RecordingSettings& settings, const RunFac
     throw SetupError(settings.path + ": cannot be written (" + std::strerror(file_.error()) +
                      "); check free space");
   const HostNs start = settings.clock.start_ns;
-  message(messages::Channel::kCourse, start, messages_.course());
-  message(messages::Channel::kPath, start, messages::path_text(messages_, start));
-  message(messages::Channel::kScene, start, messages::scene_text(messages_, start));
+  for (const auto& [channel, text] : messages::setup_messages(messages_, start))
+    message(channel, start, *text);
 }
 
 void RecordingWriter::add_channels() {

@@ -26,9 +26,10 @@ class Publisher : public messages::Sink {
   void take_truth(HostNs at, const Pose& truth) override {
     if (virtual_time_) send_(Topic::kGroundTruth, ground_truth(clock_.unix_ns(at), truth));
   }
-  void take_setup(const messages::RunContext& run_context, HostNs at) override {
-    messages_.change_setup(run_context);
-    messages_.begin(at, send_);
+  /// Another course, robot or set-up is in force; `setup` are its messages, made elsewhere.
+  void change_setup(messages::RunContext run_context, SetupMessages setup) {
+    messages_.change_setup(std::move(run_context));
+    for (auto& [topic, cdr] : setup) send_(topic, std::move(cdr));
   }
 
   /// Publishes an answer to a node.

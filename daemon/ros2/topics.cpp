@@ -236,6 +236,18 @@ Bytes ground_truth(std::uint64_t unix_ns, const Pose& pose) {
       geometry_msgs::PoseStamped{.header = {time_of(unix_ns), kMap}, .pose = pose_of(pose)});
 }
 
+SetupMessages setup_messages(const messages::Messages& messages, HostNs at) {
+  const auto stamp = time_of(messages.clock().unix_ns(at));
+  const course::Robot& robot = messages.run_context().robot;
+  SetupMessages all = {
+      {Topic::kRobotDescription, serialized(std_msgs::String{.data = robot_description(robot)})},
+      {Topic::kStaticTransforms,
+       serialized(tf2_msgs::TFMessage{{transform_of({stamp, kBaseLink}, kImuLink, Pose{})}})}};
+  if (messages.path() != nullptr)
+    all.emplace_back(Topic::kPath, serialized(path_of({stamp, kMap}, *messages.path())));
+  return all;
+}
+
 TopicMessages::TopicMessages(messages::RunContext run_context, messages::PublishClock clock,
                              bool virtual_time)
     : messages_(std::move(run_context), clock), virtual_time_(virtual_time) {}
@@ -251,13 +263,7 @@ void TopicMessages::answer(const messages::Event& answer) {
 }
 
 void TopicMessages::begin(HostNs at, const Send& send) const {
-  const auto stamp = time_of(messages_.clock().unix_ns(at));
-  const course::Robot& robot = messages_.run_context().robot;
-  send(Topic::kRobotDescription, serialized(std_msgs::String{.data = robot_description(robot)}));
-  send(Topic::kStaticTransforms,
-       serialized(tf2_msgs::TFMessage{{transform_of({stamp, kBaseLink}, kImuLink, Pose{})}}));
-  if (messages_.path() != nullptr)
-    send(Topic::kPath, serialized(path_of({stamp, kMap}, *messages_.path())));
+  for (auto& [topic, cdr] : setup_messages(messages_, at)) send(topic, std::move(cdr));
 }
 
 bool TopicMessages::state_is_due(const StepRecord& record) {

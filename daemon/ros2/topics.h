@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "core/step_record.h"
 #include "messages/messages.h"
@@ -62,6 +64,11 @@ inline constexpr std::array kVirtualTopics = {Topic::kGroundTruth, Topic::kClock
 /// Message of /ground_truth: the robot's true pose in the course's world.
 Bytes ground_truth(std::uint64_t unix_ns, const Pose& pose);
 
+/// What does not change during a run: /robot_description, /tf_static, and /path if there is a
+/// course, which grows with its path up to some MB. Any thread that nobody waits for.
+using SetupMessages = std::vector<std::pair<Topic, Bytes>>;
+SetupMessages setup_messages(const messages::Messages& messages, HostNs at);
+
 /// Messages of a run, each as CDR. One thread, not the real-time one.
 class TopicMessages {
  public:
@@ -70,11 +77,11 @@ class TopicMessages {
   /// `virtual_time`: also on /clock. The clock of headers is `clock`'s Unix time.
   TopicMessages(messages::RunContext run_context, messages::PublishClock clock, bool virtual_time);
 
-  /// Another course, robot or set-up is in force; begin() then sends its messages.
+  /// Another course, robot or set-up is in force.
   void change_setup(messages::RunContext run_context);
   /// Sets the last answer to a node, for the next messages of /tp100/state.
   void answer(const messages::Event& answer);
-  /// Sends what does not change: /robot_description, /tf_static, and /path if there is a course.
+  /// Sends setup_messages().
   void begin(HostNs at, const Send& send) const;
   /// Sends what follows from `record`. The robot's poses and measurements are stamped with the time
   /// at which they were measured; a step that received no sample sends none of them.

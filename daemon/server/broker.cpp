@@ -67,11 +67,11 @@ bool Broker::wanted(messages::Channel channel) const {
          channels_[static_cast<std::uint32_t>(channel) - 1].kept > 0;
 }
 
-void Broker::publish(messages::Channel channel, std::uint64_t unix_ns, std::string json) {
+void Broker::publish(messages::Channel channel, std::uint64_t unix_ns,
+                     const std::shared_ptr<const std::string>& body) {
   Line& to = line(channel);
   const std::size_t keep = channels_[static_cast<std::uint32_t>(channel) - 1].kept;
   if (to.subscribers.empty() && keep == 0) return;
-  const auto body = std::make_shared<const std::string>(std::move(json));
   if (listener_) listener_(channel, unix_ns, *body);
   for (const Subscriber& each : to.subscribers) each.viewer->send(each.subscription, unix_ns, body);
   if (keep == 0) return;

@@ -97,7 +97,11 @@ class Broker {
 
   /// Whether anyone receives the channel, now or on subscribing later.
   bool wanted(messages::Channel channel) const;
-  void publish(messages::Channel channel, std::uint64_t unix_ns, std::string json);
+  void publish(messages::Channel channel, std::uint64_t unix_ns, std::string json) {
+    publish(channel, unix_ns, std::make_shared<const std::string>(std::move(json)));
+  }
+  void publish(messages::Channel channel, std::uint64_t unix_ns,
+               const std::shared_ptr<const std::string>& body);
   /// Makes the message that a new subscriber of `channel` receives instead of the last messages.
   using Catch = std::function<std::shared_ptr<const std::string>(std::uint64_t& unix_ns)>;
   void catch_up(messages::Channel channel, Catch make);

@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "messages/foxglove.h"
-#include "messages/scene.h"
 #include "messages/status_messages.h"
 
 namespace tp100::server {
@@ -95,7 +94,7 @@ Publisher::Publisher(Broker& broker, messages::Messages messages, Controls& cont
       messages_(std::move(messages)),
       step_messages_(messages_, false),
       controls_(controls) {
-  publish_setup(clock().start_ns);
+  publish_setup(messages::setup_messages(messages_, clock().start_ns), clock().start_ns);
   broker_.catch_up(messages::Channel::kPathHistory, [this](std::uint64_t& unix_ns) {
     unix_ns = clock().unix_ns(last_step_ns_);
     if (whole_path_history_ == nullptr)
@@ -108,18 +107,17 @@ Publisher::Publisher(Broker& broker, messages::Messages messages, Controls& cont
                                                                    : StartRefusal::kNoSession);
 }
 
-void Publisher::publish_setup(HostNs at) {
-  publish(messages::Channel::kCourse, at, messages_.course());
-  publish(messages::Channel::kPath, at, messages::path_text(messages_, at));
-  publish(messages::Channel::kScene, at, messages::scene_text(messages_, at));
+void Publisher::publish_setup(const messages::SharedMessages& setup, HostNs at) {
+  for (const auto& [channel, text] : setup) broker_.publish(channel, clock().unix_ns(at), text);
   state_.length_m.reset();
   if (messages_.path() != nullptr) state_.length_m = messages_.path()->length_m();
 }
 
-void Publisher::change_setup(messages::RunContext run_context, HostNs now) {
+void Publisher::change_setup(messages::RunContext run_context,
+                             const messages::SharedMessages& setup, HostNs now) {
   messages_ = messages::Messages(std::move(run_context), clock());
   path_history_.clear();
-  publish_setup(now);
+  publish_setup(setup, now);
   state_.progress_m = 0.0;
   state_.go_on_from.reset();
   publish_state(now, true);

@@ -71,8 +71,9 @@ class Publisher {
   /// `broker` and `controls` must outlive the publisher.
   Publisher(Broker& broker, messages::Messages messages, Controls& controls);
 
-  /// Another course, robot or set-up is in force.
-  void change_setup(messages::RunContext run_context, HostNs now);
+  /// Another course, robot or set-up is in force; `setup` are its messages, made elsewhere.
+  void change_setup(messages::RunContext run_context, const messages::SharedMessages& setup,
+                    HostNs now);
   void take(const StepRecord& record);
   void take_truth(const messages::Truth& truth) { step_messages_.take_truth(truth); }
   void take(const messages::Event& event);
@@ -107,7 +108,7 @@ class Publisher {
   };
 
   void publish(messages::Channel channel, HostNs at, std::string json);
-  void publish_setup(HostNs at);
+  void publish_setup(const messages::SharedMessages& setup, HostNs at);
   void update_state(const StepRecord& record);
   std::string why_not_drive() const;
   void publish_state(HostNs now, bool always);

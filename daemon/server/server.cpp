@@ -329,14 +329,14 @@ void Server::start() {
   state_->thread = std::thread([this] { state_->run(); });
 }
 
-void Server::change_setup(messages::RunContext run_context,
+void Server::change_setup(messages::RunContext run_context, messages::SharedMessages setup,
                           std::vector<messages::ParameterText> parameters) {
-  asio::post(state_->context,
-             [this, m = std::move(run_context), p = std::move(parameters)]() mutable {
-               const HostNs now = monotonic_now();
-               state_->publisher.change_setup(std::move(m), now);
-               state_->handler.change_setup(std::move(p), now);
-             });
+  asio::post(state_->context, [this, m = std::move(run_context), s = std::move(setup),
+                               p = std::move(parameters)]() mutable {
+    const HostNs now = monotonic_now();
+    state_->publisher.change_setup(std::move(m), s, now);
+    state_->handler.change_setup(std::move(p), now);
+  });
 }
 
 void Server::take(const StepRecord& record) {

@@ -52,8 +52,9 @@ class Server : public messages::Sink {
   void start();
 
   // Call these from any one thread, never the real-time one; they never wait for a client.
-  /// Another course, robot or set-up is in force with the steps that follow. Viewers stay.
-  void change_setup(messages::RunContext run_context,
+  /// Another course, robot or set-up is in force with the steps that follow; `setup` are its
+  /// messages::setup_messages(). Viewers stay.
+  void change_setup(messages::RunContext run_context, messages::SharedMessages setup,
                     std::vector<messages::ParameterText> parameters);
   void take(const StepRecord& record) override;
   void take_truth(HostNs at, const Pose& truth) override;
