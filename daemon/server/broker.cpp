@@ -5,18 +5,30 @@
 
 namespace tp100::server {
 
+namespace {
+
+/// Of a body that others have too.
+constexpr std::size_t kSharedShare = 64;
+
+std::size_t counted(const WebSocketFrame& data) {
+  return std::min(data.size(), Outbox::kMaxCounted);
+}
+
+}  // namespace
+
 void Outbox::push_data(WebSocketFrame frame) {
-  data_bytes_ += frame.size();
+  const std::lock_guard lock(mutex_);
+  data_bytes_ += counted(frame);
   data_.push_back(std::move(frame));
-  // One frame, however large, may always wait.
-  while (data_.size() > kMaxData || (data_bytes_ > kMaxDataBytes && data_.size() > 1)) {
-    data_bytes_ -= data_.front().size();
+  while (data_.size() > kMaxData || data_bytes_ > kMaxDataBytes) {
+    data_bytes_ -= counted(data_.front());
     data_.pop_front();
     ++dropped_;
   }
 }
 
 bool Outbox::push_reply(WebSocketFrame frame) {
+  const std::lock_guard lock(mutex_);
   const std::size_t bytes = reply_bytes_ + frame.size();
   if (replies_.size() >= kMaxReplies || bytes > kMaxReplyBytes) return false;
   reply_bytes_ = bytes;
@@ -24,25 +36,49 @@ bool Outbox::push_reply(WebSocketFrame frame) {
   return true;
 }
 
-WebSocketFrame Outbox::pop() {
+std::optional<WebSocketFrame> Outbox::pop() {
+  const std::lock_guard lock(mutex_);
   if (!replies_.empty()) {
     WebSocketFrame frame = std::move(replies_.front());
     replies_.pop_front();
     reply_bytes_ -= frame.size();
     return frame;
   }
+  if (data_.empty()) return std::nullopt;
   WebSocketFrame frame = std::move(data_.front());
   data_.pop_front();
-  data_bytes_ -= frame.size();
+  data_bytes_ -= counted(frame);
   return frame;
+}
+
+std::size_t Outbox::size() const {
+  const std::lock_guard lock(mutex_);
+  return data_.size() + replies_.size();
+}
+
+std::uint64_t Outbox::dropped() const {
+  const std::lock_guard lock(mutex_);
+  return dropped_;
+}
+
+bool Viewer::admit(std::size_t bytes) {
+  bytes += kRequestBytes;
+  if (waiting_bytes_ + bytes > kMaxWaitingBytes) return false;
+  waiting_bytes_ += bytes;
+  return true;
+}
+
+void Viewer::wake() {
+  if (!woken_.exchange(true)) wake_();
 }
 
 void Viewer::reply(std::string body, bool binary) {
   WebSocketFrame frame;
   frame.binary = binary;
+  charge(body.size());
   frame.body = std::make_shared<const std::string>(std::move(body));
   if (outbox_.push_reply(std::move(frame))) {
-    wake_();
+    wake();
   } else {
     fail_();
   }
@@ -56,7 +92,7 @@ void Viewer::send(std::uint32_t subscription, std::uint64_t unix_ns,
   frame.head_size = static_cast<std::uint8_t>(frame.head.size());
   frame.body = body;
   outbox_.push_data(std::move(frame));
-  wake_();
+  wake();
 }
 
 Broker::Broker(std::vector<messages::ChannelText> channels, Listener listener)
@@ -114,11 +150,16 @@ void Broker::subscribe(Viewer& viewer, const Subscribe& wanted) {
     viewer.subscriptions_.emplace(one.subscription, channel);
     Line& from = line(channel);
     from.subscribers.push_back({&viewer, one.subscription});
-    for (const Message& message : from.kept)
+    for (const Message& message : from.kept) {
+      viewer.charge(message.body->size() / kSharedShare);
       viewer.send(one.subscription, message.unix_ns, message.body);
+    }
     if (!from.catch_up) continue;
     std::uint64_t unix_ns = 0;
-    if (const auto body = from.catch_up(unix_ns)) viewer.send(one.subscription, unix_ns, body);
+    if (const auto body = from.catch_up(unix_ns)) {
+      viewer.charge(body->size() / kSharedShare);
+      viewer.send(one.subscription, unix_ns, body);
+    }
   }
 }
 

@@ -1,13 +1,16 @@
 #pragma once
 // Connects channels to viewers: subscriptions, a new subscriber's first messages, waiting frames.
-// No socket; one thread.
+// No socket; one thread, the worker's, but for what is marked for the sockets' thread.
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <deque>
 #include <functional>
 #include <map>
 #include <memory>
+#include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,13 +31,16 @@ struct WebSocketFrame {
   std::size_t size() const { return head_size + body->size(); }
 };
 
-/// Frames waiting for one client: bounded, the oldest data is dropped first.
+/// Frames waiting for one client: bounded, the oldest data is dropped first. Any thread; its lock
+/// is held for moments only.
 class Outbox {
  public:
   static constexpr std::size_t kMaxData = 512;  ///< frames
   static constexpr std::size_t kMaxDataBytes = 4 << 20;
+  /// A larger data frame counts as one of this size: its body is the same for all clients.
+  static constexpr std::size_t kMaxCounted = 64 << 10;
   static constexpr std::size_t kMaxReplies = 256;  ///< frames
-  static constexpr std::size_t kMaxReplyBytes = 4 << 20;
+  static constexpr std::size_t kMaxReplyBytes = 1 << 20;
 
   /// Queues one data frame; drops older ones, and counts them, if there is no room.
   void push_data(WebSocketFrame frame);
@@ -42,14 +48,15 @@ class Outbox {
   /// requests more than it reads.
   [[nodiscard]] bool push_reply(WebSocketFrame frame);
 
-  bool empty() const { return data_.empty() && replies_.empty(); }
-  std::size_t size() const { return data_.size() + replies_.size(); }
-  /// The next frame to write. Must not be empty.
-  WebSocketFrame pop();
+  bool empty() const { return size() == 0; }
+  std::size_t size() const;
+  /// The next frame to write; nothing: there is none.
+  std::optional<WebSocketFrame> pop();
 
-  std::uint64_t dropped() const { return dropped_; }
+  std::uint64_t dropped() const;
 
  private:
+  mutable std::mutex mutex_;
   std::deque<WebSocketFrame> data_;
   std::deque<WebSocketFrame> replies_;
   std::size_t data_bytes_ = 0;
@@ -60,21 +67,40 @@ class Outbox {
 /// One connected client.
 class Viewer {
  public:
-  /// `wake`: something waits in the outbox. `fail`: the client requests more than it reads.
+  /// `wake`: something waits in the outbox; it is called once until awake(). `fail`: the client
+  /// requests more than it reads. Both are called by any thread.
   Viewer(std::uint32_t id, std::function<void()> wake, std::function<void()> fail)
       : id_(id), wake_(std::move(wake)), fail_(std::move(fail)) {}
 
   std::uint32_t id() const { return id_; }
-  Outbox& outbox() { return outbox_; }
+  Outbox& outbox() { return outbox_; }  ///< any thread
   const Outbox& outbox() const { return outbox_; }
   const std::map<std::uint32_t, messages::Channel>& subscriptions() const { return subscriptions_; }
 
-  /// A JSON text or whole binary message of the protocol.
+  // Any thread.
+  /// A JSON text or whole binary message of the protocol, for which the client is charged.
   void reply(std::string body, bool binary = false);
   void say(StatusLevel level, std::string_view message) { reply(status(level, message)); }
+  /// The client's requests made work like `bytes` of an answer.
+  void charge(std::size_t bytes) { owed_bytes_ += bytes; }
+  /// What it was charged since the last call.
+  std::size_t take_owed() { return owed_bytes_.exchange(0); }
+
+  // The sockets' thread.
+  /// Call it before taking frames out of the outbox.
+  void awake() { woken_ = false; }
+  /// A request of so many bytes is on its way to the worker. False: too many are.
+  [[nodiscard]] bool admit(std::size_t bytes);
+  // The worker's.
+  /// It is answered.
+  void answered(std::size_t bytes) { waiting_bytes_ -= bytes + kRequestBytes; }
 
  private:
+  static constexpr std::size_t kMaxWaitingBytes = 256 << 10;
+  static constexpr std::size_t kRequestBytes = 512;  // besides its text
+
   friend class Broker;
+  void wake();
   void send(std::uint32_t subscription, std::uint64_t unix_ns,
             const std::shared_ptr<const std::string>& body);
 
@@ -82,6 +108,8 @@ class Viewer {
   std::function<void()> wake_;
   std::function<void()> fail_;
   Outbox outbox_;
+  std::atomic<bool> woken_{false};
+  std::atomic<std::size_t> owed_bytes_{0}, waiting_bytes_{0};
   std::map<std::uint32_t, messages::Channel> subscriptions_;
 };
 

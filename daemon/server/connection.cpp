@@ -2,6 +2,7 @@
 
 #include <sys/socket.h>
 
+#include <algorithm>
 #include <array>
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
@@ -17,6 +18,7 @@
 #include <string>
 #include <utility>
 
+#include "core/clock.h"
 #include "server/local_daemons.h"
 #include "server/viewer_socket.h"
 
@@ -28,9 +30,15 @@ namespace http = beast::http;
 
 constexpr auto kRequestTime = std::chrono::seconds(5);
 constexpr auto kWriteTime = std::chrono::seconds(10);
-constexpr auto kDiskTime = std::chrono::seconds(2);
+constexpr auto kAnswerTime = std::chrono::seconds(2);
 constexpr std::uint32_t kMaxHeader = 8 * 1024;
 constexpr std::size_t kPart = 65'536;
+
+constexpr const char* kBusy = "the daemon is busy; try again later";
+
+HttpAnswer foreign_origin() {
+  return http_text(403, "this Origin is not permitted; add it to server.origins");
+}
 
 beast::string_view view(std::string_view text) { return {text.data(), text.size()}; }
 std::string_view view(beast::string_view text) { return {text.data(), text.size()}; }
@@ -38,10 +46,15 @@ std::string_view view(beast::string_view text) { return {text.data(), text.size(
 class Connection : public std::enable_shared_from_this<Connection> {
  public:
   Connection(boost::asio::ip::tcp::socket socket, SharedState& shared)
-      : stream_(std::move(socket)), shared_(shared) {
+      : stream_(std::move(socket)),
+        shared_(shared),
+        budget_(shared.budgets.of(budget_name(stream_.socket()))) {
     ++shared_.connections;
   }
-  ~Connection() { leave(); }
+  ~Connection() {
+    leave();
+    release_body();
+  }
 
   void read();
 
@@ -50,11 +63,17 @@ class Connection : public std::enable_shared_from_this<Connection> {
   using Head = http::response<http::empty_body>;
 
   void on_request();
+  void refuse(HttpAnswer why);
+  void serve(bool may_command);
   bool may_ask() const;
-  void ask_disk();
-  void on_disk(std::uint64_t question, const std::function<void()>& then);
-  void await_disk(std::function<void()> late);
+  template <class Result>
+  void ask(bool disk, std::function<Result()> job,
+           std::function<Result(const std::string& why)> failed, std::function<void(Result&)> then,
+           std::function<void()> late);
+  void ask_for_page(const std::string& origin);
+  void ask_for_content();
   void leave();
+  void release_body();
   void answer(HttpAnswer answer);
   void write_body();
   void write_part();
@@ -71,15 +90,17 @@ class Connection : public std::enable_shared_from_this<Connection> {
   std::optional<http::response_serializer<http::empty_body>> serializer_;
   HttpAnswer answer_;
   std::array<char, kPart> part_{};
+  std::shared_ptr<Budget> budget_;  // of its address
+  std::size_t body_bytes_ = 0;      // counted among the server's
   bool last_ = false;
   bool counted_ = true;  // counted among the server's connections
   boost::asio::steady_timer timeout_{stream_.get_executor()};
-  std::uint64_t question_ = 0;  // number of the newest job for the disk
+  std::uint64_t question_ = 0;  // number of the newest job for another thread
 };
 
 /// A request that outlives its connection's buffer.
 struct KeptRequest {
-  std::string method, target, range, none_match;
+  std::string method, target, range, none_match, host;
 };
 
 void Connection::read() {
@@ -105,36 +126,33 @@ void Connection::on_request() {
   last_ = !request.keep_alive();
   const std::string_view host = header(http::field::host);
   const AccessRules& access = shared_.settings.access;
-  if (!host_allowed(host, access)) {
-    ++shared_.refused;
-    return answer(http_text(403,
+  if (!host_allowed(host, access))
+    return refuse(http_text(403,
                             "this Host is not served; use an address, or add the name to "
                             "server.hosts"));
-  }
   const bool upgrades = beast::websocket::is_upgrade(request);
+  // A viewer is let in to press STOP, however much its address has asked for.
+  if (!budget_->charge(1.0, monotonic_now()) && !upgrades)
+    return refuse(http_text(429, "too many requests from this address; wait a second"));
   const std::string_view origin = header(http::field::origin);
-  const bool permitted = origin_allowed(origin, host, access);
-  if (!permitted && !(upgrades && is_page_of(local_daemons(), origin, host))) {
-    ++shared_.refused;
-    return answer(http_text(403, "this Origin is not permitted; add it to server.origins"));
-  }
-  if (!may_ask()) {
-    ++shared_.refused;
-    return answer(http_text(403,
+  if (origin_allowed(origin, host, access)) return serve(true);
+  if (!upgrades) return refuse(foreign_origin());
+  ask_for_page(std::string(origin));
+}
+
+void Connection::serve(bool may_command) {
+  const Request& request = parser_->get();
+  if (!may_ask())
+    return refuse(http_text(403,
                             "another site's page asks for this; open the address in the browser "
                             "itself, or add that site to server.origins"));
-  }
-  if (upgrades) {
-    if (!upgrade(permitted)) ++shared_.refused;
-    return;
-  }
-  if (needs_disk(view(request.target()))) return ask_disk();
-  answer(http_answer({.method = view(request.method_string()),
-                      .target = view(request.target()),
-                      .range = header(http::field::range),
-                      .none_match = header(http::field::if_none_match),
-                      .host = host},
-                     shared_.sources));
+  if (!beast::websocket::is_upgrade(request)) return ask_for_content();
+  if (!upgrade(may_command)) ++shared_.refused;
+}
+
+void Connection::refuse(HttpAnswer why) {
+  ++shared_.refused;
+  answer(std::move(why));
 }
 
 // Browsers send no Origin where a page only displays a resource, as with <img>. Following a link to
@@ -148,54 +166,41 @@ bool Connection::may_ask() const {
   return followed_link || fetch_site_allowed(view(request["Sec-Fetch-Site"]));
 }
 
-void Connection::ask_disk() {
-  const Request& request = parser_->get();
-  KeptRequest kept{std::string(view(request.method_string())), std::string(view(request.target())),
-                   std::string(header(http::field::range)),
-                   std::string(header(http::field::if_none_match))};
-  HttpSources sources{.page = {},
-                      .runs_folder = shared_.sources.runs_folder,
-                      .runs = shared_.sources.runs,
-                      .setup = shared_.sources.setup,
-                      .health = {},
-                      .metrics = {},
-                      .robots = {},
-                      .history = {}};
-  const auto found = std::make_shared<HttpAnswer>();
-  // The job holds the only reference to the connection, so that it ends on the server's thread.
+/// Does `job` on the disk's thread or the worker's, and `then` here with its result, or with that of
+/// `failed` if it throws; `late` if that takes too long.
+template <class Result>
+void Connection::ask(bool disk, std::function<Result()> job,
+                     std::function<Result(const std::string& why)> failed,
+                     std::function<void(Result&)> then, std::function<void()> late) {
+  // The other thread does not keep the connection: it would be closed there.
   const auto back = [held = std::make_shared<std::shared_ptr<Connection>>(shared_from_this()),
-                     question = ++question_, found] {
-    auto* connection = held->get();
-    boost::asio::post(connection->stream_.get_executor(),
-                      [self = std::move(*held), question, found] {
-                        self->on_disk(question, [&] { self->answer(std::move(*found)); });
-                      });
+                     question = ++question_, then = std::move(then)](Result result) {
+    boost::asio::io_context& context = (*held)->shared_.context;
+    boost::asio::post(context, [self = std::move(*held), question, then,
+                                found = std::make_shared<Result>(std::move(result))] {
+      if (question != self->question_) return;  // too late
+      ++self->question_;
+      self->timeout_.cancel();
+      then(*found);
+    });
   };
-  const bool asked = shared_.disk.post(
-      [back, found, kept = std::move(kept), sources = std::move(sources)] {
-        *found = http_answer({kept.method, kept.target, kept.range, kept.none_match}, sources);
-        back();
-      },
-      [back, found](const std::string& why) {
-        *found = http_text(500, why);
-        back();
-      });
-  const auto busy = [this] { answer(http_text(503, "the disk does not answer; try again later")); };
-  if (!asked) return busy();
-  await_disk(busy);
-}
-
-// Ignores answers of the disk that come too late.
-void Connection::on_disk(std::uint64_t question, const std::function<void()>& then) {
-  if (question != question_) return;
-  ++question_;
-  timeout_.cancel();
-  then();
-}
-
-void Connection::await_disk(std::function<void()> late) {
+  const auto done = [back, job = std::move(job)] { back(job()); };
+  const auto broken = [back, failed = std::move(failed)](const std::string& why) {
+    back(failed(why));
+  };
+  if (!disk) {
+    boost::asio::post(shared_.work, [done, broken] {
+      try {
+        done();
+      } catch (const std::exception& error) {
+        broken(error.what());
+      }
+    });
+  } else if (!shared_.disk.post(done, broken)) {
+    return late();
+  }
   stream_.expires_never();
-  timeout_.expires_after(kDiskTime);
+  timeout_.expires_after(kAnswerTime);
   timeout_.async_wait([self = shared_from_this(), question = question_,
                        late = std::move(late)](boost::system::error_code cancelled) {
     if (cancelled || question != self->question_) return;
@@ -204,9 +209,41 @@ void Connection::await_disk(std::function<void()> late) {
   });
 }
 
+// The kernel's table of sockets, which may be long, shows whose page this is.
+void Connection::ask_for_page(const std::string& origin) {
+  const std::string host(header(http::field::host));
+  ask<bool>(
+      false, [origin, host] { return is_page_of(local_daemons(), origin, host); },
+      [](const std::string&) { return false; },
+      [this](const bool& known) { known ? serve(false) : refuse(foreign_origin()); },
+      [this] { answer(http_text(503, kBusy)); });
+}
+
+void Connection::ask_for_content() {
+  const Request& request = parser_->get();
+  const bool disk = needs_disk(view(request.target()));
+  KeptRequest kept{std::string(view(request.method_string())), std::string(view(request.target())),
+                   std::string(header(http::field::range)),
+                   std::string(header(http::field::if_none_match)),
+                   std::string(header(http::field::host))};
+  ask<HttpAnswer>(
+      disk,
+      [kept = std::move(kept), &sources = shared_.sources] {
+        return http_answer({kept.method, kept.target, kept.range, kept.none_match, kept.host},
+                           sources);
+      },
+      [](const std::string& why) { return http_text(500, why); },
+      [this](HttpAnswer& found) { answer(std::move(found)); },
+      [this, disk] {
+        answer(http_text(503, disk ? "the disk does not answer; try again later" : kBusy));
+      });
+}
+
 void Connection::leave() {
   if (std::exchange(counted_, false)) --shared_.connections;
 }
+
+void Connection::release_body() { shared_.body_bytes -= std::exchange(body_bytes_, 0); }
 
 bool Connection::upgrade(bool may_command) {
   last_ = true;
@@ -229,7 +266,11 @@ bool Connection::upgrade(bool may_command) {
 }
 
 void Connection::answer(HttpAnswer answer) {
+  if (shared_.body_bytes + answer.body.size() > kMaxBodyBytes) answer = http_text(503, kBusy);
   answer_ = std::move(answer);
+  release_body();
+  shared_.body_bytes += body_bytes_ = answer_.body.size();
+  budget_->charge(static_cast<double>(body_bytes_) / Budget::kBytesPerUnit, monotonic_now());
   head_ = Head(static_cast<http::status>(answer_.status), 11);
   head_.keep_alive(!last_);
   head_.set(http::field::server, "tp100d");
@@ -262,22 +303,16 @@ void Connection::write_body() {
 
 void Connection::write_part() {
   if (answer_.length == 0) return end();
-  const auto back = [held = std::make_shared<std::shared_ptr<Connection>>(shared_from_this()),
-                     question = ++question_](std::optional<std::size_t> got) {
-    auto* connection = held->get();
-    boost::asio::post(connection->stream_.get_executor(), [self = std::move(*held), question, got] {
-      self->on_disk(question, [&] { self->on_part(got); });
-    });
-  };
-  const bool asked = shared_.disk.post([this, back] { back(answer_.read(part_)); },
-                                       [back](const std::string&) { back(std::nullopt); });
   // The body cannot be completed: closing the connection tells the reader so.
-  if (asked)
-    await_disk([this] {
-      beast::error_code ignored;
-      stream_.socket().close(ignored);
-      leave();
-    });
+  ask<std::optional<std::size_t>>(
+      true, [this] { return answer_.read(part_); },
+      [](const std::string&) { return std::optional<std::size_t>{}; },
+      [this](const std::optional<std::size_t>& got) { on_part(got); },
+      [this] {
+        beast::error_code ignored;
+        stream_.socket().close(ignored);
+        leave();
+      });
 }
 
 void Connection::on_part(std::optional<std::size_t> got) {
@@ -298,6 +333,7 @@ void Connection::on_part(std::optional<std::size_t> got) {
 
 void Connection::end() {
   answer_ = {};
+  release_body();
   if (last_) {
     beast::error_code ignored;
     stream_.socket().shutdown(boost::asio::ip::tcp::socket::shutdown_send, ignored);
@@ -311,6 +347,16 @@ void Connection::end() {
 boost::asio::ip::address plain(const boost::asio::ip::address& address) {
   if (!address.is_v6() || !address.to_v6().is_v4_mapped()) return address;
   return boost::asio::ip::make_address_v4(boost::asio::ip::v4_mapped, address.to_v6());
+}
+
+std::string budget_name(const boost::asio::ip::tcp::socket& socket) {
+  boost::system::error_code error;
+  const auto address = plain(socket.remote_endpoint(error).address());
+  if (!address.is_v6()) return address.to_string();
+  // A machine of IPv6 has any number of addresses that begin alike.
+  auto bytes = address.to_v6().to_bytes();
+  std::fill(bytes.begin() + 8, bytes.end(), std::uint8_t{0});
+  return boost::asio::ip::make_address_v6(bytes).to_string();
 }
 
 bool is_local(const boost::asio::ip::tcp::socket& socket) {

@@ -1,7 +1,7 @@
 #pragma once
 // Requests that a viewer may make of the daemon. The server has checked arguments and state; an
-// implementation passes them on. Every call comes from the thread that serves STOP and must not
-// block: neither on a disk nor on a lock that is held by a thread waiting for one.
+// implementation passes them on. Every call but stop() comes from the worker's thread (server.h)
+// and must not block: neither on a disk nor on a lock that is held by a thread waiting for one.
 
 #include <cstdint>
 #include <functional>
@@ -82,9 +82,9 @@ class Controls {
   virtual std::string hold() = 0;
   /// Pauses a run on the course; a paused one stays paused.
   virtual std::string pause() = 0;
-  /// STOPs so far, of every door, as consents refer to them.
+  /// STOPs so far, of every door, as consents refer to them. Any thread.
   virtual std::uint64_t stop_count() = 0;
-  /// Cannot be refused.
+  /// Cannot be refused. Any thread; takes no lock.
   virtual void stop() = 0;
   /// `value` has the right type and lies within the limits.
   virtual std::string set(const messages::ParameterText& parameter,

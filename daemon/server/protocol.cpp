@@ -177,6 +177,12 @@ ClientMessage parse_text(std::string_view text) {
   }
 }
 
+std::optional<std::uint32_t> call_of(std::uint32_t service, std::span<const std::uint8_t> bytes) {
+  if (bytes.size() < 5 || bytes[0] != kServiceCall || little(bytes.subspan(1)) != service)
+    return std::nullopt;
+  return bytes.size() < 9 ? 0 : little(bytes.subspan(5));
+}
+
 ClientMessage parse_binary(std::span<const std::uint8_t> bytes) {
   if (bytes.empty()) return Malformed{"an empty binary message"};
   if (bytes[0] == kClientData) return Unserved{"client message data"};

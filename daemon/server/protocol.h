@@ -64,6 +64,10 @@ struct Malformed {
 using ClientMessage = std::variant<Subscribe, Unsubscribe, GetParameters, SetParameters,
                                    ParameterSubscription, ServiceCall, Unserved, Malformed>;
 
+/// The call's number if a binary message begins as a call of `service`, whatever follows; 0 if it
+/// is cut off before the number.
+std::optional<std::uint32_t> call_of(std::uint32_t service, std::span<const std::uint8_t> bytes);
+
 ClientMessage parse_text(std::string_view text);
 ClientMessage parse_binary(std::span<const std::uint8_t> bytes);
 

@@ -1,5 +1,6 @@
 #include "server/publisher.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "messages/foxglove.h"
@@ -74,9 +75,11 @@ void StopMonitor::press(const std::string& by, HostNs now) {
   if (unanswered()) return;
   figures_.requested_ns = now;
   figures_.status = Status::kPending;
+  answered(answered_ns_);
 }
 
 void StopMonitor::answered(HostNs at) {
+  answered_ns_ = std::max(answered_ns_, at);
   // An acknowledgement from before the press belongs to an older STOP.
   if (!unanswered() || at < figures_.requested_ns) return;
   figures_.status = Status::kAcknowledged;

@@ -63,7 +63,8 @@ class StopMonitor {
 
  private:
   messages::StopFigures figures_{};
-  HostNs pressed_ns_ = 0;  // time of the last press
+  HostNs pressed_ns_ = 0;   // time of the last press
+  HostNs answered_ns_ = 0;  // ... and acknowledgement, which may be told before its press
 };
 
 class Publisher {

@@ -201,11 +201,7 @@ void RequestHandler::answer_results() {
 void RequestHandler::on(const std::shared_ptr<Viewer>& viewer, const ServiceCall& call,
                         Permission permission, HostNs now) {
   const auto service = static_cast<Service>(call.service);
-  // STOP is carried out even if the request is otherwise invalid.
-  if (service == Service::kStop) {
-    call_stop(viewer, call.call, now);
-    return;
-  }
+  if (service == Service::kStop) return stop_pressed(viewer, call.call, now);
   const auto fail = [&](const std::string& why) {
     viewer->reply(service_failure(call.service, call.call, why));
   };
@@ -320,10 +316,9 @@ void RequestHandler::on(const std::shared_ptr<Viewer>& viewer, const ServiceCall
   answer_results();
 }
 
-void RequestHandler::call_stop(const std::shared_ptr<Viewer>& viewer, std::uint32_t call,
-                               HostNs now) {
-  controls_.stop();
-  publisher_.stop_pressed("viewer " + std::to_string(viewer->id()), now);
+void RequestHandler::stop_pressed(const std::shared_ptr<Viewer>& viewer, std::uint32_t call,
+                                  HostNs at) {
+  publisher_.stop_pressed("viewer " + std::to_string(viewer->id()), at);
   if (waiting_.size() >= kMaxWaiting) {
     viewer->reply(service_response(static_cast<std::uint32_t>(Service::kStop), call,
                                    stop_answer(publisher_.stop().figures())),
@@ -331,7 +326,7 @@ void RequestHandler::call_stop(const std::shared_ptr<Viewer>& viewer, std::uint3
     return;
   }
   waiting_.push_back({viewer, viewer->id(), call});
-  tick(now);
+  tick(at);
 }
 
 void RequestHandler::tick(HostNs now) {

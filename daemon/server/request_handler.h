@@ -32,9 +32,13 @@ class RequestHandler {
 
   /// Sends server info, channels and services, in this order.
   void send_server_info(Viewer& viewer, Permission permission) const;
-  /// Answers one message. False: it is not a message of the protocol.
+  /// Answers one message, which was received at host time `now`. False: it is not a message of the
+  /// protocol. STOP must have been carried out already.
   bool handle(const std::shared_ptr<Viewer>& viewer, const ClientMessage& message,
               Permission permission, HostNs now);
+  /// STOP was pressed at host time `at` and is carried out already: publishes that, and answers
+  /// when the robot has acknowledged it.
+  void stop_pressed(const std::shared_ptr<Viewer>& viewer, std::uint32_t call, HostNs at);
   /// See ParameterRequests.
   void change_setup(std::vector<messages::ParameterText> parameters, HostNs now) {
     parameters_.change_setup(std::move(parameters), now);
@@ -65,7 +69,6 @@ class RequestHandler {
 
   void on(const std::shared_ptr<Viewer>& viewer, const ServiceCall& call, Permission permission,
           HostNs now);
-  void call_stop(const std::shared_ptr<Viewer>& viewer, std::uint32_t call, HostNs now);
   std::string start(const Arguments& request, const Consent& consent, HostNs now);
   std::string pause(const Viewer& viewer, HostNs now);
   std::string resume(const Viewer& viewer, const Consent& consent, HostNs now);

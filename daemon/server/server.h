@@ -1,6 +1,7 @@
 #pragma once
-// The server: one TCP port for the page and the Foxglove WebSocket protocol (CHANNELS.md), in a
-// thread of its own. Beast stays in the source files.
+// The server: one TCP port for the page and the Foxglove WebSocket protocol (CHANNELS.md), in two
+// threads: "sockets" owns the sockets and carries out STOP at once (server/sockets.h), "server",
+// the worker, answers all other requests and publishes the steps. Beast stays in the source files.
 
 #include <cstddef>
 #include <memory>
@@ -32,13 +33,14 @@ struct ServerSettings {
   RunList runs;             ///< empty: none
   SetupContent setup;       ///< empty: none
   Page page;
-  Listener listener;  ///< called from the constructor and the server's thread; must not block
+  Listener listener;  ///< called from the constructor and the worker's thread; must not block
 };
 
 class Server : public messages::Sink {
  public:
   /// Listens; serves nothing before start(). Throws SetupError if the address is not available.
-  /// `controls` must outlive the server.
+  /// `controls` must outlive the server; its stop() is called by the sockets' thread, all else by
+  /// the worker's.
   Server(ServerSettings settings, const messages::Messages& messages,
          std::vector<messages::ParameterText> parameters, Controls& controls);
   /// Closes every client's connection, waiting a second at most.
@@ -48,7 +50,7 @@ class Server : public messages::Sink {
   const std::string& url() const;
   /// Why this is not the usual port, in one line; empty: it is, or another one was configured.
   const std::string& note() const;
-  /// Starts the thread, and lets other daemons of this machine find it.
+  /// Starts the threads, and lets other daemons of this machine find it.
   void start();
 
   // Call these from any one thread, never the real-time one; they never wait for a client.
@@ -69,7 +71,7 @@ class Server : public messages::Sink {
   void flush();
   /// Whether a client's request still waits for the disk; the destructor would wait, too.
   bool waits_for_disk();
-  /// Records dropped because the server's thread was too slow.
+  /// Records dropped because the worker was too slow.
   std::uint64_t lost_records() const;
 
  private:

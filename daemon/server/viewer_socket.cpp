@@ -1,11 +1,12 @@
 #include "server/viewer_socket.h"
 
-#include <algorithm>
+#include <boost/asio/post.hpp>
 #include <boost/beast/websocket.hpp>
 #include <chrono>
 #include <utility>
 
 #include "core/clock.h"
+#include "server/services.h"
 
 namespace tp100::server {
 namespace {
@@ -14,8 +15,7 @@ namespace beast = boost::beast;
 namespace websocket = beast::websocket;
 
 constexpr std::size_t kMaxMessage = 65'536;
-constexpr double kMessagesPerS = 500.0;
-constexpr double kBytesPerToken = 1024.0;
+constexpr int kMaxStops = 16;                // waiting to be reported
 constexpr std::size_t kReadLimit = 524'288;  // bytes per second
 constexpr int kMaxMalformed = 20;
 constexpr int kMaxSecondsNotOpen = 2;
@@ -33,7 +33,7 @@ std::string address_of(const boost::asio::ip::tcp::socket& socket) {
 }  // namespace
 
 ViewerSocket::ViewerSocket(Stream::socket_type socket, SharedState& shared)
-    : socket_(std::move(socket)), shared_(shared), buffer_(kMaxMessage), tokens_(kMessagesPerS) {
+    : socket_(std::move(socket)), shared_(shared), buffer_(kMaxMessage) {
   ++shared_.sockets;
 }
 
@@ -41,6 +41,7 @@ ViewerSocket::~ViewerSocket() { --shared_.sockets; }
 
 void ViewerSocket::accept(const Request& request, std::string_view sub_protocol, bool may_command) {
   address_ = address_of(socket_.next_layer().socket());
+  budget_ = shared_.budgets.of(budget_name(socket_.next_layer().socket()));
   const bool local = is_local(socket_.next_layer().socket());
   agent_ = std::string(request[beast::http::field::user_agent]).substr(0, kMaxAgent);
   const config::CommandsFrom from = shared_.settings.commands;
@@ -72,61 +73,99 @@ void ViewerSocket::accept(const Request& request, std::string_view sub_protocol,
 }
 
 void ViewerSocket::opened() {
-  connected_ns_ = tokens_ns_ = monotonic_now();
+  connected_ns_ = monotonic_now();
   open_ = true;
-  const auto weak = weak_from_this();
-  viewer_ = std::make_shared<Viewer>(
-      ++shared_.last_id,
-      [weak] {
-        if (const auto self = weak.lock()) self->flush();
-      },
-      [weak] {
-        if (const auto self = weak.lock()) self->fail();
+  // The worker never holds a socket: it would be closed in the wrong thread.
+  const auto later = [this](void (ViewerSocket::*what)()) {
+    return [&context = shared_.context, weak = weak_from_this(), what] {
+      boost::asio::post(context, [weak, what] {
+        if (const auto self = weak.lock()) (self.get()->*what)();
       });
-  shared_.viewers.emplace(viewer_->id(), weak);
-  shared_.broker.add(viewer_);
-  shared_.handler.send_server_info(*viewer_, permission_);
+    };
+  };
+  viewer_ = std::make_shared<Viewer>(++shared_.last_id, later(&ViewerSocket::flush),
+                                     later(&ViewerSocket::fail));
+  shared_.viewers.emplace(viewer_->id(), weak_from_this());
+  boost::asio::post(shared_.work, [&shared = shared_, viewer = viewer_, may = permission_] {
+    shared.broker.add(viewer);
+    shared.handler.send_server_info(*viewer, may);
+  });
   read();
 }
 
 void ViewerSocket::read() {
-  socket_.async_read(buffer_,
-                     [self = shared_from_this()](beast::error_code error, std::size_t bytes) {
-                       if (error) {
-                         self->gone();
-                       } else {
-                         self->take(bytes);
-                       }
-                     });
+  socket_.async_read(buffer_, [self = shared_from_this()](beast::error_code error, std::size_t) {
+    if (error) {
+      self->gone();
+    } else {
+      self->take();
+    }
+  });
 }
 
-bool ViewerSocket::within_rate(std::size_t bytes, HostNs now) {
-  tokens_ = std::min(kMessagesPerS, tokens_ + to_s(now - tokens_ns_) * kMessagesPerS);
-  tokens_ns_ = now;
-  tokens_ -= 1.0 + static_cast<double>(bytes) / kBytesPerToken;
-  return tokens_ >= 0.0;
+// A client that takes little is served whatever others of its address do.
+bool ViewerSocket::within_budget(std::size_t bytes, HostNs now) {
+  const double units = 1.0 + static_cast<double>(bytes + viewer_->take_owed()) / Budget::kBytesPerUnit;
+  const bool own = own_.charge(units, now);
+  return budget_->charge(units, now) || own;
 }
 
-void ViewerSocket::take(std::size_t bytes) {
+void ViewerSocket::take() {
   const HostNs now = monotonic_now();
-  if (!within_rate(bytes, now)) return close(Code::policy_error, "too many messages");
   const auto data = buffer_.cdata();
   const auto* begin = static_cast<const std::uint8_t*>(data.data());
-  const ClientMessage message =
-      socket_.got_text() ? parse_text({static_cast<const char*>(data.data()), data.size()})
-                         : parse_binary({begin, data.size()});
+  const bool text = socket_.got_text();
+  const auto call = text
+                        ? std::nullopt
+                        : call_of(static_cast<std::uint32_t>(Service::kStop), {begin, data.size()});
+  if (call) {
+    stop(*call, now);
+  } else if (!within_budget(data.size(), now) || !viewer_->admit(data.size())) {
+    return close(Code::policy_error, "too many requests");
+  } else {
+    pass_on({static_cast<const char*>(data.data()), data.size()}, text, now);
+  }
   buffer_.consume(buffer_.size());
-  if (!shared_.handler.handle(viewer_, message, permission_, now) && ++malformed_ >= kMaxMalformed)
-    return close(Code::policy_error, "not the Foxglove protocol");
-  if (failed_) return gone();
   if (!closing_) read();
 }
 
+// Before anything else, whatever the worker does and whatever is in the rest of the message.
+void ViewerSocket::stop(std::uint32_t call, HostNs now) {
+  shared_.controls.stop();
+  if (*stops_ >= kMaxStops) return;
+  ++*stops_;
+  boost::asio::post(shared_.work, [&shared = shared_, viewer = viewer_, stops = stops_, call, now] {
+    shared.handler.stop_pressed(viewer, call, now);
+    --*stops;
+  });
+}
+
+void ViewerSocket::pass_on(std::string message, bool text, HostNs now) {
+  boost::asio::post(shared_.work, [&shared = shared_, viewer = viewer_, weak = weak_from_this(),
+                                   may = permission_, message = std::move(message), text, now] {
+    const auto* begin = reinterpret_cast<const std::uint8_t*>(message.data());
+    const bool known = shared.handler.handle(
+        viewer, text ? parse_text(message) : parse_binary({begin, message.size()}), may, now);
+    viewer->answered(message.size());
+    if (known) return;
+    boost::asio::post(shared.context, [weak] {
+      if (const auto self = weak.lock()) self->malformed();
+    });
+  });
+}
+
+void ViewerSocket::malformed() {
+  if (++malformed_ >= kMaxMalformed) close(Code::policy_error, "not the Foxglove protocol");
+}
+
 void ViewerSocket::flush() {
-  if (busy_ || closing_ || !open_ || viewer_->outbox().empty()) return;
+  if (busy_ || closing_ || !open_) return;
+  viewer_->awake();
+  std::optional<WebSocketFrame> next = viewer_->outbox().pop();
+  if (!next) return;
   busy_ = true;
   write_began_ns_ = monotonic_now();
-  writing_ = viewer_->outbox().pop();
+  writing_ = std::move(*next);
   socket_.binary(writing_.binary);
   const std::array<boost::asio::const_buffer, 2> parts = {
       boost::asio::buffer(writing_.head.data(), writing_.head_size),
@@ -160,7 +199,6 @@ messages::ClientFigures ViewerSocket::figures(HostNs now) const {
   out.connected_s = to_s(now - connected_ns_);
   if (viewer_ == nullptr) return out;
   out.id = viewer_->id();
-  out.subscriptions = viewer_->subscriptions().size();
   out.queued = viewer_->outbox().size();
   out.dropped = viewer_->outbox().dropped();
   return out;
@@ -188,9 +226,11 @@ void ViewerSocket::gone() {
   socket_.next_layer().socket().close(ignored);
   ++shared_.closed;
   shared_.dropped_by_closed += viewer_->outbox().dropped();
-  shared_.broker.remove(viewer_);
-  shared_.handler.leave(*viewer_, monotonic_now());
   shared_.viewers.erase(viewer_->id());
+  boost::asio::post(shared_.work, [&shared = shared_, viewer = viewer_, now = monotonic_now()] {
+    shared.broker.remove(viewer);
+    shared.handler.leave(*viewer, now);
+  });
 }
 
 }  // namespace tp100::server

@@ -1,7 +1,8 @@
 #pragma once
-// One WebSocket client: reads its messages for the handler, writes the frames of its outbox, and
-// disconnects it when it misbehaves.
+// One WebSocket client, in the sockets' thread: carries out its STOP, passes its other messages on
+// to the worker, writes the frames of its outbox, and disconnects it when it misbehaves.
 
+#include <atomic>
 #include <boost/beast/core/basic_stream.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/core/rate_policy.hpp>
@@ -11,6 +12,7 @@
 #include <memory>
 #include <string>
 
+#include "server/budget.h"
 #include "server/connection.h"
 
 namespace tp100::server {
@@ -30,6 +32,7 @@ class ViewerSocket : public std::enable_shared_from_this<ViewerSocket> {
 
   /// Call it once a second: sends the status that is due, and disconnects clients that do not read.
   void tick(HostNs now);
+  /// Without its subscriptions, which are the worker's.
   messages::ClientFigures figures(HostNs now) const;
   /// The server is ending.
   void go_away();
@@ -39,8 +42,11 @@ class ViewerSocket : public std::enable_shared_from_this<ViewerSocket> {
 
   void opened();
   void read();
-  void take(std::size_t bytes);
-  bool within_rate(std::size_t bytes, HostNs now);
+  void take();
+  void stop(std::uint32_t call, HostNs now);
+  void pass_on(std::string message, bool text, HostNs now);
+  bool within_budget(std::size_t bytes, HostNs now);
+  void malformed();
   void flush();
   /// Disconnects without a closing handshake. Only touches the socket: the rest follows in gone().
   void fail();
@@ -64,8 +70,10 @@ class ViewerSocket : public std::enable_shared_from_this<ViewerSocket> {
   std::uint64_t sent_ = 0;
   std::uint64_t reported_dropped_ = 0;
   int malformed_ = 0;
-  double tokens_;
-  HostNs tokens_ns_ = 0;
+  std::shared_ptr<Budget> budget_;  // of its address
+  Budget own_{Budgets::kOwnPerS};
+  // Reports of STOP that are on their way to the worker, which may be gone after this.
+  std::shared_ptr<std::atomic<int>> stops_ = std::make_shared<std::atomic<int>>(0);
 };
 
 }  // namespace tp100::server

@@ -67,7 +67,8 @@ void converse(fuzz::ByteSource source, Permission permission) {
     record.now_ns += 10 * kNsPerMs;
     publisher.take(record);
     handler.tick(record.now_ns);
-    while (!viewer->outbox().empty()) viewer->outbox().pop();
+    while (viewer->outbox().pop()) {
+    }
   }
   for (const auto& [name, value] : controls.sets) require_set(name, value);
   if (permission == Permission::kStopOnly)

@@ -74,8 +74,8 @@ class DaemonRig {
       sent.update({{"stops", controls_.stop_count()}, {"t_s", to_s(now())}});
     handler_.handle(viewer, server::ServiceCall{number, 1, "json", sent.dump()}, permission, now());
     nlohmann::json answer;
-    while (!viewer->outbox().empty()) {
-      const server::WebSocketFrame frame = viewer->outbox().pop();
+    while (const auto next = viewer->outbox().pop()) {
+      const server::WebSocketFrame& frame = *next;
       if (frame.binary && frame.head_size == 0)
         answer = nlohmann::json::parse(frame.body->substr(frame.body->find('{')));
       else if (!frame.binary)

@@ -2,6 +2,7 @@
 // Records the requests of viewers.
 
 #include <atomic>
+#include <future>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -26,6 +27,7 @@ class FakeControls : public Controls {
   std::uint64_t stop_count() override { return static_cast<std::uint64_t>(stops.load()); }
   std::string hold() override {
     ++holds;
+    if (held.valid()) held.wait();
     return {};
   }
   void stop() override { ++stops; }
@@ -128,6 +130,7 @@ class FakeControls : public Controls {
   std::atomic<int> starts{0}, go_ons{0}, holds{0}, stops{0}, pauses{0}, resumes{0};
   std::vector<Consent> consents;
   std::string move_refusal;
+  std::shared_future<void> held{};  ///< blocks hold() until it is ready
   HostNs motors_off = 0;
   Wheel wheel;
   std::vector<VelocityInput> inputs;

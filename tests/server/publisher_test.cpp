@@ -25,8 +25,8 @@ class PublisherTest : public ::testing::Test {
   }
   std::vector<Json> take(messages::Channel wanted = messages::Channel::kClient) {
     std::vector<Json> out;
-    while (!viewer_->outbox().empty()) {
-      const WebSocketFrame frame = viewer_->outbox().pop();
+    while (const auto next = viewer_->outbox().pop()) {
+      const WebSocketFrame& frame = *next;
       if (frame.binary && frame.head[1] == static_cast<std::uint32_t>(wanted))
         out.push_back(Json::parse(*frame.body));
     }
@@ -184,7 +184,7 @@ TEST_F(PublisherTest, ANewcomerGetsTheWholePathHistory) {
   broker_.add(late);
   broker_.subscribe(*late, {{{1, static_cast<std::uint32_t>(messages::Channel::kPathHistory)}}});
   ASSERT_FALSE(late->outbox().empty());
-  const Json path_history = Json::parse(*late->outbox().pop().body);
+  const Json path_history = Json::parse(*late->outbox().pop()->body);
   EXPECT_GE(path_history["entities"][0]["lines"][0]["points"].size(), 99U);
 }
 

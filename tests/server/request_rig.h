@@ -66,8 +66,8 @@ class RequestHandlerTest : public ::testing::Test {
   };
   static Received take(Viewer& viewer) {
     Received received;
-    while (!viewer.outbox().empty()) {
-      const WebSocketFrame frame = viewer.outbox().pop();
+    while (const auto next = viewer.outbox().pop()) {
+      const WebSocketFrame& frame = *next;
       if (!frame.binary) {
         received.texts.push_back(Json::parse(*frame.body));
       } else if (frame.head_size == 0) {

@@ -8,6 +8,7 @@
 #include <atomic>
 #include <filesystem>
 #include <fstream>
+#include <future>
 #include <map>
 #include <string>
 #include <thread>
@@ -178,6 +179,56 @@ TEST_F(ServerTest, StopDoesNotWaitForADiskThatEndsARecording) {
   late.run = "late";
   controls_.unanswered("", late);
   EXPECT_THAT(recorder.read_until("\"bytes\""), HasSubstr("late"));
+}
+
+// Whatever a viewer asks for, and however long that takes, must not keep another one from stopping
+// the robot, nor itself.
+TEST_F(ServerTest, StopIsCarriedOutWhileNothingElseIs) {
+  std::promise<void> end;
+  controls_.held = end.get_future().share();
+  start();
+  WebClient asks = connect(), stops = connect();
+  asks.call(Service::kHold);
+  ASSERT_TRUE(eventually([&] { return controls_.holds == 1; }));
+  stops.call(Service::kStop);
+  EXPECT_TRUE(eventually([&] { return controls_.stops == 1; }));
+  asks.call(Service::kHold);
+  asks.call(Service::kStop);
+  EXPECT_TRUE(eventually([&] { return controls_.stops == 2; }));
+  WebClient late = connect();
+  late.call(Service::kStop);
+  EXPECT_TRUE(eventually([&] { return controls_.stops == 3; }));
+  const std::string stop("\x02\x03\0\0\0", 5);
+  late.write_binary(stop);
+  late.write_binary(stop + std::string("\x07\0\0\0\xff\xff\xff\xffno JSON", 15));
+  EXPECT_TRUE(eventually([&] { return controls_.stops == 5; }));
+  EXPECT_EQ(controls_.holds, 1);
+  end.set_value();
+  EXPECT_TRUE(eventually([&] { return controls_.holds == 2; }));
+  server_->stop_answered(monotonic_now());
+  for (WebClient* each : {&asks, &stops, &late})
+    EXPECT_THAT(each->read_until("\"acknowledged\""), HasSubstr("acknowledged"));
+}
+
+// Requests that wait must not fill the memory, and STOP must get past them.
+TEST_F(ServerTest, WhoAsksWithoutWaitingIsClosedAndHasBeenAbleToStop) {
+  std::promise<void> end;
+  controls_.held = end.get_future().share();
+  start();
+  WebClient asks = connect(), other = connect();
+  asks.call(Service::kHold);
+  ASSERT_TRUE(eventually([&] { return controls_.holds == 1; }));
+  const std::string wish =
+      R"({"op":"getParameters","parameterNames":[")" + std::string(20'000, 'x') + R"("],"id":"a"})";
+  for (int i = 0; i < 8; ++i) asks.write_text(wish);
+  asks.call(Service::kStop);
+  EXPECT_TRUE(eventually([&] { return controls_.stops == 1; }));
+  EXPECT_TRUE(eventually([&] {
+    if (!asks.closed()) asks.write_text(wish);
+    return asks.closed();
+  }));
+  EXPECT_FALSE(other.closed());
+  end.set_value();
 }
 
 TEST_F(ServerTest, StopComesThroughBesideManyWhoReadRuns) {
