@@ -23,6 +23,7 @@ namespace {
 
 // With less, locking succeeds at first, and later threads and buffers fail.
 constexpr rlim_t kEnoughLockable = 256U << 20U;
+constexpr std::size_t kStack = 1U << 20U;
 constexpr std::size_t kStackTouched = 64U << 10U;
 constexpr int kWorkerNice = -20;
 
@@ -33,11 +34,21 @@ std::string by_limit(const std::string& limit, const std::string& capability) {
          "\" | sudo tee -a /etc/security/limits.d/tp100.conf, then log in again";
 }
 
+// A thread's stack is locked as a whole, and the usual one is 8 MB.
+void use_small_stacks() {
+  pthread_attr_t attributes;
+  if (::pthread_attr_init(&attributes) != 0) return;
+  if (::pthread_attr_setstacksize(&attributes, kStack) == 0)
+    ::pthread_setattr_default_np(&attributes);
+  ::pthread_attr_destroy(&attributes);
+}
+
 Privilege lock_memory() {
   Privilege privilege{"memory locked", false, by_limit("memlock unlimited", "ipc_lock")};
   rlimit limit{};
   const bool enough = ::getrlimit(RLIMIT_MEMLOCK, &limit) == 0 && limit.rlim_cur >= kEnoughLockable;
   if (!enough && ::geteuid() != 0) return privilege;
+  use_small_stacks();
   privilege.granted = ::mlockall(MCL_CURRENT | MCL_FUTURE) == 0;
   return privilege;
 }

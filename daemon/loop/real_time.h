@@ -15,7 +15,7 @@ struct Privilege {
 
 /// Privileges for the whole process.
 struct ProcessRequest {
-  bool lock_memory = true;
+  bool lock_memory = true;       ///< threads that begin then have stacks of 1 MB
   bool hold_cpu_latency = true;  ///< keep the processor out of deep sleep: halves the wake-up time
   /// Schedule the kernel's unbound workers before ordinary programs (nice -20), if CAP_SYS_NICE
   /// permits it; a refusal is not reported. They carry the bytes of every tty, also of a pty, to

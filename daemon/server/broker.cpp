@@ -27,6 +27,15 @@ void Outbox::push_data(WebSocketFrame frame) {
   }
 }
 
+void Outbox::forget(const std::string* body) {
+  const std::lock_guard lock(mutex_);
+  std::erase_if(data_, [&](const WebSocketFrame& frame) {
+    if (frame.body.get() != body) return false;
+    data_bytes_ -= counted(frame);
+    return true;
+  });
+}
+
 bool Outbox::push_reply(WebSocketFrame frame) {
   const std::lock_guard lock(mutex_);
   const std::size_t bytes = reply_bytes_ + frame.size();
@@ -112,7 +121,12 @@ void Broker::publish(messages::Channel channel, std::uint64_t unix_ns,
   for (const Subscriber& each : to.subscribers) each.viewer->send(each.subscription, unix_ns, body);
   if (keep == 0) return;
   to.kept.push_back({unix_ns, body});
-  if (to.kept.size() > keep) to.kept.pop_front();
+  if (to.kept.size() <= keep) return;
+  // Viewers that do not read would keep every course that was ever chosen.
+  const std::shared_ptr<const std::string> old = std::move(to.kept.front().body);
+  to.kept.pop_front();
+  if (keep == 1 && old->size() > Outbox::kMaxCounted)
+    for (const auto& viewer : viewers_) viewer->outbox().forget(old.get());
 }
 
 void Broker::catch_up(messages::Channel channel, Catch make) {

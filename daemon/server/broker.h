@@ -48,6 +48,9 @@ class Outbox {
   /// requests more than it reads.
   [[nodiscard]] bool push_reply(WebSocketFrame frame);
 
+  /// Drops the data frames with this body: newer data replaces it.
+  void forget(const std::string* body);
+
   bool empty() const { return size() == 0; }
   std::size_t size() const;
   /// The next frame to write; nothing: there is none.

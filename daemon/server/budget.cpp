@@ -17,7 +17,7 @@ bool Budget::full(HostNs now) const {
 
 std::shared_ptr<Budget> Budgets::of(const std::string& address) {
   std::shared_ptr<Budget>& found = budgets_[address];
-  if (found == nullptr) found = std::make_shared<Budget>(kUnitsPerS);
+  if (found == nullptr) found = std::make_shared<Budget>(units_per_s_);
   return found;
 }
 

@@ -32,15 +32,17 @@ class Budget {
 /// One budget for each address, whatever the number of its connections.
 class Budgets {
  public:
-  static constexpr double kUnitsPerS = 4000.0;  ///< of an address
+  static constexpr double kUnitsPerS = 4000.0;  ///< of an address, usually
   static constexpr double kOwnPerS = 200.0;  ///< of each viewer, whatever others of its address do
 
+  explicit Budgets(double units_per_s = kUnitsPerS) : units_per_s_(units_per_s) {}
   /// `address`: an IPv4 address, or the first 64 bits of an IPv6 address.
   std::shared_ptr<Budget> of(const std::string& address);
   /// Call it from time to time: forgets what nobody uses and is full.
   void tick(HostNs now);
 
  private:
+  double units_per_s_;
   std::map<std::string, std::shared_ptr<Budget>> budgets_;
 };
 

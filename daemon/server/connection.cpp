@@ -48,7 +48,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   Connection(boost::asio::ip::tcp::socket socket, SharedState& shared)
       : stream_(std::move(socket)),
         shared_(shared),
-        budget_(shared.budgets.of(budget_name(stream_.socket()))) {
+        budget_(shared.http_budgets.of(budget_name(stream_.socket()))) {
     ++shared_.connections;
   }
   ~Connection() {
@@ -365,12 +365,14 @@ bool is_local(const boost::asio::ip::tcp::socket& socket) {
   return !error && plain(end.address()).is_loopback();
 }
 
-void serve_connection(boost::asio::ip::tcp::socket socket, SharedState& shared) {
+bool serve_connection(boost::asio::ip::tcp::socket socket, SharedState& shared) {
+  const bool within = shared.http_budgets.of(budget_name(socket))->charge(1.0, monotonic_now());
   if (shared.connections >= kMaxConnections - (is_local(socket) ? 0 : kKeptForLocal)) {
     ++shared.refused;
-    return;
+    return within;
   }
   std::make_shared<Connection>(std::move(socket), shared)->read();
+  return within;
 }
 
 }  // namespace tp100::server

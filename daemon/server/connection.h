@@ -30,7 +30,8 @@ struct SharedState {
   RequestHandler& handler;
   HttpSources& sources;
   record::Worker& disk;  ///< makes the answers that need it; no other thread waits for a disk
-  Budgets budgets{};
+  // A flood of one kind leaves the other alone.
+  Budgets viewer_budgets{settings.units_per_s}, http_budgets{settings.units_per_s};
   std::map<std::uint32_t, std::weak_ptr<ViewerSocket>> viewers{};  // by id
   std::uint32_t last_id = 0;
   std::size_t sockets = 0;      // viewers, including those connecting or leaving
@@ -54,7 +55,8 @@ std::string budget_name(const boost::asio::ip::tcp::socket& socket);
 /// Whether the peer is a program of this machine.
 bool is_local(const boost::asio::ip::tcp::socket& socket);
 
-/// Serves `socket` until it ends.
-void serve_connection(boost::asio::ip::tcp::socket socket, SharedState& shared);
+/// Serves `socket` until it ends. False: its address has asked for too much; accept the next one a
+/// little later.
+bool serve_connection(boost::asio::ip::tcp::socket socket, SharedState& shared);
 
 }  // namespace tp100::server

@@ -14,6 +14,7 @@
 #include "messages/sink.h"
 #include "server/access.h"
 #include "server/broker.h"
+#include "server/budget.h"
 #include "server/controls.h"
 #include "server/http_content.h"
 
@@ -26,7 +27,8 @@ struct ServerSettings {
   AccessRules access{};
   config::CommandsFrom commands = config::CommandsFrom::kLocal;
   std::size_t max_clients = 64;
-  std::string name{};  ///< of the robot, for people
+  double units_per_s = Budgets::kUnitsPerS;  ///< of viewers, and of HTTP requests of an address
+  std::string name{};                        ///< of the robot, for people
   std::vector<std::string>
       robots{};             ///< pages of other robots, besides those found on this machine
   std::string runs_folder;  ///< empty: none

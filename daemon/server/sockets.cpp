@@ -1,6 +1,8 @@
 #include "server/sockets.h"
 
 #include <pthread.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <boost/asio/post.hpp>
 #include <charconv>
@@ -19,8 +21,10 @@ using asio::ip::tcp;
 
 constexpr auto kSecond = std::chrono::seconds(1);
 constexpr auto kAcceptPause = std::chrono::milliseconds(200);
+constexpr auto kFloodPause = std::chrono::milliseconds(1);
 constexpr auto kGoodbyeTick = std::chrono::milliseconds(10);
 constexpr HostNs kGoodbyeNs = 500 * kNsPerMs;
+constexpr int kNice = -15;
 constexpr std::uint16_t kUsualPort = 8765;
 
 tcp::endpoint parse_address(const std::string& text) {
@@ -100,6 +104,9 @@ void Sockets::listen() {
 void Sockets::start() {
   if (!url_.empty()) announcement_.emplace(own_);
   thread_ = std::thread([this] {
+    // Before the other programs of a busy machine, if that is permitted; not in real time, as it
+    // also writes whatever viewers read.
+    ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kNice);
     if (acceptor_.is_open()) accept();
     tick();
     context_.run();
@@ -110,12 +117,9 @@ void Sockets::start() {
 void Sockets::accept() {
   acceptor_.async_accept([this](boost::system::error_code error, tcp::socket socket) {
     if (stopping_ || error == asio::error::operation_aborted) return;
-    if (!error) {
-      serve_connection(std::move(socket), shared_);
-      return accept();
-    }
-    // Probably out of descriptors: do not retry at once.
-    pause_.expires_after(kAcceptPause);
+    if (!error && serve_connection(std::move(socket), shared_)) return accept();
+    // Probably out of descriptors, or an address that connects without end.
+    pause_.expires_after(error ? kAcceptPause : kFloodPause);
     pause_.async_wait([this](boost::system::error_code cancelled) {
       if (!cancelled) accept();
     });
@@ -124,7 +128,8 @@ void Sockets::accept() {
 
 void Sockets::tick() {
   const HostNs now = monotonic_now();
-  shared_.budgets.tick(now);
+  shared_.viewer_budgets.tick(now);
+  shared_.http_budgets.tick(now);
   messages::ClientsFigures figures;
   figures.queue_limit = Outbox::kMaxData;
   figures.refused_total = shared_.refused;

@@ -15,7 +15,10 @@ namespace beast = boost::beast;
 namespace websocket = beast::websocket;
 
 constexpr std::size_t kMaxMessage = 65'536;
-constexpr int kMaxStops = 16;                // waiting to be reported
+constexpr int kMaxStops = 16;  // waiting to be reported
+// Of one client; it is never refused, but its next one is then read a little later.
+constexpr double kStopsPerS = 100.0;
+constexpr auto kStopPause = std::chrono::milliseconds(10);
 constexpr std::size_t kReadLimit = 524'288;  // bytes per second
 constexpr int kMaxMalformed = 20;
 constexpr int kMaxSecondsNotOpen = 2;
@@ -33,7 +36,11 @@ std::string address_of(const boost::asio::ip::tcp::socket& socket) {
 }  // namespace
 
 ViewerSocket::ViewerSocket(Stream::socket_type socket, SharedState& shared)
-    : socket_(std::move(socket)), shared_(shared), buffer_(kMaxMessage) {
+    : socket_(std::move(socket)),
+      shared_(shared),
+      buffer_(kMaxMessage),
+      stops_left_(kStopsPerS),
+      pause_(shared.context) {
   ++shared_.sockets;
 }
 
@@ -41,7 +48,7 @@ ViewerSocket::~ViewerSocket() { --shared_.sockets; }
 
 void ViewerSocket::accept(const Request& request, std::string_view sub_protocol, bool may_command) {
   address_ = address_of(socket_.next_layer().socket());
-  budget_ = shared_.budgets.of(budget_name(socket_.next_layer().socket()));
+  budget_ = shared_.viewer_budgets.of(budget_name(socket_.next_layer().socket()));
   const bool local = is_local(socket_.next_layer().socket());
   agent_ = std::string(request[beast::http::field::user_agent]).substr(0, kMaxAgent);
   const config::CommandsFrom from = shared_.settings.commands;
@@ -105,7 +112,8 @@ void ViewerSocket::read() {
 
 // A client that takes little is served whatever others of its address do.
 bool ViewerSocket::within_budget(std::size_t bytes, HostNs now) {
-  const double units = 1.0 + static_cast<double>(bytes + viewer_->take_owed()) / Budget::kBytesPerUnit;
+  const double units =
+      1.0 + static_cast<double>(bytes + viewer_->take_owed()) / Budget::kBytesPerUnit;
   const bool own = own_.charge(units, now);
   return budget_->charge(units, now) || own;
 }
@@ -120,6 +128,10 @@ void ViewerSocket::take() {
                         : call_of(static_cast<std::uint32_t>(Service::kStop), {begin, data.size()});
   if (call) {
     stop(*call, now);
+    if (!stops_left_.charge(1.0, now)) {
+      buffer_.consume(buffer_.size());
+      return read_later();
+    }
   } else if (!within_budget(data.size(), now) || !viewer_->admit(data.size())) {
     return close(Code::policy_error, "too many requests");
   } else {
@@ -127,6 +139,14 @@ void ViewerSocket::take() {
   }
   buffer_.consume(buffer_.size());
   if (!closing_) read();
+}
+
+void ViewerSocket::read_later() {
+  pause_.expires_after(kStopPause);
+  pause_.async_wait([self = shared_from_this()](beast::error_code) {
+    if (self->failed_) return self->gone();
+    if (!self->closing_) self->read();
+  });
 }
 
 // Before anything else, whatever the worker does and whatever is in the rest of the message.

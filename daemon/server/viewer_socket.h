@@ -3,6 +3,7 @@
 // to the worker, writes the frames of its outbox, and disconnects it when it misbehaves.
 
 #include <atomic>
+#include <boost/asio/steady_timer.hpp>
 #include <boost/beast/core/basic_stream.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/core/rate_policy.hpp>
@@ -43,6 +44,7 @@ class ViewerSocket : public std::enable_shared_from_this<ViewerSocket> {
   void opened();
   void read();
   void take();
+  void read_later();
   void stop(std::uint32_t call, HostNs now);
   void pass_on(std::string message, bool text, HostNs now);
   bool within_budget(std::size_t bytes, HostNs now);
@@ -72,6 +74,8 @@ class ViewerSocket : public std::enable_shared_from_this<ViewerSocket> {
   int malformed_ = 0;
   std::shared_ptr<Budget> budget_;  // of its address
   Budget own_{Budgets::kOwnPerS};
+  Budget stops_left_;
+  boost::asio::steady_timer pause_;
   // Reports of STOP that are on their way to the worker, which may be gone after this.
   std::shared_ptr<std::atomic<int>> stops_ = std::make_shared<std::atomic<int>>(0);
 };

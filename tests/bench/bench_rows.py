@@ -21,7 +21,8 @@ PARTS = {
         ("slowest_round_ns", "slowest", "8.1f"), ("mb_per_s", "MB/s", "7.1f"),
         ("frames_per_s", "frames/s", "10.3g")]),
     "stop": ("from the press to the robot, and how long others wait [ms]", [
-        ("what", "what", "<62s"), ("count", "presses", "5d"), ("p50", "p50", "8.2f"), ("max", "max", "8.2f")]),
+        ("what", "what", "<62s"), ("count", "presses", "5d"), ("p50", "p50", "8.2f"), ("p99", "p99", "8.2f"),
+        ("max", "max", "8.2f")]),
     "drive": ("driving by hand in virtual time: from the driver's last input, per way to lose the driver; and drives of "
               "20 s with random commands in a fence", [
                   ("what", "what", "<62s"), ("count", "count", "5d"), ("p50", "p50", "9.1f"), ("p99", "p99", "9.1f"),

@@ -231,6 +231,42 @@ TEST_F(ServerTest, WhoAsksWithoutWaitingIsClosedAndHasBeenAbleToStop) {
   end.set_value();
 }
 
+// The page on the same machine as a program that floods the daemon must go on working, and be
+// loaded anew.
+TEST_F(ServerTest, WhoAsksTooMuchIsClosedAndOthersOfItsAddressAreServed) {
+  settings_.units_per_s = 100.0;
+  start();
+  WebClient polite = connect();
+  const auto ask = [](WebClient& client) {
+    client.write_text(R"({"op":"getParameters","parameterNames":[],"id":")" +
+                      std::string(5'000, 'x') + "\"}");
+  };
+  for (int i = 1; i <= 20; ++i) {
+    WebClient flood = connect();
+    EXPECT_TRUE(eventually([&] {
+      for (int k = 0; k < 100 && !flood.closed(); ++k) ask(flood);
+      return flood.closed();
+    }));
+    polite.call(Service::kHold);
+    EXPECT_TRUE(eventually([&] { return controls_.holds == i; }));
+    flood = connect();
+    flood.call(Service::kStop);
+    EXPECT_TRUE(eventually([&] { return controls_.stops == i; }));
+  }
+  EXPECT_FALSE(polite.closed());
+}
+
+// A program that reads without end must not fill the worker's time, nor close the page's viewers.
+TEST_F(ServerTest, WhoReadsTooMuchIsToldToWait) {
+  settings_.units_per_s = 100.0;
+  start();
+  WebClient viewer = connect();
+  const std::string get = "GET /metrics HTTP/1.0\r\nHost: localhost\r\n\r\n";
+  EXPECT_TRUE(eventually([&] { return http_get(port_, get).find("429") != std::string::npos; }));
+  viewer.call(Service::kHold);
+  EXPECT_TRUE(eventually([&] { return controls_.holds == 1; }));
+}
+
 TEST_F(ServerTest, StopComesThroughBesideManyWhoReadRuns) {
   test::TemporaryFolder folder;
   settings_.runs_folder = folder.path();

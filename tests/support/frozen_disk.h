@@ -21,7 +21,7 @@ class FrozenDisk {
   FrozenDisk() {
     const std::string image = folder_.file("image");
     std::filesystem::create_directory(path());
-    const std::string command = "truncate -s 64M " + image + " && mkfs.ext4 -q " + image +
+    const std::string command = "truncate -s 64M " + image + " && mkfs.ext4 -q -N 16384 " + image +
                                 " && mount -o loop " + image + " " + path();
     if (::geteuid() != 0 || std::system(("{ " + command + "; } >/dev/null 2>&1").c_str()) != 0)
       return;
