@@ -1,7 +1,15 @@
 // One WebSocket that reconnects by itself: opens, detects silence, closes, waits, opens again.
+import { kSubprotocols } from './codec.ts';
 
 /** The part of a WebSocket that Connection uses; a test passes its own. */
 export type Socket = Pick<WebSocket, 'send' | 'close' | 'onopen' | 'onclose' | 'onmessage'>;
+
+/** A new connection to the daemon whose page has this address. */
+export function openSocket(url: string): Socket {
+  const socket = new WebSocket(url.replace(/^http/, 'ws'), kSubprotocols);
+  socket.binaryType = 'arraybuffer';
+  return socket;
+}
 
 export interface ConnectionEvents {
   opened(): void;
@@ -106,9 +114,9 @@ export class Connection {
     this.isOpen = false;
     const wait_ms = this.retry_ms;
     this.retry_ms = Math.min(2 * wait_ms, kLongestRetry_ms);
-    this.events.closed(wait_ms);
     this.retryTimer = setTimeout(() => {
       this.open();
     }, wait_ms);
+    this.events.closed(wait_ms);
   }
 }

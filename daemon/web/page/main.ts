@@ -17,7 +17,7 @@ import { CourseEditor } from '../draw/editor.ts';
 import { Driver, kPeriod_ms } from '../drive/driver.ts';
 import { Inputs } from '../drive/inputs.ts';
 import { Client, type ServerInfo } from '../foxglove/client.ts';
-import { kSubprotocols } from '../foxglove/codec.ts';
+import { openSocket, type Socket } from '../foxglove/connection.ts';
 import { StopSender } from '../foxglove/stop_sender.ts';
 import { AlertChoice } from '../panel/alert_choice.ts';
 import { CameraImagePanel } from '../panel/camera_image.ts';
@@ -88,12 +88,9 @@ let replayed = '';
 let metadata: ServerInfo['metadata'] = {};
 let retryAt_ms = 0;
 
+const connect = (): Socket => openSocket(`${location.origin}/`);
 const client = new Client(
-  () => {
-    const socket = new WebSocket(location.origin.replace(/^http/, 'ws') + '/', kSubprotocols);
-    socket.binaryType = 'arraybuffer';
-    return socket;
-  },
+  connect,
   {
     serverInfo: (info) => {
       metadata = info.metadata;
@@ -113,7 +110,7 @@ const client = new Client(
   },
 );
 
-const stop = new StopSender(client);
+const stop = new StopSender(client, connect);
 
 function pressStop(): void {
   controls.forget();

@@ -1,7 +1,6 @@
 // One robot of the list: the connection to its daemon, the daemon's last messages, and STOP.
-import { Client } from '../foxglove/client.ts';
-import { kSubprotocols } from '../foxglove/codec.ts';
-import type { Socket } from '../foxglove/connection.ts';
+import { Client, type ServerInfo } from '../foxglove/client.ts';
+import { openSocket, type Socket } from '../foxglove/connection.ts';
 import { StopSender } from '../foxglove/stop_sender.ts';
 import type { Link, State } from '../state/messages.ts';
 import { kStale_ms } from '../state/store.ts';
@@ -41,13 +40,14 @@ export class Robot {
   constructor(
     readonly listed: Listed,
     private readonly now: () => number = () => performance.now(),
-    make: () => Socket = () => open(listed.url),
+    make: () => Socket = () => openSocket(listed.url),
   ) {
     this.began_ms = now();
+    const same = ({ sessionId }: ServerInfo): boolean => listed.session === undefined || listed.session === sessionId;
     this.client = new Client(make, {
-      serverInfo: ({ sessionId, metadata }) => {
-        this.other = listed.session !== undefined && listed.session !== sessionId;
-        if (!this.other) this.name = metadata.name ?? '';
+      serverInfo: (info) => {
+        this.other = !same(info);
+        if (!this.other) this.name = info.metadata.name ?? '';
       },
       ready: () => {
         // Another daemon may answer, for instance if a tunnel now leads to another machine.
@@ -68,7 +68,7 @@ export class Robot {
       get ready() { return mine() && client.ready; },
       call: (name) => client.call(name),
       retryNow: () => { client.retryNow(); },
-    });
+    }, make, same);
     client.subscribe('/state', (message) => {
       if (!this.connected) return;
       this.state = message as State;
@@ -89,11 +89,6 @@ export class Robot {
 
   end(): void {
     this.client.end();
+    this.stop.end();
   }
-}
-
-function open(url: string): Socket {
-  const socket = new WebSocket(url.replace(/^http/, 'ws'), kSubprotocols);
-  socket.binaryType = 'arraybuffer';
-  return socket;
 }

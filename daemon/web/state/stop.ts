@@ -30,6 +30,11 @@ export class StopButton {
     return this.press_ !== undefined && !this.press_.sent;
   }
 
+  /** A press that the daemon has not answered. */
+  get unanswered(): boolean {
+    return this.press_ !== undefined && !this.press_.received;
+  }
+
   press(now_ms: number): void {
     this.press_ = { at_ms: now_ms, sent: false, received: false };
   }
