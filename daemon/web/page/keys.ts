@@ -1,4 +1,5 @@
 // The keyboard: STOP before everything else.
+import type { KeyChange } from '../drive/inputs.ts';
 
 export interface Keys {
   stop(): void;
@@ -8,8 +9,10 @@ export interface Keys {
   pause(): void;
   /** Takes the wheel. */
   drive(): void;
-  /** A possible driving key is pressed or released. True: this page drives, and the key has no other meaning. */
-  driveKey(code: string, down: boolean): boolean;
+  /** A key is pressed, repeated or released. True: this page drives by it, and the key has no other meaning. */
+  driveKey(code: string, change: KeyChange): boolean;
+  /** The keys that are held may be released without a word. */
+  letGo(): void;
   camera(index: number): void;
   nextCamera(): void;
   /** Shows the list of keys. */
@@ -23,6 +26,9 @@ function typing(target: EventTarget | null): boolean {
   return target instanceof HTMLElement && target.matches('input:not([type=range]), select, textarea');
 }
 
+/** Browsers on macOS do not tell that a key is released while Cmd is held. */
+const hidesReleases = (event: KeyboardEvent): boolean => event.metaKey || event.key === 'Meta';
+
 export function listen(keys: Keys): void {
   // Before any element that might handle the key itself.
   window.addEventListener(
@@ -33,8 +39,9 @@ export function listen(keys: Keys): void {
         if (!event.repeat) keys.stop();
         return;
       }
+      if (hidesReleases(event)) keys.letGo();
       if (event.ctrlKey || event.metaKey || event.altKey || typing(event.target)) return;
-      if (keys.driveKey(event.code, true)) {
+      if (keys.driveKey(event.code, event.repeat ? 'repeated' : 'pressed')) {
         event.preventDefault();
         event.stopPropagation();
         return;
@@ -56,7 +63,8 @@ export function listen(keys: Keys): void {
     'keyup',
     (event) => {
       if (event.code === 'Space' && !typing(event.target)) event.preventDefault();
-      keys.driveKey(event.code, false);
+      if (hidesReleases(event)) keys.letGo();
+      keys.driveKey(event.code, 'released');
     },
     { capture: true },
   );

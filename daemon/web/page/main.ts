@@ -15,7 +15,7 @@ import './identify.css';
 import './layout.css';
 import { CourseEditor } from '../draw/editor.ts';
 import { Driver, kPeriod_ms } from '../drive/driver.ts';
-import { Inputs } from '../drive/inputs.ts';
+import { Inputs, type KeyChange } from '../drive/inputs.ts';
 import { Client, type ServerInfo } from '../foxglove/client.ts';
 import { openSocket, type Socket } from '../foxglove/connection.ts';
 import { StopSender } from '../foxglove/stop_sender.ts';
@@ -320,17 +320,18 @@ listen({
   hold: () => { controls.pressHold(); },
   pause: () => { controls.pressPause(); },
   drive: () => { drive.press(); },
-  driveKey: (code, down) => driveKey(code, down),
+  driveKey,
+  letGo: () => { driver.leave(); },
   camera: (index) => { viewport.set(kModes[index] ?? 'free'); },
   nextCamera: () => { viewport.next(); },
   keys: () => { drawer.select('keys'); },
   step: (direction) => { transport.step(direction); },
 });
 
-function driveKey(code: string, down: boolean): boolean {
+function driveKey(code: string, change: KeyChange): boolean {
   // The release of a key counts even if this page no longer drives.
-  if (!driver.drives && down) return false;
-  const drives = inputs.key(code, down) && driver.drives;
+  if (!driver.drives && change !== 'released') return false;
+  const drives = inputs.key(code, change) && driver.drives;
   if (drives) driver.tick();
   return drives;
 }

@@ -124,11 +124,13 @@ export class DrivePanel {
     setClass(this.element, 'frozen', this.inputs.frozen);
     const source = this.inputs.frozen
       ? 'gamepad: its values do not change; move the stick'
-      : !armed
-        ? 'arming\u2026'
-        : estimate?.at_fence === true
-          ? 'at the fence'
-          : kSources[wish?.source ?? 'none'];
+      : this.inputs.silent
+        ? 'keys: the keyboard does not repeat them; press again'
+        : !armed
+          ? 'arming\u2026'
+          : estimate?.at_fence === true
+            ? 'at the fence'
+            : kSources[wish?.source ?? 'none'];
     setText(this.source, source);
     const { speed_mps, yaw_rate_radps } = this.driver.limits;
     const speed = `${fixed(pose?.vx_mps, 3)} m/s, commanded ${fixed(estimate?.desired_speed_mps, 3)}`;
