@@ -1,6 +1,6 @@
 // A stand-in for tp100d to work on the page without a build: the protocol and channels of
 // daemon/messages/CHANNELS.md, a synthetic drive of course 3. `node dev/mock_server.mjs [PORT]`.
-// SIGUSR1: the robot goes away or comes back.
+// SIGUSR1: the robot goes away or comes back. WATCH=1: it stops when nobody watches. DELAY_MS=1200: answers come late.
 import { createServer } from 'node:http';
 import { readFile } from 'node:fs/promises';
 import { extname, join } from 'node:path';
@@ -49,7 +49,8 @@ const began = performance.now();
 const unix0 = BigInt(Date.now()) * 1000000n;
 const t = () => (performance.now() - began) / 1000;
 let run = 'idle', runBegan = 0, runEnded = 0, s = 0, robot = true, recording = null, faults = [], step = 0, lastSample = 0;
-let driver = '';
+let driver = '', pauseEnds = null, watched = 0;
+const kPause_s = 120;
 let stop = { count: 0, latched: false, by: '', requested_t_s: null, status: 'none', acknowledged_ms: null };
 const lateness = new Array(14).fill(0);
 const parameters = [
@@ -79,6 +80,7 @@ function to(next) {
   event('run', next === 'aborted' ? 'error' : 'info', `state: ${run} -> ${next}`);
   run = next;
   if (run !== 'driving') driver = '';
+  if (run !== 'running') pauseEnds = null;
   state();
 }
 const underWay = () => run === 'running' || run === 'driving';
@@ -88,7 +90,8 @@ function state() {
     t_s: t(), run, session: robot ? 'ready' : 'listening', robot_state: robot ? (run === 'running' ? 'running' : 'disarmed') : null, motors_on: robot && run === 'running',
     run_s: run === 'idle' ? null : (run === 'running' ? t() : runEnded) - runBegan, progress_m: s, length_m: length, course: '3',
     robot: 'end-loaded', setup: 'flat', steering: 'odometry', world: 'internal', battery_v: 7.92,
-    can: { start: robot && !underWay(), drive: robot && !underWay(), pause: false, resume: false, hold: underWay(), stop: true, record: recording === null }, why_not_start: why, why_not_drive: driver === '' ? why : `${driver} drives`, confirm_start: true,
+    ...(pauseEnds === null ? {} : { pause_left_s: pauseEnds - t() }), watch: Boolean(process.env.WATCH),
+    can: { start: robot && !underWay(), drive: robot && !underWay(), pause: run === 'arming' || run === 'running', resume: pauseEnds !== null, hold: underWay(), stop: true, record: recording === null }, why_not_start: why, why_not_drive: driver === '' ? why : `${driver} drives`, confirm_start: true,
     ...(driver === '' ? {} : { driver: { by: driver, fresh: true } }),
     faults: faults.map((name) => ({ name, cause: name === 'link_lost' ? 'the link broke, or no sample arrived for 200 ms' : 'STOP was pressed', fix: 'check the cable; the daemon reconnects by itself, then start again', from: 'robot' })),
     stop,
@@ -118,8 +121,15 @@ function pressStop(by) {
   });
 }
 
+/** Refuses a motion to which the person consented before a STOP or too long ago. */
+function consented({ stops, t_s }) {
+  if (stops !== stop.count) throw new Error('STOP was pressed since; look, then ask again');
+  if (!(t() - t_s <= 3)) throw new Error(`this request is ${(t() - t_s).toFixed(1)} s old; at most 3 s`);
+}
+
 const services = {
-  start: () => {
+  start: (by, request) => {
+    consented(request);
     if (!robot || underWay()) throw new Error('no robot yet');
     s = 0; faults = []; stop = { ...stop, latched: false, status: 'none' };
     runBegan = runEnded = t();
@@ -131,8 +141,17 @@ const services = {
   stop: (by) => pressStop(by),
   record_start: () => { recording = { began: t(), run: '20260102-030405-3' }; record(); state(); return { run: recording.run }; },
   record_stop: () => { const { run: name } = recording; recording = null; record(); state(); return { run: name, bytes: 123456 }; },
+  pause: () => { if (run !== 'running') throw new Error('no run is under way'); pauseEnds ??= t() + kPause_s; state(); return { accepted: true }; },
+  resume: (by, request) => {
+    consented(request);
+    if (pauseEnds === null) throw new Error('no run is paused');
+    pauseEnds = null; state();
+    return { accepted: true };
+  },
+  watch: () => { watched = t(); return {}; },
   // The mock robot is armed, but does not move.
-  drive_take: (by) => {
+  drive_take: (by, request) => {
+    consented(request);
     if (driver !== '' && driver !== by) throw new Error(`${driver} drives`);
     driver = by; stop = { ...stop, latched: false, status: 'none' }; runBegan = t(); to('driving');
     return { token: 'mock' };
@@ -185,8 +204,10 @@ function recordedRun() {
 let tracks = [0, 0];
 function tick() {
   const now = t();
+  if (pauseEnds !== null && now > pauseEnds) { runEnded = t(); to('idle'); }
+  if (process.env.WATCH && underWay() && now - Math.max(watched, runBegan) > 2) void pressStop('nobody watches');
   for (; step / kRate < now; step++) {
-    const moving = run === 'running' && robot;
+    const moving = run === 'running' && robot && pauseEnds === null;
     if (robot) lastSample = now;
     if (moving) s = Math.min(s + 0.1 / kRate, length);
     if (run === 'running' && s >= length) { runEnded = t(); to('finished'); }
@@ -265,7 +286,9 @@ new WebSocketServer({ server: http, handleProtocols: (offers) => [...offers].fin
     }
     const service = data.readUInt32LE(1), call = data.readUInt32LE(5);
     try {
-      const result = await Object.values(services)[service - 1](`viewer ${client.id}`);
+      const request = JSON.parse(data.subarray(13 + data.readUInt32LE(9)).toString() || '{}');
+      await new Promise((resolve) => setTimeout(resolve, Number(process.env.DELAY_MS ?? 0)));
+      const result = await Object.values(services)[service - 1](`viewer ${client.id}`, request);
       const head = Buffer.alloc(13 + 4);
       head.writeUInt8(3, 0); head.writeUInt32LE(service, 1); head.writeUInt32LE(call, 5); head.writeUInt32LE(4, 9); head.write('json', 13);
       socket.send(Buffer.concat([head, Buffer.from(JSON.stringify(result))]));

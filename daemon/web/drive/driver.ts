@@ -24,11 +24,12 @@ export class Driver {
   private unanswered = 0;
 
   /**
-   * `attended`: whether a person is at this page, which is visible and has the focus. `ended`: called when the wheel is
+   * `move` sends a request that makes the robot move, with the person's consent. `attended`: whether a person is at this page, which is visible and has the focus. `ended`: called when the wheel is
    * lost, with the reason, or released here, with an empty text.
    */
   constructor(
     private readonly call: Call,
+    private readonly move: Call,
     private readonly inputs: Inputs,
     private readonly attended: () => boolean,
     private readonly ended: (why: string) => void,
@@ -43,11 +44,13 @@ export class Driver {
     this.taking = true;
     this.inputs.clear();
     try {
-      const answer = (await this.call('drive_take', {})) as { token?: unknown } | undefined;
+      const answer = (await this.move('drive_take', {})) as { token?: unknown } | undefined;
       if (typeof answer?.token !== 'string') throw new Error('the daemon gave no token');
       this.token = answer.token;
       this.wasDriven = false;
       this.unanswered = 0;
+      // The daemon dates the inputs by the time from the token to the first one.
+      this.leave();
     } catch (error: unknown) {
       this.ended(reason(error));
     } finally {
@@ -71,7 +74,7 @@ export class Driver {
     this.ended(why);
   }
 
-  /** Call when the page loses the focus or is closed: sends a standstill while it still can. */
+  /** Call when the page loses the focus or is closed, or a key may have been lost: sends a standstill while it still can. */
   leave(): void {
     this.inputs.clear();
     if (this.drives) this.send(this.inputs.wish());

@@ -5,7 +5,7 @@ export interface Keys {
   stop(): void;
   start(): void;
   hold(): void;
-  /** Pauses or resumes a run. */
+  /** Pauses a run. */
   pause(): void;
   /** Takes the wheel. */
   drive(): void;

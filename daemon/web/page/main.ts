@@ -21,7 +21,7 @@ import { openSocket, type Socket } from '../foxglove/connection.ts';
 import { StopSender } from '../foxglove/stop_sender.ts';
 import { AlertChoice } from '../panel/alert_choice.ts';
 import { CameraImagePanel } from '../panel/camera_image.ts';
-import { Controls, type Command } from '../panel/controls.ts';
+import { Controls } from '../panel/controls.ts';
 import { CourseList } from '../panel/course_list.ts';
 import { DoctorPanel } from '../panel/doctor_panel.ts';
 import { h } from '../panel/dom.ts';
@@ -48,14 +48,14 @@ import { Transport } from '../panel/transport.ts';
 import { kModes, Viewport } from '../panel/viewport.ts';
 import { Player } from '../replay/player.ts';
 import { loadRecording } from '../replay/recording.ts';
-import { past } from '../state/service.ts';
+import { Consent } from '../state/consent.ts';
 import type { Estimate, Slip, State, Topic } from '../state/messages.ts';
+import { past, reason, type Call } from '../state/service.ts';
 import type { SetupCall } from '../state/setup.ts';
 import { kHistory_s, Store } from '../state/store.ts';
 import { listen } from './keys.ts';
 import { everyFrame } from './schedule.ts';
 import { themeSwitch } from './theme.ts';
-import { reason } from '../state/service.ts';
 
 const kTopics: Topic[] = [
   '/state',
@@ -77,6 +77,8 @@ const kView_ms = 1000 / 30 - 8;
 const kPlots_ms = 100;
 const kChips_ms = 200;
 const kWindow_s = 60;
+/** With `/state.watch` the daemon stops a robot that no page in sight has watched for 2 s. */
+const kWatch_ms = 500;
 
 const live = new Store();
 /** Data source of the view, figures and diagrams: the robot or a recording. The bar is always live. */
@@ -101,6 +103,7 @@ const client = new Client(
     closed: (retry_ms) => {
       retryAt_ms = performance.now() + retry_ms;
       stop.button.disconnected();
+      consent.forget('The connection was lost');
       driver.lose('the connection to the daemon is lost');
     },
     status: (level, message) => {
@@ -110,11 +113,12 @@ const client = new Client(
   },
 );
 
+const call: Call = (service, request) => client.call(service, request);
+const consent = new Consent(call);
 const stop = new StopSender(client, connect);
 
 function pressStop(): void {
-  controls.forget();
-  drive.forget();
+  consent.forget('STOP was pressed');
   identify.forget();
   stop.press(performance.now());
   stopPanel.show(stop.button.view(performance.now()));
@@ -159,12 +163,6 @@ function look(store: Store): void {
   histogram.reset();
 }
 
-function command(name: Command | 'start', request: unknown = {}): void {
-  client.call(name, request).catch((error: unknown) => {
-    notice.say(reason(error), performance.now());
-  });
-}
-
 /** The Unix time of t_s = 0, of the daemon or of the recording. */
 function began_unix_s(): number | undefined {
   return player === undefined ? Number(metadata.start_unix_ns ?? NaN) / 1e9 || undefined : player.began_unix_s;
@@ -197,22 +195,21 @@ function drawCourse(on: boolean): void {
 
 const stopPanel = new StopPanel(pressStop);
 stopPanel.element.id = 'stop';
-const controls = new Controls(command, (from) => {
-  command('start', { from });
-});
+const controls = new Controls(call, consent, (why) => { notice.say(why, performance.now()); });
 const inputs = new Inputs(
   () => navigator.getGamepads(),
   () => performance.now(),
 );
 const driver = new Driver(
-  (service, request) => client.call(service, request),
+  call,
+  consent.move,
   inputs,
   () => document.visibilityState === 'visible' && document.hasFocus(),
   (why) => {
     if (why !== '') notice.say(`Driving by hand: ${why}`, performance.now());
   },
 );
-const drive = new DrivePanel(driver, inputs);
+const drive = new DrivePanel(driver, inputs, consent);
 const status = new StatusBar();
 const notice = new Notice();
 const viewport = new Viewport();
@@ -235,12 +232,12 @@ const parameters = new ParameterPanel(
   (name, value) => {
     client.setParameter(name, value);
   },
-  (service, request) => client.call(service, request),
+  call,
 );
 const signals = new SignalPanel(past);
 const links = new LinkTable();
-const doctor = new DoctorPanel((service, request) => client.call(service, request));
-const identify = new IdentifyPanel((service, request) => client.call(service, request));
+const doctor = new DoctorPanel(call, consent);
+const identify = new IdentifyPanel(call);
 const ask = (call: SetupCall): Promise<unknown> => client.call(call.name, call.request);
 const editor = new CourseEditor(viewport, ask, () => live.get('/course')?.robot, drawCourse);
 const courses = new CourseList(ask, drawPlace, editor);
@@ -287,6 +284,7 @@ for (const topic of kTopics) {
     alertChoice.alerts.received(topic, message, live);
     if (topic === '/state') {
       stop.button.received((message as State).stop);
+      consent.received(message as State);
       driver.received(message as State);
     }
     else if (topic === '/recording') runs.changed();
@@ -343,6 +341,14 @@ document.addEventListener('visibilitychange', () => {
 });
 window.addEventListener('gamepaddisconnected', () => { driver.tick(); });
 
+let watching = false;
+setInterval(() => {
+  // One call at a time: those that a slow connection keeps would tell later that somebody watched.
+  if (watching || live.get('/state')?.watch !== true || document.visibilityState !== 'visible') return;
+  watching = true;
+  call('watch', {}).catch(() => undefined).finally(() => { watching = false; });
+}, kWatch_ms);
+
 let last_ms = performance.now();
 everyFrame([
   { period_ms: 0, run: () => { stopPanel.show(stop.button.view(performance.now())); } },
@@ -375,4 +381,5 @@ function chips(now_ms: number): void {
   drawer.show();
   demand();
   identity.show(live, metadata);
+  consent.shown();
 }

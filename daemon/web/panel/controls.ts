@@ -1,14 +1,12 @@
-// Start, hold and record. Actions that move the robot are confirmed if the daemon requires it;
-// actions that stop it never are.
+// Start, pause, hold and record. Start is confirmed if the daemon requires it, and always when it continues a paused run;
+// what stops the robot never is, and never shares a control with what moves it.
+import { Confirmation, type Consent } from '../state/consent.ts';
 import { bytes, clock } from '../state/format.ts';
 import { kNoRights, type State } from '../state/messages.ts';
 import type { Store } from '../state/store.ts';
-import { StartQuestion, type Place } from './start_question.ts';
+import { reason, type Call } from '../state/service.ts';
+import { StartQuestion } from './start_question.ts';
 import { h, icon, setAttribute, setClass, setText } from './dom.ts';
-
-export type Command = 'hold' | 'pause' | 'resume' | 'record_start' | 'record_stop';
-
-const kConfirm_ms = 3000;
 
 export class Controls {
   readonly element = h('div', { class: 'controls', role: 'group', 'aria-label': 'Run' });
@@ -17,18 +15,24 @@ export class Controls {
   private readonly hold = button('hold', 'square', 'Hold', 'h');
   private readonly record = button('record', 'record', 'Record', '');
   private readonly question: StartQuestion;
-  private confirmUntil_ms = 0;
+  private readonly starts: Confirmation;
+  private readonly continues: Confirmation;
   private state: State | undefined;
   private needsConfirmation = true;
   private recording = false;
 
   constructor(
-    private readonly send: (command: Command) => void,
-    private readonly sendStart: (from: Place) => void,
-    private readonly now: () => number = () => performance.now(),
+    private readonly call: Call,
+    private readonly consent: Consent,
+    private readonly failed: (why: string) => void,
+    now: () => number = () => performance.now(),
   ) {
-    this.question = new StartQuestion(this.sendStart);
-    this.element.append(this.start.button, this.pause.button, this.hold.button, this.record.button, this.question.element);
+    this.question = new StartQuestion(consent, (from) => {
+      this.send(consent.move('start', { from }));
+    });
+    this.starts = new Confirmation(consent, now);
+    this.continues = new Confirmation(consent, now);
+    this.element.append(this.start.button, this.hold.button, this.record.button, this.pause.button, this.question.element);
     this.start.button.addEventListener('click', () => {
       this.pressStart();
     });
@@ -39,62 +43,56 @@ export class Controls {
       this.pressHold();
     });
     this.record.button.addEventListener('click', () => {
-      this.send(this.recording ? 'record_stop' : 'record_start');
+      this.send(this.call(this.recording ? 'record_stop' : 'record_start', {}));
     });
   }
 
+  /** Starts, or continues a paused run. */
   pressStart(): void {
     if (this.start.button.disabled || this.question.open) return;
+    if (this.state?.can.resume === true) {
+      if (this.continues.press()) this.send(this.consent.move('resume', {}));
+      return;
+    }
     if (this.state?.go_on_from !== undefined) {
       this.question.ask(this.state);
       return;
     }
-    const now_ms = this.now();
-    if (this.needsConfirmation && now_ms > this.confirmUntil_ms) {
-      this.confirmUntil_ms = now_ms + kConfirm_ms;
-      return;
-    }
-    this.confirmUntil_ms = 0;
-    this.sendStart('start');
+    if (!this.needsConfirmation || this.starts.press()) this.send(this.consent.move('start', { from: 'start' }));
   }
 
-  /** Pauses a run that drives, resumes one that pauses. */
+  /** Pauses; a run that is paused stays so. */
   pressPause(): void {
-    if (!this.pause.button.disabled) this.send(this.state?.pause_left_s === undefined ? 'pause' : 'resume');
+    if (!this.pause.button.disabled) this.send(this.call('pause', {}));
   }
 
   pressHold(): void {
-    if (!this.hold.button.disabled) this.send('hold');
-  }
-
-  /** STOP was pressed: cancels an unconfirmed start. */
-  forget(): void {
-    this.question.close();
-    this.confirmUntil_ms = 0;
+    if (!this.hold.button.disabled) this.send(this.call('hold', {}));
   }
 
   show(store: Store, connected: boolean, mayCommand: boolean): void {
     const state = store.get('/state');
     const fresh = connected && mayCommand && state !== undefined && !store.stale('/state');
     this.needsConfirmation = state?.confirm_start !== false;
-    const confirm = this.now() < this.confirmUntil_ms;
     const mayStart = fresh && state.can.start;
-    this.start.button.disabled = !mayStart;
     this.state = state;
     this.question.show(state, mayStart);
+    const paused = state?.can.resume === true;
+    if (paused) this.starts.close();
+    else this.continues.close();
+    const confirm = (paused ? this.continues : this.starts).show();
+    this.start.button.disabled = !(mayStart || (fresh && paused));
     setClass(this.start.button, 'confirm', confirm);
-    setText(this.start.label, confirm ? 'Press again' : 'Start');
+    setText(this.start.label, confirm ? 'Press again' : paused ? 'Continue' : 'Start');
+    const end = `the run ends in ${(state?.pause_left_s ?? 0).toFixed(0)} s`;
     const why = !mayCommand ? kNoRights : (state?.why_not_start ?? '');
-    setAttribute(this.start.button, 'title', why === '' ? 'Start the course (r)' : why);
-    const left_s = state?.pause_left_s;
-    // Pause replaces Start, which is not needed during a run.
-    const runs = state?.can.pause === true || state?.can.resume === true;
-    this.start.button.hidden = runs;
+    setAttribute(this.start.button, 'title', paused ? `Continue the run (r); ${end}` : why === '' ? 'Start the course (r)' : why);
+    const runs = state?.can.pause === true;
     this.pause.button.hidden = !runs;
     this.pause.button.disabled = !(fresh && runs);
-    setClass(this.pause.button, 'confirm', left_s !== undefined);
-    setText(this.pause.label, left_s === undefined ? 'Pause' : 'Resume');
-    setAttribute(this.pause.button, 'title', left_s === undefined ? 'Stand still on the path, armed (p)' : `Go on (p); the run ends in ${left_s.toFixed(0)} s`);
+    setClass(this.pause.button, 'paused', paused);
+    setText(this.pause.label, paused ? 'Paused' : 'Pause');
+    setAttribute(this.pause.button, 'title', paused ? `Paused; ${end}` : 'Stand still on the path, armed (p)');
     this.hold.button.disabled = !(fresh && state.can.hold);
 
     const recording = store.get('/recording');
@@ -106,6 +104,10 @@ export class Controls {
     const file = this.recording ? `${recording?.run ?? ''}, ${bytes(recording?.bytes)}` : title;
     setAttribute(this.record.button, 'title', recording?.warning === '' || recording === undefined ? file : recording.warning);
     setClass(this.record.button, 'warn', (recording?.warning ?? '') !== '');
+  }
+
+  private send(answer: Promise<unknown>): void {
+    answer.catch((error: unknown) => { this.failed(reason(error)); });
   }
 }
 

@@ -1,5 +1,6 @@
 // The Doctor tab: examines port, robot and machine one after the other and lists the findings; and
 // checks the tracks while they are off the ground.
+import type { Consent } from '../state/consent.ts';
 import { kParts, verdict, type DoctorAnswer, type Finding } from '../state/doctor.ts';
 import type { Store } from '../state/store.ts';
 import { h, setAttribute, setClass, setText } from './dom.ts';
@@ -17,8 +18,8 @@ export class DoctorPanel {
   private readonly wheelsUp: WheelsUpPanel;
   private busy = false;
 
-  constructor(private readonly call: Call) {
-    this.wheelsUp = new WheelsUpPanel(call);
+  constructor(private readonly call: Call, consent: Consent) {
+    this.wheelsUp = new WheelsUpPanel(call, consent);
     this.element.append(h('div', { class: 'doctor-bar' }, this.button, this.progress, this.message), this.list, this.wheelsUp.element);
     this.button.addEventListener('click', () => {
       void this.examine();

@@ -2,12 +2,12 @@
 // commanded and the actual motion.
 import type { Driver } from '../drive/driver.ts';
 import type { Inputs } from '../drive/inputs.ts';
+import { Confirmation, type Consent } from '../state/consent.ts';
 import { degrees, fixed } from '../state/format.ts';
 import { kNoRights, type State } from '../state/messages.ts';
 import type { Store } from '../state/store.ts';
 import { h, icon, setAttribute, setClass, setText } from './dom.ts';
 
-const kConfirm_ms = 3000;
 const kSources = { none: 'no control held', keys: 'keys', stick: 'stick', gamepad: 'gamepad' };
 
 export class DrivePanel {
@@ -22,14 +22,16 @@ export class DrivePanel {
   private readonly shareText = h('output', { for: 'drive-share' });
   private readonly asked = h('p', { class: 'drive-asked', role: 'status' });
   private readonly release = h('button', { type: 'button', class: 'control', id: 'drive-release' }, 'Release');
-  private confirmUntil_ms = 0;
+  private readonly confirmation: Confirmation;
   private needsConfirmation = true;
 
   constructor(
     private readonly driver: Driver,
     private readonly inputs: Inputs,
-    private readonly now: () => number = () => performance.now(),
+    consent: Consent,
+    now: () => number = () => performance.now(),
   ) {
+    this.confirmation = new Confirmation(consent, now);
     this.stick = new Stick((at) => {
       inputs.touch(at);
       driver.tick();
@@ -67,18 +69,7 @@ export class DrivePanel {
   /** Takes the wheel, confirmed if the daemon requires it. Never releases it: a control that starts never stops. */
   press(): void {
     if (this.button.disabled || this.driver.drives) return;
-    const now_ms = this.now();
-    if (this.needsConfirmation && now_ms > this.confirmUntil_ms) {
-      this.confirmUntil_ms = now_ms + kConfirm_ms;
-      return;
-    }
-    this.confirmUntil_ms = 0;
-    void this.driver.take();
-  }
-
-  /** STOP was pressed: cancels an unconfirmed press. */
-  forget(): void {
-    this.confirmUntil_ms = 0;
+    if (!this.needsConfirmation || this.confirmation.press()) void this.driver.take();
   }
 
   show(store: Store, connected: boolean, mayCommand: boolean): void {
@@ -108,7 +99,9 @@ export class DrivePanel {
     // Another driver can be asked for the wheel.
     const other = state?.driver?.fresh === true && !this.driver.drives;
     this.button.disabled = !(fresh && !this.driver.drives && (state?.can.drive === true || other));
-    const confirm = this.now() < this.confirmUntil_ms;
+    // Pause has this place during a run.
+    this.button.hidden = state?.can.pause === true;
+    const confirm = this.confirmation.show();
     setClass(this.button, 'confirm', confirm);
     setText(this.label, confirm ? 'Press again' : other ? 'Ask' : 'Drive');
     const why = !mayCommand ? kNoRights : (state?.why_not_drive ?? '');

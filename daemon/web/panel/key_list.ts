@@ -3,8 +3,8 @@ import { h } from './dom.ts';
 
 const kKeys: [key: string, meaning: string][] = [
   ['space, esc', 'STOP'],
-  ['r', 'start; asks for confirmation, or where the robot stands'],
-  ['p', 'pause: stands still on the path, armed; again: goes on'],
+  ['r', 'start, or continue a paused run; asks for confirmation, or where the robot stands'],
+  ['p', 'pause: stands still on the path, armed'],
   ['h', 'hold: ends the run or the drive and disarms'],
   ['m', 'drive by hand: takes the wheel; asks for confirmation'],
   ['arrows; w, a, s, d', 'while this page drives: forwards, left, backwards, right, as long as they are held'],

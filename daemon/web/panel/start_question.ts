@@ -1,6 +1,7 @@
 // The question before a start after a run that ended early: does the robot stand at the course's start again, or shall
 // it go on from where it is estimated to be? Nothing moves before one of them is chosen.
 import { degrees, fixed } from '../state/format.ts';
+import type { Consent } from '../state/consent.ts';
 import type { State } from '../state/messages.ts';
 import { h, setAttribute, setText } from './dom.ts';
 
@@ -12,7 +13,8 @@ export class StartQuestion {
   private readonly first: HTMLButtonElement;
   private readonly starts: HTMLButtonElement[];
 
-  constructor(chosen: (from: Place) => void) {
+  constructor(consent: Consent, chosen: (from: Place) => void) {
+    consent.subscribe(() => { this.close(); });
     const button = (id: string, text: string, press: () => void): HTMLButtonElement => {
       const element = h('button', { type: 'button', class: 'control', id }, text);
       element.addEventListener('click', () => {

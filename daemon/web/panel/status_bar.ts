@@ -61,11 +61,12 @@ export class StatusBar {
     }
     const viewers = store.get('/client');
     const dropped = viewers?.dropped_total ?? 0;
+    const watched = store.get('/state')?.watch === true ? '; the robot stops when nobody watches' : '';
     this.viewers.show(
       dropped > 0 ? 'warn' : 'none',
       connected ? fixed(viewers?.clients.length, 0) : '\u2013',
       dropped > 0 ? `${count(dropped)} dropped` : '',
-      `Browsers and other clients of this daemon; ${count(dropped)} messages dropped because one was too slow`,
+      `Browsers and other clients of this daemon; ${count(dropped)} messages dropped because one was too slow${watched}`,
     );
   }
 

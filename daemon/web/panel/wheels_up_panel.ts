@@ -1,4 +1,5 @@
 // The check of the tracks in the Doctor tab: asks whether they are off the ground, shows each step, asks what was seen.
+import type { Consent } from '../state/consent.ts';
 import { kWatch_ms, WheelsUp, type WheelsUpProgress, type WheelsUpQuestion } from '../state/wheels_up.ts';
 import { verdict } from '../state/doctor.ts';
 import { h, setAttribute, setClass, setText } from './dom.ts';
@@ -15,9 +16,11 @@ export class WheelsUpPanel {
   private readonly check: WheelsUp;
   private asked = -1;
 
-  constructor(call: Call) {
+  constructor(call: Call, consent: Consent) {
+    consent.subscribe(() => { this.free.checked = false; });
     this.check = new WheelsUp(
       call,
+      consent.move,
       () => document.visibilityState === 'visible' && document.hasFocus(),
       () => performance.now(),
       (progress) => { this.progress(progress); },

@@ -151,6 +151,8 @@ export interface State {
   battery_v?: number | null;
   /** The steering pose; not in recordings of older versions. */
   pose?: { x_m: number; y_m: number; yaw_rad: number };
+  /** True: the daemon stops a run or a drive that nobody watches, by calls of `watch`. Not in older recordings. */
+  watch?: boolean;
   /** While the run pauses: time until it ends. This and fields about driving by hand: not in older recordings. */
   pause_left_s?: number;
   can: { start: boolean; drive?: boolean; pause?: boolean; resume?: boolean; hold: boolean; stop: boolean; record: boolean };

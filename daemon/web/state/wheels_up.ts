@@ -27,6 +27,8 @@ export class WheelsUp {
 
   constructor(
     private readonly call: Call,
+    /** Sends a request that makes the tracks run, with the person's consent. */
+    private readonly move: Call,
     /** Whether this page is visible to a person. */
     private readonly seen: () => boolean,
     private readonly now_ms: () => number,
@@ -43,7 +45,7 @@ export class WheelsUp {
     if (this.on) return;
     this.beginning = true;
     try {
-      const { token } = (await this.call('wheels_up_begin', { tracks: 'free' })) as { token: string };
+      const { token } = (await this.move('wheels_up_begin', { tracks: 'free' })) as { token: string };
       this.token = token;
     } catch (error: unknown) {
       this.end(error);

@@ -46,13 +46,40 @@ async function release(page: Page): Promise<void> {
   expect(await page.isVisible('#drive-release')).toBe(false);
 }
 
-/** A gamepad that the test moves. */
+/** A person at the keyboard, which repeats the key that was pressed last. */
+class Typist {
+  private code = '';
+  private readonly timer: ReturnType<typeof setInterval>;
+
+  constructor(private readonly page: Page) {
+    this.timer = setInterval(() => {
+      if (this.code !== '') void page.keyboard.down(this.code).catch(() => undefined);
+    }, 100);
+  }
+
+  async down(code: string): Promise<void> {
+    this.code = code;
+    await this.page.keyboard.down(code);
+  }
+
+  async up(code: string): Promise<void> {
+    if (this.code === code) this.code = '';
+    await this.page.keyboard.up(code);
+  }
+
+  leave(): void {
+    clearInterval(this.timer);
+  }
+}
+
+/** A gamepad that the test moves, and whose time the browser renews whatever it does. */
 async function plugGamepad(page: Page): Promise<void> {
   await page.addInitScript(() => {
-    const pad = { connected: true, timestamp: 0, axes: [0, 0], noise: false };
+    const pad = { index: 0, connected: true, timestamp: 0, axes: [0, 0], buttons: [{ value: 0 }], noise: false };
     (globalThis as unknown as { pad: typeof pad }).pad = pad;
     setInterval(() => {
-      if (pad.noise) pad.timestamp += 1;
+      pad.timestamp = performance.now();
+      if (pad.noise) pad.buttons = [{ value: Math.random() }];
     }, 20);
     navigator.getGamepads = () => [pad as unknown as Gamepad];
   });
@@ -78,19 +105,21 @@ describe('driving by hand', () => {
     await page.keyboard.press('m');
     expect(await run(page), 'what starts does not stop').toBe('driving');
 
-    await page.keyboard.down('KeyW');
+    const typist = new Typist(page);
+    await typist.down('KeyW');
     await until(() => speed_mps() > 0.05, 'forwards');
     expect(speed_mps(), 'within half of the limit').toBeLessThanOrEqual(0.1001);
     await picture(page, 'hand-desktop');
-    await page.keyboard.down('ArrowLeft');
+    await typist.down('ArrowLeft');
     await until(() => turn_mps() > 0.05, 'and to the left');
-    await page.keyboard.up('KeyW');
-    await page.keyboard.up('ArrowLeft');
+    await typist.up('KeyW');
+    await typist.up('ArrowLeft');
     await until(() => speed_mps() === 0 && turn_mps() === 0, 'let go');
-    await page.keyboard.down('ArrowDown');
+    await typist.down('ArrowDown');
     await until(() => speed_mps() < -0.02, 'backwards');
-    await page.keyboard.up('ArrowDown');
+    await typist.up('ArrowDown');
     await until(() => speed_mps() === 0, 'let go');
+    typist.leave();
     expect(bus.last('/state')?.driver?.by).toMatch(/^viewer \d+$/);
     await release(page);
     await page.keyboard.down('KeyW');
@@ -99,32 +128,37 @@ describe('driving by hand', () => {
     await page.keyboard.up('KeyW');
   });
 
-  it('stops when the page loses the focus, is hidden or is closed', async () => {
+  it('stops when the page loses the focus, Cmd is pressed, or it is hidden or closed', async () => {
     const page = await setting.open();
-    for (const lose of ['blur', 'hidden'] as const) {
+    const typist = new Typist(page);
+    for (const lose of ['blur', 'cmd', 'hidden'] as const) {
       await takeWheel(page);
-      await page.keyboard.down('KeyW');
+      await typist.down('KeyW');
       await until(() => speed_mps() > 0.03, 'forwards');
+      if (lose === 'cmd') await page.keyboard.press('Meta');
       await page.evaluate((lose) => {
         if (lose === 'hidden') {
           Object.defineProperty(document, 'visibilityState', { value: 'hidden', configurable: true });
           document.dispatchEvent(new Event('visibilitychange'));
-        } else {
+        } else if (lose === 'blur') {
           window.dispatchEvent(new Event('blur'));
         }
       }, lose);
       await until(() => speed_mps() === 0, `a standstill after ${lose}`);
       await page.waitForTimeout(200);
       expect(speed_mps(), 'the key that is still held counts no more').toBe(0);
-      await page.keyboard.up('KeyW');
-      if (lose === 'blur') await release(page);
+      await typist.up('KeyW');
+      if (lose !== 'hidden') await release(page);
     }
+    typist.leave();
     await until(async () => (await run(page)) === 'idle', 'a hidden page loses the robot after a while');
 
     const other = await setting.open();
     await takeWheel(other);
-    await other.keyboard.down('KeyW');
+    const another = new Typist(other);
+    await another.down('KeyW');
     await until(() => speed_mps() > 0.03, 'forwards');
+    another.leave();
     await other.close();
     await until(() => speed_mps() === 0, 'a standstill after the page is closed');
     await until(() => bus.last('/state')?.run === 'idle', 'and disarmed after a while');
@@ -155,9 +189,10 @@ describe('driving by hand', () => {
     await takeWheel(first);
     await until(async () => (await second.textContent('#drive')) === 'Ask', 'another page can only ask', () =>
       JSON.stringify([bus.last('/state')?.run, bus.last('/state')?.driver]));
-    await second.keyboard.press('m');
-    await second.keyboard.press('m');
-    await until(async () => (await second.textContent('.notice'))?.includes('drives') === true, 'it is refused with the name');
+    await until(async () => {
+      await second.keyboard.press('m');
+      return (await second.textContent('.notice'))?.includes('drives') === true;
+    }, 'it is refused with the name');
     await until(async () => (await first.textContent('.drive-asked'))?.includes('asks for the wheel') === true, 'the driver sees it');
     expect(await second.isVisible('#drive-release')).toBe(false);
     await release(first);

@@ -83,7 +83,7 @@ describe('the layout', () => {
   it('does not move while the numbers do', async () => {
     const page = await setting.open();
     await alive(page);
-    // These appear once and may move the page: Pause for Start, the figures of every topic, the kind of robot, and the font.
+    // These appear once and may move the page: Pause for Drive, the figures of every topic, the kind of robot, and the font.
     await driveUntil(page, 'running');
     await until(() => page.isVisible('#pause'), 'a way to pause');
     await until(async () => (await page.locator('.number.stale').count()) === 0, 'all figures');

@@ -25,7 +25,7 @@ describe('the check of the tracks', () => {
       const answer = answers.shift();
       return answer instanceof Error ? Promise.reject(answer) : Promise.resolve(answer);
     };
-    const up = new WheelsUp(call, () => seen.yes, () => 7, (each) => progress.push(each), (why) => failed.push(why));
+    const up = new WheelsUp(call, call, () => seen.yes, () => 7, (each) => progress.push(each), (why) => failed.push(why));
     return { calls, progress, failed, seen, up };
   };
 

@@ -296,16 +296,38 @@ describe('the driver', () => {
     ended = [];
     attended = true;
     answer = (service) => Promise.resolve(service === 'drive_take' ? { token: 't' } : { accepted: true });
+    const call = (service: string, request: unknown): Promise<unknown> => {
+      sent.push({ service, request: request as Record<string, unknown> });
+      return answer(service);
+    };
     driver = new Driver(
-      (service, request) => {
-        sent.push({ service, request: request as Record<string, unknown> });
-        return answer(service);
-      },
+      call,
+      (service, request) => call(service, { ...(request as object), stops: 0 }),
       inputs,
       () => attended,
       (why) => ended.push(why),
     );
     driver.limits = { speed_mps: 0.2, yaw_rate_radps: 1 };
+  });
+
+  // Otherwise the daemon could not tell how old an input is, or would count the person's first one as the path's delay.
+  it('takes the wheel by consent, and sends a standstill as soon as it has it', async () => {
+    const taken = driver.take();
+    inputs.key('KeyW', 'pressed');
+    await taken;
+    expect(sent).toEqual([
+      { service: 'drive_take', request: { stops: 0 } },
+      { service: 'drive', request: { token: 't', speed_mps: 0, yaw_rate_radps: 0, input_ms: 1000 } },
+    ]);
+  });
+
+  it('says why the path is refused', async () => {
+    answer = (service) => (service === 'drive_take' ? Promise.resolve({ token: 't' }) : Promise.reject(new Error('the path takes 1200 ms there and back; at most 300 ms')));
+    await driver.take();
+    await Promise.resolve();
+    await Promise.resolve();
+    expect(driver.drives).toBe(false);
+    expect(ended).toEqual(['the path takes 1200 ms there and back; at most 300 ms']);
   });
 
   it('sends nothing before it has taken the wheel', () => {
