@@ -119,7 +119,6 @@ const stop = new StopSender(client, connect);
 
 function pressStop(): void {
   consent.forget('STOP was pressed');
-  identify.forget();
   stop.press(performance.now());
   stopPanel.show(stop.button.view(performance.now()));
 }
@@ -237,7 +236,7 @@ const parameters = new ParameterPanel(
 const signals = new SignalPanel(past);
 const links = new LinkTable();
 const doctor = new DoctorPanel(call, consent);
-const identify = new IdentifyPanel(call);
+const identify = new IdentifyPanel(call, consent);
 const ask = (call: SetupCall): Promise<unknown> => client.call(call.name, call.request);
 const editor = new CourseEditor(viewport, ask, () => live.get('/course')?.robot, drawCourse);
 const courses = new CourseList(ask, drawPlace, editor);

@@ -1,4 +1,5 @@
 // The Identify tab: drives the calibration courses one by one, evaluates the recordings, and saves the robot file.
+import type { Consent } from '../state/consent.ts';
 import { drive, measure, prepare, type Reach } from '../state/identification_drive.ts';
 import { calibrationCourses, drivesOf, measuredIn, measuredTable, space, type Identified, type Measured } from '../state/identify.ts';
 import type { RunEntry, RunsList } from '../state/runs.ts';
@@ -29,21 +30,30 @@ export class IdentifyPanel {
   private busy = false;
   /** Requests follow one another, so that an older answer never replaces a newer one. */
   private order: Promise<void> = Promise.resolve();
-  private pressed = 0;
+  /** Aborted when STOP is pressed or the person leaves the page: ends an open question, and a drive that has not started. */
+  private attended = new AbortController();
   private mayAsk = false;
   private mayDrive = false;
 
   constructor(
     private readonly call: Call,
+    consent: Consent,
     private readonly now: () => number = () => performance.now(),
   ) {
     this.reach = {
       call,
+      move: consent.move,
       state: () => this.store?.get('/state'),
-      stops: () => this.pressed + (this.store?.get('/state')?.stop.count ?? 0),
+      now,
       sleep: (ms) => new Promise((resolve) => setTimeout(resolve, ms)),
       say: (text) => { this.say(text); },
+      ask: (text) => this.confirm(text, 'Drive', 'identify-drive-now'),
     };
+    consent.subscribe((why) => { this.giveUp(why); });
+    for (const gone of ['blur', 'pagehide'] as const) window.addEventListener(gone, () => { this.giveUp('The page was left'); });
+    document.addEventListener('visibilitychange', () => {
+      if (document.visibilityState !== 'visible') this.giveUp('The page was left');
+    });
     this.found = new FoundRobot(call, (text, bad) => { this.say(text, bad); });
     this.element.append(h('div', { class: 'identify-bar' }, this.evaluate, this.message), this.why, this.question, this.found.element, this.list);
     this.evaluate.addEventListener('click', () => {
@@ -62,11 +72,6 @@ export class IdentifyPanel {
     if (this.now() < this.next_ms || !connected) return;
     this.next_ms = this.now() + kRefresh_ms;
     void this.load();
-  }
-
-  /** STOP was pressed on this page: a drive that was confirmed before does not begin any more. */
-  forget(): void {
-    this.pressed++;
   }
 
   private whyNot(connected: boolean, mayCommand: boolean): string {
@@ -176,23 +181,35 @@ export class IdentifyPanel {
   /** Chooses the course and asks whether the robot stands at its start. Nothing moves before the answer. */
   private async ask(course: CourseEntry): Promise<string> {
     await prepare(this.reach, course.name);
-    const yes = h('button', { type: 'button', class: 'control', id: 'identify-start' }, 'It stands there: drive');
-    const no = h('button', { type: 'button', class: 'control', id: 'identify-cancel' }, 'Cancel');
-    this.question.replaceChildren(
-      h('p', {}, `Put the robot on a flat floor with ${space(course)} free. It will drive ${facts(course)}. Mark where it stands, unless a camera sees it.`),
-      h('div', { class: 'identify-buttons' }, no, yes),
-    );
-    this.question.hidden = false;
-    no.focus();
-    const answer = await new Promise<boolean>((resolve) => {
-      yes.addEventListener('click', () => { resolve(true); });
-      no.addEventListener('click', () => { resolve(false); });
-    });
-    this.question.hidden = true;
-    if (!answer) return 'Nothing was driven.';
-    await drive(this.reach, course.name);
+    this.attended = new AbortController();
+    const text = `Put the robot on a flat floor with ${space(course)} free. It will drive ${facts(course)}. Mark where it stands, unless a camera sees it.`;
+    const placed = await this.confirm(text, 'It stands there', 'identify-start');
+    if (placed === undefined || (await drive(this.reach, course.name, this.attended.signal)) === '') return 'Nothing was driven.';
     const seen = this.store?.get('/estimate')?.fused.camera_age_us;
     return `${course.name} is driven.${typeof seen !== 'number' ? ' No camera sees the robot: measure the drive and write it down below.' : ''}`;
+  }
+
+  /** The time of the press, undefined if it was cancelled. Rejects if STOP is pressed or the person leaves the page. */
+  private async confirm(text: string, answer: string, id: string): Promise<number | undefined> {
+    const yes = h('button', { type: 'button', class: 'control', id }, answer);
+    const no = h('button', { type: 'button', class: 'control', id: 'identify-cancel' }, 'Cancel');
+    this.question.replaceChildren(h('p', {}, text), h('div', { class: 'identify-buttons' }, no, yes));
+    this.question.hidden = false;
+    no.focus();
+    const { signal } = this.attended;
+    try {
+      return await new Promise<number | undefined>((resolve, reject) => {
+        yes.addEventListener('click', ({ timeStamp }) => { resolve(timeStamp); });
+        no.addEventListener('click', () => { resolve(undefined); });
+        signal.addEventListener('abort', () => { reject(signal.reason as Error); });
+      });
+    } finally {
+      this.question.hidden = true;
+    }
+  }
+
+  private giveUp(why: string): void {
+    this.attended.abort(new Error(`${why}: nothing was driven`));
   }
 
   private async identify(): Promise<string> {

@@ -1,5 +1,6 @@
 // One identification drive: chooses the course, places the robot at its start, and records the run with the standstill
-// before and after it.
+// before and after it. Time is the clock's: the timers of a page that is hidden ring once a second, or once a minute.
+import { kConfirm_ms } from './consent.ts';
 import { onCourse, type State } from './messages.ts';
 import { noteOf, tagsOf, type Measured } from './identify.ts';
 import type { Call } from './service.ts';
@@ -14,22 +15,27 @@ const kBegins_ms = 3000;
 
 export interface Reach {
   call: Call;
+  /** Sends a request that makes the robot move, with the person's consent. */
+  move: Call;
   state(): State | undefined;
-  /** Number of STOPs so far; those of this page count as soon as they are pressed. */
-  stops(): number;
+  /** The page's clock [ms]. */
+  now(): number;
   sleep(ms: number): Promise<void>;
   say(text: string): void;
+  /** Asks the person whether to drive: the time of the press, undefined if it was cancelled. Rejects with the reason if the drive was given up meanwhile. */
+  ask(text: string): Promise<number | undefined>;
 }
 
 const underWay = (state: State | undefined): boolean => onCourse(state?.run);
 
 /** True if `holds` becomes true within the time. */
 async function soon(reach: Reach, limit_ms: number, holds: (state: State | undefined) => boolean): Promise<boolean> {
-  for (let left_ms = limit_ms; left_ms > 0; left_ms -= kLook_ms) {
-    if (holds(reach.state())) return true;
+  const end_ms = reach.now() + limit_ms;
+  while (!holds(reach.state())) {
+    if (reach.now() > end_ms) return false;
     await reach.sleep(kLook_ms);
   }
-  return holds(reach.state());
+  return true;
 }
 
 /** Chooses the course with the set-up `flat`. */
@@ -37,20 +43,27 @@ export async function prepare(reach: Reach, course: string): Promise<void> {
   await reach.call('choose', { course, setup: 'flat' });
 }
 
-/** Drives the chosen course. Returns the recorded run; throws an Error with the reason if there is none. */
-export async function drive(reach: Reach, course: string): Promise<string> {
-  const stops = reach.stops();
+/**
+ * Drives the chosen course once the robot stands still and the person has pressed again. `attended` is aborted, with the
+ * reason, when STOP is pressed or the person leaves the page: then nothing starts any more. Returns the recorded run,
+ * empty if the person has cancelled; throws an Error with the reason if there is none.
+ */
+export async function drive(reach: Reach, course: string, attended: AbortSignal): Promise<string> {
   await reach.call('place', { at: 'start' });
   if (!(await soon(reach, kReady_ms, (state) => state?.can.start === true && state.course === course)))
     throw new Error(reach.state()?.why_not_start ?? 'the daemon is gone');
+  attended.throwIfAborted();
   const { run } = (await reach.call('record_start', {})) as { run: string };
   let why = '';
   try {
     reach.say(`${course}: standing still \u2026`);
     await reach.sleep(kBefore_ms);
-    // A start would clear the STOP.
-    if (reach.stops() !== stops) throw new Error('STOP was pressed: nothing was driven');
-    await reach.call('start', { from: 'start' });
+    attended.throwIfAborted();
+    const pressed_ms = await reach.ask('It stands still: press again to drive.');
+    attended.throwIfAborted();
+    if (pressed_ms === undefined) return '';
+    if (reach.now() - pressed_ms > kConfirm_ms) throw new Error('The page was held up after the press: nothing was driven');
+    await reach.move('start', { from: 'start' });
     reach.say(`${course}: driving \u2026`);
     await soon(reach, kBegins_ms, underWay);
     while (underWay(reach.state())) await reach.sleep(kLook_ms);

@@ -51,6 +51,8 @@ async function driveCourse(page: Page, name: string): Promise<void> {
       }));
       if (driven) return true;
       if (await page.isVisible('#identify-start')) await page.click('#identify-start');
+      // The second press is the consent to the motion.
+      else if (await page.isVisible('#identify-drive-now')) await page.click('#identify-drive-now');
       else if (enabled) await page.click(`${course} .identify-drive`);
       return false;
     },
@@ -95,6 +97,22 @@ describe.each(kScreens)('the identification at $width x $height', (size) => {
     expect(await run(page)).not.toBe('running');
     await page.click('#identify-cancel');
     await message(page, /Nothing was driven/);
+
+    // Nor when the person has gone, or somebody has pressed STOP.
+    const gone = [
+      { leave: () => page.evaluate(() => window.dispatchEvent(new Event('blur'))), why: /The page was left/ },
+      { leave: () => page.keyboard.press('Escape'), why: /STOP was pressed/ },
+    ];
+    for (const { leave, why } of gone) {
+      await until(() => page.isEnabled('[data-course="ahead"] .identify-drive'), 'it may be driven');
+      await page.click('[data-course="ahead"] .identify-drive');
+      await page.click('#identify-start');
+      await until(() => page.isVisible('#identify-drive-now'), 'it stands still', () => page.textContent('.identify-message'));
+      await leave();
+      await message(page, why);
+      expect(await page.isVisible('#identify-drive-now')).toBe(false);
+      expect(['arming', 'running']).not.toContain(await run(page));
+    }
 
     await driveCourse(page, 'ahead');
     await driveCourse(page, 'left');

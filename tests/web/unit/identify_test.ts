@@ -59,36 +59,104 @@ describe('a new robot file', () => {
   });
 });
 
-/** A daemon whose run goes through these states, one with each look at it. */
-function daemon(run: Run[], stops: () => number = () => 0): { reach: Reach; calls: string[] } {
+interface Script {
+  /** The run's states after the start, one with each look at it. */
+  run?: Run[];
+  /** Until the robot that was placed is ready. */
+  ready_ms?: number;
+  /** Until the person presses after each question; undefined: cancels. */
+  press_ms?: number;
+  /** Timers ring at multiples of this time only, as those of a hidden page do at 1000. */
+  timer_ms?: number;
+  /** When STOP is pressed or the person leaves the page. */
+  left_ms?: number;
+}
+
+/** A daemon, a page and a person. `times`: when what was called, in order. */
+function scene({ run = ['arming', 'running', 'finished'], ready_ms = 0, press_ms, timer_ms = 1, left_ms = Infinity }: Script): { reach: Reach; attended: AbortSignal; calls: string[]; times: [string, number][] } {
   const calls: string[] = [];
+  const times: [string, number][] = [];
+  const attended = new AbortController();
+  let now_ms = 0;
+  let placed_ms = Infinity;
   let started = false;
-  const state = (): State => ({ course: 'ahead', robot: 'mine', why_not_start: '', can: { start: true }, faults: [{ name: 'tilt', cause: 'it tilts', fix: '', from: 'daemon' }], run: started ? (run.length > 1 ? run.shift() : run[0]) : 'idle' }) as unknown as State;
+  const pass = (to_ms: number): void => {
+    now_ms = Math.max(now_ms, to_ms);
+    if (now_ms >= left_ms) attended.abort(new Error('The page was left: nothing was driven'));
+  };
+  const state = (): State => ({
+    course: 'ahead', robot: 'mine', why_not_start: 'the robot moves', can: { start: now_ms - placed_ms >= ready_ms }, run: started ? (run.length > 1 ? run.shift() : run[0]) : 'idle',
+    faults: [{ name: 'tilt', cause: 'it tilts', fix: '', from: 'daemon' }],
+  }) as unknown as State;
   const call = (name: string, request: unknown): Promise<unknown> => {
     calls.push(`${name} ${JSON.stringify(request)}`);
+    times.push([name, now_ms]);
+    if (name === 'place') placed_ms = now_ms;
     if (name === 'start') started = true;
     return Promise.resolve(name === 'record_start' ? { run: 'r1' } : {});
   };
-  return { reach: { call, state, stops, sleep: () => Promise.resolve(), say: () => undefined }, calls };
+  const reach: Reach = {
+    call,
+    move: (name, request) => call(name, { ...(request as object), stops: 0 }),
+    state,
+    now: () => now_ms,
+    sleep: (ms) => {
+      pass(Math.ceil((now_ms + ms) / timer_ms) * timer_ms);
+      return Promise.resolve();
+    },
+    say: () => undefined,
+    ask: () => {
+      times.push(['asked', now_ms]);
+      pass(now_ms + (press_ms ?? 100));
+      if (attended.signal.aborted) return Promise.reject(attended.signal.reason as Error);
+      if (press_ms !== undefined) times.push(['pressed', now_ms]);
+      return Promise.resolve(press_ms === undefined ? undefined : now_ms);
+    },
+  };
+  return { reach, attended: attended.signal, calls, times };
 }
 
 describe('an identification drive', () => {
   it('records the run with its rest, and names it', async () => {
-    const { reach, calls } = daemon(['arming', 'running', 'running', 'finished']);
-    expect(await drive(reach, 'ahead')).toBe('r1');
-    expect(calls).toEqual(['place {"at":"start"}', 'record_start {}', 'start {"from":"start"}', 'record_stop {}', 'run_note {"run":"r1","name":"ahead","tags":"identify mine"}']);
+    const { reach, attended, calls } = scene({ press_ms: 500 });
+    expect(await drive(reach, 'ahead', attended)).toBe('r1');
+    expect(calls).toEqual(['place {"at":"start"}', 'record_start {}', 'start {"from":"start","stops":0}', 'record_stop {}', 'run_note {"run":"r1","name":"ahead","tags":"identify mine"}']);
   });
 
-  it('does not begin after a STOP, however shortly before', async () => {
-    let looks = 0;
-    const { reach, calls } = daemon(['arming', 'running', 'finished'], () => looks++);
-    await expect(drive(reach, 'ahead')).rejects.toThrow('STOP was pressed');
+  // Otherwise a robot would begin to move long after the press, when the person may stand beside it.
+  it('starts by a press that comes after the standstill and at most 3 s before it, however slow timers, robot and person are', async () => {
+    for (const timer_ms of [1, 100, 1000, 60_000]) {
+      for (const ready_ms of [0, 1500, 9500, 12_000]) {
+        for (const press_ms of [undefined, 0, 700, 30_000]) {
+          for (const left_ms of [Infinity, 0, 1000, 2500, 11_000, 40_000]) {
+            const { reach, attended, times } = scene({ timer_ms, ready_ms, left_ms, ...(press_ms === undefined ? {} : { press_ms }) });
+            await drive(reach, 'ahead', attended).catch(() => '');
+            const at = (name: string): number => times.find(([each]) => each === name)?.[1] ?? NaN;
+            const what = JSON.stringify({ timer_ms, ready_ms, press_ms, left_ms, times });
+            if (Number.isNaN(at('start'))) {
+              expect(press_ms === undefined || attended.aborted || Number.isNaN(at('record_start')), what).toBe(true);
+              continue;
+            }
+            expect(at('start') - at('pressed'), what).toBeLessThanOrEqual(3000);
+            expect(at('asked') - at('record_start'), what).toBeGreaterThanOrEqual(2000);
+            expect(at('start'), what).toBeLessThan(left_ms);
+          }
+        }
+      }
+    }
+  });
+
+  // Otherwise a page that hung after the press would start the robot when it wakes up.
+  it('does not start by a press that came too long ago', async () => {
+    const { reach, attended, calls } = scene({});
+    reach.ask = () => Promise.resolve(reach.now() - 3001);
+    await expect(drive(reach, 'ahead', attended)).rejects.toThrow('held up');
     expect(calls).toEqual(['place {"at":"start"}', 'record_start {}', 'record_stop {}']);
   });
 
   it('that is not completed is no drive of the identification', async () => {
-    const { reach, calls } = daemon(['arming', 'running', 'aborted']);
-    await expect(drive(reach, 'ahead')).rejects.toThrow('ahead was not completed: it tilts');
+    const { reach, attended, calls } = scene({ run: ['arming', 'running', 'aborted'], press_ms: 500 });
+    await expect(drive(reach, 'ahead', attended)).rejects.toThrow('ahead was not completed: it tilts');
     expect(calls.at(-1)).toBe('record_stop {}');
   });
 });
