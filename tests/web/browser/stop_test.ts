@@ -1,6 +1,6 @@
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
-import { driveUntil, picture, run, until } from './cockpit.ts';
+import { driveUntil, picture, press as pressButton, run, until } from './cockpit.ts';
 import { Setting } from './setting.ts';
 
 const setting = new Setting({ each: true });
@@ -88,10 +88,13 @@ describe('STOP', () => {
       await page.waitForSelector('#start-here', { state: 'hidden' });
       expect(await run(page)).toBe('aborted');
     }
-    await until(async () => page.isEnabled('#start'), 'start is possible again');
-    await page.click('#start');
-    await page.click('#start-here');
-    await until(async () => (await run(page)) === 'running', 'it goes on', () => run(page));
+    // A start is refused until the page has shown that STOP.
+    await until(async () => {
+      if ((await run(page)) === 'running') return true;
+      if (await page.isVisible('#start-here')) await pressButton(page, '#start-here');
+      else if (await page.isEnabled('#start')) await pressButton(page, '#start');
+      return false;
+    }, 'it goes on', () => run(page));
     expect(await progress_m()).toBeGreaterThanOrEqual(stopped_m);
     await says(page, /space or esc/);
 
