@@ -155,7 +155,10 @@ class Stick {
       this.move(event);
     });
     this.element.addEventListener('pointermove', (event) => {
-      if (event.pointerId === this.pointer) this.move(event);
+      if (event.pointerId !== this.pointer) return;
+      // The release may get lost, as that of a key.
+      if (event.buttons === 0) this.letGo();
+      else this.move(event);
     });
     for (const end of ['pointerup', 'pointercancel', 'lostpointercapture'] as const)
       this.element.addEventListener(end, (event) => {
