@@ -61,12 +61,11 @@ export class StatusBar {
     }
     const viewers = store.get('/client');
     const dropped = viewers?.dropped_total ?? 0;
-    const watched = store.get('/state')?.watch === true ? '; the robot stops when nobody watches' : '';
     this.viewers.show(
       dropped > 0 ? 'warn' : 'none',
       connected ? fixed(viewers?.clients.length, 0) : '\u2013',
       dropped > 0 ? `${count(dropped)} dropped` : '',
-      `Browsers and other clients of this daemon; ${count(dropped)} messages dropped because one was too slow${watched}`,
+      `Browsers and other clients of this daemon; ${count(dropped)} messages dropped because one was too slow`,
     );
   }
 
@@ -83,7 +82,9 @@ export class StatusBar {
     }
     const since = typeof state.run_s === 'number' ? clock(state.run_s) : '';
     const detail = state.run === 'driving' && state.driver ? state.driver.by : since;
-    this.run.show(kRunLamps[state.run] ?? 'none', state.run, detail, state.why_not_start);
+    const watched = state.watch === true ? 'the robot stops when nobody watches' : '';
+    const title = [watched, state.why_not_start].filter((text) => text !== '').join('; ');
+    this.run.show(kRunLamps[state.run] ?? 'none', state.run, detail, title);
   }
 
   private showLink(store: Store, connected: boolean): void {

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { Bus } from './bus.ts';
-import { again, alive, figure, goOn, picture, press, run, until } from './cockpit.ts';
+import { again, alive, driveUntil, figure, goOn, picture, press, run, until } from './cockpit.ts';
 import { Setting } from './setting.ts';
 
 describe('a run', () => {
@@ -67,6 +67,38 @@ describe('a run', () => {
       await page.keyboard.press('r');
       await page.waitForTimeout(500);
       expect(bus.last('/state')?.run, 'one press is no start').toBe('aborted');
+    } finally {
+      bus.close();
+    }
+  });
+});
+
+describe('a daemon that stops a robot that nobody watches', () => {
+  const setting = new Setting({ each: true, configuration: '[server]\nstop_unwatched = true\n' });
+
+  it('stops it when the page is hidden, not before', async () => {
+    const page = await setting.open();
+    await alive(page);
+    const bus = new Bus(setting.pair.url, ['/state']);
+    const stops = (): number => bus.last('/state')?.stop.count ?? NaN;
+    const title = async (): Promise<string> => (await page.getAttribute('#chip-run', 'title')) ?? '';
+    /** False: a busy machine has ended the run, or kept the page from saying that it is watched. */
+    const watched = async (): Promise<boolean> => {
+      await driveUntil(page, 'running');
+      const before = stops();
+      await until(async () => (await title()).includes('nobody watches') || (await run(page)) !== 'running', 'it says so');
+      await page.waitForTimeout(4000);
+      return stops() === before && (await run(page)) === 'running';
+    };
+    try {
+      await again(watched, 'runs');
+      const before = stops();
+      await page.evaluate(() => {
+        Object.defineProperty(document, 'visibilityState', { value: 'hidden', configurable: true });
+        document.dispatchEvent(new Event('visibilitychange'));
+      });
+      await until(() => bus.last('/state')?.run === 'aborted', 'it is stopped');
+      expect(stops()).toBe(before + 1);
     } finally {
       bus.close();
     }
