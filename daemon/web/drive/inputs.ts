@@ -114,7 +114,6 @@ export class Inputs {
   /** Call when the page loses the focus or is closed: forgets everything that was held. */
   clear(): void {
     this.held.clear();
-    this.repeats = '';
     this.stick = undefined;
     this.frozen = this.silent = false;
     this.padChanged_ms = -Infinity;

@@ -22,7 +22,7 @@ export interface Reach {
   now(): number;
   sleep(ms: number): Promise<void>;
   say(text: string): void;
-  /** Asks the person whether to drive: the time of the press, undefined if it was cancelled. Rejects with the reason if the drive was given up meanwhile. */
+  /** Asks the person whether to drive: the time of the press, undefined if it was cancelled. Rejects when `attended` of drive() is aborted. */
   ask(text: string): Promise<number | undefined>;
 }
 
@@ -60,7 +60,6 @@ export async function drive(reach: Reach, course: string, attended: AbortSignal)
     await reach.sleep(kBefore_ms);
     attended.throwIfAborted();
     const pressed_ms = await reach.ask('It stands still: press again to drive.');
-    attended.throwIfAborted();
     if (pressed_ms === undefined) return '';
     if (reach.now() - pressed_ms > kConfirm_ms) throw new Error('The page was held up after the press: nothing was driven');
     await reach.move('start', { from: 'start' });

@@ -76,6 +76,7 @@ describe('a confirmation', () => {
     confirmation.show();
     now_ms += kConfirm_ms;
     expect(confirmation.press(), 'too late').toBe(false);
+    expect(confirmation.press(), 'a double click').toBe(false);
   });
 
   it('begins anew after a STOP', () => {

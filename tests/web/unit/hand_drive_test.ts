@@ -178,6 +178,16 @@ describe('keys whose release may get lost', () => {
     expect([given(), inputs.silent]).toEqual([[1, 0], false]);
   });
 
+  // Otherwise a key that was lost while the page slept would drive again with the next one.
+  it('are not revived by another key', () => {
+    const board = new Keyboard(400, 33);
+    board.press('KeyW');
+    board.release('KeyW', false);
+    now_ms += 5000;
+    board.press('KeyA');
+    expect(given()).toEqual([0, 1]);
+  });
+
   // Otherwise a key that was held before would drive as soon as the page does.
   it('drive by a press only, not by the repeat of a key that was held before', () => {
     inputs.key('KeyW', 'repeated');

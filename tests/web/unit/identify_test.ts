@@ -107,8 +107,10 @@ function scene({ run = ['arming', 'running', 'finished'], ready_ms = 0, press_ms
     say: () => undefined,
     ask: () => {
       times.push(['asked', now_ms]);
+      const before = attended.signal.aborted;
       pass(now_ms + (press_ms ?? 100));
-      if (attended.signal.aborted) return Promise.reject(attended.signal.reason as Error);
+      // An event that is over tells the question nothing.
+      if (attended.signal.aborted && !before) return Promise.reject(attended.signal.reason as Error);
       if (press_ms !== undefined) times.push(['pressed', now_ms]);
       return Promise.resolve(press_ms === undefined ? undefined : now_ms);
     },
@@ -133,6 +135,7 @@ describe('an identification drive', () => {
             await drive(reach, 'ahead', attended).catch(() => '');
             const at = (name: string): number => times.find(([each]) => each === name)?.[1] ?? NaN;
             const what = JSON.stringify({ timer_ms, ready_ms, press_ms, left_ms, times });
+            expect(at('record_start') > left_ms, what).toBe(false);
             if (Number.isNaN(at('start'))) {
               expect(press_ms === undefined || attended.aborted || Number.isNaN(at('record_start')), what).toBe(true);
               continue;

@@ -194,8 +194,15 @@ describe('STOP over a connection that is slow or dead', () => {
     greet(3);
     expect(stops()).toEqual([1, 0, 1, 0]);
     expect(at(3).closed).toBe(true);
-    await vi.advanceTimersByTimeAsync(20_000);
-    expect(sockets.slice(4).some((_, i) => (stops()[4 + i] ?? 0) > 0)).toBe(false);
+  });
+
+  it('is not tried there any more after the answer', async () => {
+    sender.press(0);
+    vi.advanceTimersByTime(kSecondWay_ms);
+    await answer(0);
+    at(1).die();
+    await vi.advanceTimersByTimeAsync(2500);
+    expect(sockets.length).toBe(2);
   });
 
   it('is not sent to another daemon that answers there', () => {
