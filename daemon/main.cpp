@@ -27,8 +27,8 @@ void add_run(CLI::App& app, Action& action) {
   command->add_flag("--wait", options.wait,
                     "Wait for port and robot instead of ending with status 2");
   command->add_flag("--go", options.go,
-                    "Start the first run without Enter on a physical port, too, but not in a "
-                    "service; end after every fault. Every later run takes the word go and Enter; "
+                    "Start the first run without Enter on a physical port, too, within 10 s and if "
+                    "the robot is there at once, but not in a service; end after every fault. Every later run takes the word go and Enter; "
                     "Enter alone is STOP");
   command
       ->add_option("--course", options.course,

@@ -155,12 +155,14 @@ class Robot:
             raise Refused(result)
         return result
 
-    def start(self, where="start", patience_s=3.0):
+    def start(self, where="start", patience_s=2.5, seen=None):
         """Starts the course, from its "start" or from "here", where the last run ended; returns once the run is under
-        way. The robot moves: the caller must ask a person first. `patience_s`: longest wait for the robot to come to
-        rest, and for the run to begin."""
+        way. The robot moves: the caller must ask a person first. `seen`: the state() that the person saw, at most 3 s
+        old; without it, the present one. A STOP since then refuses the start. `patience_s`: longest wait for the robot
+        to come to rest, and for the run to begin."""
+        consent = self._consent(seen)
         self._when_possible("start", patience_s)
-        self.call("start", **{"from": where})
+        self.call("start", **{"from": where}, **consent)
         for message in self.messages("/state", patience_s):
             if message["run"] in ("arming", "running"):
                 return
@@ -170,11 +172,12 @@ class Robot:
         """Stops the robot, whoever drives it. Returns True once the robot has acknowledged."""
         return self.call("stop")["acknowledged"]
 
-    def drive_by_hand(self, patience_s=3.0):
+    def drive_by_hand(self, patience_s=2.5, seen=None):
         """Arms the robot and takes the wheel: `with robot.drive_by_hand() as wheel: wheel.drive(...)`. `patience_s`:
-        longest wait for the robot to come to rest."""
+        longest wait for the robot to come to rest. `seen`: as for start()."""
+        consent = self._consent(seen)
         self._when_possible("drive", patience_s)
-        return Wheel(self)
+        return Wheel(self, consent)
 
     def examine(self):
         """The findings of `tp100d doctor`, while no run is under way: a list of {"severity", "name", "seen", "fix"},
@@ -212,6 +215,10 @@ class Robot:
         """The result of `tp100d identify` for these identification drives ("found"), and the new robot file ("text"),
         which call("file_save", kind="robot", ...) saves. `measured`: text of the file of measurements by hand."""
         return self.call("run_identify", wait_s=REPORT_S, runs=" ".join(runs), measured=measured)
+
+    def _consent(self, seen):
+        state = seen or self.state()
+        return {"stops": state["stop"]["count"], "t_s": state["t_s"]}
 
     def _when_possible(self, what, patience_s):
         # If it stays impossible, the request itself is refused with the reason.
@@ -304,9 +311,9 @@ class Robot:
 class Wheel:
     """The right to drive the armed robot by hand. Without a call of drive() for 150 ms the robot stands still."""
 
-    def __init__(self, robot):
+    def __init__(self, robot, consent):
         self._robot = robot
-        self._token = robot.call("drive_take")["token"]
+        self._token = robot.call("drive_take", **consent)["token"]
         self.drive(0.0, 0.0)  # at once: it shows the daemon how slow the path is
 
     def __enter__(self):

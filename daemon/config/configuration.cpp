@@ -152,7 +152,7 @@ std::span<const Key<CameraSettings>> camera_stream_keys() {
 
 std::span<const Key<ServerConfiguration>> server_keys() {
   using T = ServerConfiguration;
-  static const std::array<Key<T>, 7> kKeys = {{
+  static const std::array<Key<T>, 8> kKeys = {{
       {"listen",
        &T::listen,
        {},
@@ -173,6 +173,10 @@ std::span<const Key<ServerConfiguration>> server_keys() {
        {},
        "Names of this machine, in addition to its addresses and localhost, separated by spaces"},
       {"max_clients", &T::max_clients, {1, 256}, "Largest number of viewers at the same time"},
+      {"stop_unwatched",
+       &T::stop_unwatched,
+       {},
+       "Whether a run or a drive is stopped when no page has been in sight for 2 s"},
       {"robots",
        &T::robots,
        {},

@@ -90,6 +90,7 @@ struct ServerConfiguration {
   std::string origins;  ///< allowed besides the page's own, separated by spaces
   std::string hosts;    ///< names in Host besides addresses and localhost
   int max_clients = 64;
+  bool stop_unwatched = false;
   std::string robots;  ///< pages of robots of other machines, separated by spaces
   std::string plot;    ///< "udp:[HOST:]PORT" of a plotting program; empty: none
 };

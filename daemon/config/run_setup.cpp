@@ -68,7 +68,8 @@ messages::RunContext run_context_of(const RunSetup& run) {
           .setup = bridge::to_string(run.parameters.setup),
           .world = bridge::to_string(run.parameters.world.kind),
           .pacing = name_in(kPacingNames, run.configuration.loop.pacing),
-          .rate_hz = run.configuration.loop.rate_hz};
+          .rate_hz = run.configuration.loop.rate_hz,
+          .stop_unwatched = run.configuration.server.stop_unwatched};
 }
 
 record::RunFacts run_facts(const RunFiles& files, const RunSetup& run,

@@ -25,6 +25,7 @@ struct RunContext {
   std::string world = "internal";
   std::string pacing = "host";
   double rate_hz = 200.0;
+  bool stop_unwatched = false;  ///< server.stop_unwatched
 };
 
 /// Converts host time for viewers and recordings: to Unix time that never jumps, and to seconds

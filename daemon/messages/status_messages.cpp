@@ -172,7 +172,8 @@ std::string state_message(HostNs now, const PublishClock& clock, const StateFigu
   write_place(json, "go_on_from", state.go_on_from);
   json.field("why_not_start", state.why_not_start)
       .field("why_not_drive", state.why_not_drive)
-      .field("confirm_start", state.confirm_start);
+      .field("confirm_start", state.confirm_start)
+      .field("watch", run_context.stop_unwatched);
   if (!state.driver.by.empty()) {
     json.key("driver")
         .begin_object()

@@ -305,6 +305,9 @@ void RequestHandler::on(const std::shared_ptr<Viewer>& viewer, const ServiceCall
       if (why.empty()) why = controls_.wheels_up_watch(watch, now, json);
       return why.empty() ? answer(json) : fail(why);
     }
+    case Service::kWatch:
+      watched_ns_ = now;
+      return accept({});
     case Service::kDrive:
       return accept(drive(*request, now));
     case Service::kDriveRelease:
@@ -329,7 +332,16 @@ void RequestHandler::stop_pressed(const std::shared_ptr<Viewer>& viewer, std::ui
   tick(at);
 }
 
+void RequestHandler::stop_if_unwatched(HostNs now) {
+  if (!under_way()) watched_ns_ = now;
+  if (!publisher_.run_context().stop_unwatched || now - watched_ns_ < kUnwatchedNs) return;
+  watched_ns_ = now;
+  controls_.stop();
+  publisher_.stop_pressed("server.stop_unwatched", now);
+}
+
 void RequestHandler::tick(HostNs now) {
+  stop_if_unwatched(now);
   parameters_.finish_overdue(now);
   answer_results();
   if (waiting_.empty()) return;

@@ -25,6 +25,10 @@ enum class Permission : std::uint8_t {
 
 class RequestHandler {
  public:
+  /// With server.stop_unwatched: a run or a drive is stopped this long after the last sign of a
+  /// page in sight.
+  static constexpr HostNs kUnwatchedNs = 2 * kNsPerS;
+
   /// `broker`, `publisher` and `controls` must outlive the handler.
   RequestHandler(Broker& broker, Publisher& publisher, Controls& controls,
                  std::vector<messages::ParameterText> parameters, std::string session_id,
@@ -80,6 +84,7 @@ class RequestHandler {
                               const Consent& consent, HostNs now, std::string& token);
   std::string record_start(const Arguments& request, Controls::RecordAnswer answer);
   void say(const std::string& text, HostNs now);
+  void stop_if_unwatched(HostNs now);
   bool under_way() const;
   Controls::Answer answer_later(Service service, const std::shared_ptr<Viewer>& viewer,
                                 std::uint32_t call) const;
@@ -91,6 +96,7 @@ class RequestHandler {
   ParameterRequests parameters_;
   std::string session_id_, name_;
   std::vector<Waiting> waiting_;
+  HostNs watched_ns_ = 0;  // when a page was in sight, or nothing was under way
   std::shared_ptr<Arrivals> arrivals_ = std::make_shared<Arrivals>();
 };
 

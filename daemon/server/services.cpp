@@ -160,6 +160,7 @@ const std::vector<Row>& rows() {
        {"token", "input_ms", "question", "answer"},
        R"({"token":"","input_ms":1.5,"question":1,"answer":""})",
        R"({"step":""})"},
+      {Service::kWatch, "watch", "Watch", {}, "{}", R"({"accepted":true})"},
   };
   return kRows;
 }

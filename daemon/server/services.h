@@ -44,6 +44,7 @@ enum class Service : std::uint32_t {
   kRunIdentify,
   kWheelsUpBegin,
   kWheelsUpWatch,
+  kWatch,
 };
 
 /// All of them, in the enum's order.

@@ -72,6 +72,8 @@ class DaemonRig {
                        service == "wheels_up_begin";
     if (moves && !sent.contains("stops"))
       sent.update({{"stops", controls_.stop_count()}, {"t_s", to_s(now())}});
+    // As the thread of the sockets does, before anybody else knows of it.
+    if (service == "stop") controls_.stop();
     handler_.handle(viewer, server::ServiceCall{number, 1, "json", sent.dump()}, permission, now());
     nlohmann::json answer;
     while (const auto next = viewer->outbox().pop()) {

@@ -27,7 +27,7 @@ TEST_F(RequestHandlerTest, GreetsWithInfoChannelsAndServices) {
                                      "file_save", "file_delete", "file_check", "pause", "resume",
                                      "parameters_save", "parameters_restore", "run_note",
                                      "run_delete", "run_report", "run_compare", "doctor",
-                                     "run_identify", "wheels_up_begin", "wheels_up_watch"));
+                                     "run_identify", "wheels_up_begin", "wheels_up_watch", "watch"));
 }
 
 TEST_F(RequestHandlerTest, ASubscriberGetsWhatIsKeptAtOnceAndThenWhatIsNew) {

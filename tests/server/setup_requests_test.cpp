@@ -117,6 +117,37 @@ TEST_F(RequestHandlerTest, WhatSetsTheRobotInMotionSaysWhatThePersonSaw) {
   EXPECT_THAT(std::string(call(Service::kStart).texts.at(0)["message"]), HasSubstr("STOP was"));
 }
 
+// Whoever chose so must not find a robot that drives on after its page was closed.
+TEST_F(RequestHandlerTest, ARunThatNoPageWatchesIsStoppedIfThatIsConfigured) {
+  StepRecord record = ready();
+  const auto run_for = [&](HostNs ns, bool watched) {
+    for (const HostNs end = record.now_ns + ns; record.now_ns < end;) {
+      record.now_ns += 100 * kNsPerMs;
+      step(record);
+      if (watched)
+        call(static_cast<std::uint32_t>(Service::kWatch), "{}", Permission::kCommand,
+             record.now_ns);
+    }
+  };
+  for (const bool configured : {false, true}) {
+    messages::RunContext context = messages::example_subject();
+    context.stop_unwatched = configured;
+    publisher_.change_setup(context, record.now_ns);
+    for (const RunState state : {RunState::kRunning, RunState::kDriving, RunState::kArming}) {
+      record.snapshot.run_state = RunState::kIdle;
+      run_for(10 * kNsPerS, false);
+      EXPECT_EQ(controls_.stops, 0);
+      record.snapshot.run_state = state;
+      run_for(10 * kNsPerS, true);
+      run_for(19 * kNsPerS / 10, false);
+      EXPECT_EQ(controls_.stops, 0);
+      run_for(kNsPerS / 5, false);
+      EXPECT_EQ(controls_.stops, configured ? 1 : 0);
+      controls_.stops = 0;
+    }
+  }
+}
+
 TEST_F(RequestHandlerTest, ADraftIsCheckedAlsoDuringARun) {
   StepRecord record = ready();
   record.snapshot.run_state = RunState::kRunning;
