@@ -16,7 +16,7 @@ using wire::fault_bit;
 using wire::FaultMask;
 
 /// The robot's faults, bits 0 to 15. The daemon latches those, too, that it sees in a run's samples
-/// or finds itself (STOP, a stale IMU, commands not accepted); bits 16 to 31 are its own alone.
+/// or finds itself (STOP, a stale IMU, commands not accepted); bits 16 to 63 are its own alone.
 inline constexpr FaultMask kRobotFaults = 0xFFFFU;
 /// The robot's faults that this version knows.
 inline constexpr FaultMask kKnownRobotFaults = 0

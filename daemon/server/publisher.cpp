@@ -21,11 +21,11 @@ constexpr HostNs kStopEventNs = 100 * kNsPerMs;
 /// The fields whose change makes a state message due at once.
 std::string key_of(const messages::StateFigures& state) {
   std::string key;
+  for (const FaultMask mask : {state.faults, state.robot_faults}) key += std::to_string(mask) + ' ';
   for (const unsigned part :
        {static_cast<unsigned>(state.run), static_cast<unsigned>(state.session),
         static_cast<unsigned>(state.steering),
         state.robot ? static_cast<unsigned>(*state.robot) : 99U,
-        static_cast<unsigned>(state.faults), static_cast<unsigned>(state.robot_faults),
         static_cast<unsigned>(state.stop.status), state.stop.latched ? 1U : 0U,
         state.can_record ? 1U : 0U, state.motors_on ? 1U : 0U, state.confirm_start ? 1U : 0U,
         state.driver.fresh ? 1U : 0U, state.pause_left_s > 0.0 ? 1U : 0U})

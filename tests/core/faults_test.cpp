@@ -23,13 +23,13 @@ TEST(Faults, TheRobotsFaultsFitItsSixteenBits) {
 #define TP100_LOW(bit, name, cause, fix) static_assert(bit < 16);
   TP100_ROBOT_FAULTS(TP100_LOW)
 #undef TP100_LOW
-#define TP100_HIGH(bit, name, cause, fix) static_assert(bit >= 16 && bit < 32);
+#define TP100_HIGH(bit, name, cause, fix) static_assert(bit >= 16 && bit < 64);
   TP100_DAEMON_FAULTS(TP100_HIGH)
 #undef TP100_HIGH
 }
 
 TEST(Faults, ABitThatThisVersionDoesNotKnowIsNamedUnknown) {
-  for (const FaultMask bit : {FaultMask{1} << 13, FaultMask{1} << 15})
+  for (const FaultMask bit : {FaultMask{1} << 13, FaultMask{1} << 15, FaultMask{1} << 63})
     EXPECT_EQ(describe(*first_fault(bit)).name, "unknown");
 }
 

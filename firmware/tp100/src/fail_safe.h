@@ -16,13 +16,15 @@ const uint16_t kSessionGraceMs = 500 + wire::kMaxCommandLifeMs;
 
 /// What tripped the fail-safe.
 struct Trip {
-  wire::FaultMask faults;  ///< empty: nothing
-  uint32_t at_us;          ///< device time
-  int32_t silence_ms;      ///< since the last fresh command
+  uint16_t faults;     ///< mask of the robot's bits; empty: nothing
+  uint32_t at_us;      ///< device time
+  int32_t silence_ms;  ///< since the last fresh command
 };
 
-/// A fault as a bit of a word that an interrupt can exchange.
-inline uint16_t bit(wire::Fault fault) { return static_cast<uint16_t>(wire::fault_bit(fault)); }
+/// A fault of the robot as a bit of a word that an interrupt can exchange.
+inline uint16_t bit(wire::Fault fault) {
+  return static_cast<uint16_t>(1U << static_cast<uint8_t>(fault));
+}
 
 class FailSafe {
  public:

@@ -1,5 +1,5 @@
-// The only list of faults. A robot detects the lower sixteen, latches them and sends them in every
-// sample. The daemon detects the upper sixteen and some of the robot's, and latches the faults that
+// The only list of faults. A robot detects those of bits 0 to 15, latches them and sends them in
+// every sample. The daemon detects the others and some of the robot's, and latches the faults that
 // end a run, its own or the robot's. A latched fault keeps the motors off until the next start. The
 // robot clears its own when it accepts an arm message; it refuses one only for faults that it
 // detects at standstill: no session, no fresh command, IMU missing or stale, battery low. A track
@@ -85,8 +85,9 @@ enum class Fault : uint8_t {
 #undef TP100_FAULT
 };
 
-/// One bit per fault; the robot uses the lower sixteen, the daemon the upper sixteen.
-typedef uint32_t FaultMask;
+/// One bit per fault: bits 0 to 15 are the robot's and those that the wire carries; the daemon's
+/// are bits 16 to 63.
+typedef uint64_t FaultMask;
 
 /// Mask of one fault.
 constexpr FaultMask fault_bit(Fault fault) {
