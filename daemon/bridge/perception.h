@@ -2,6 +2,8 @@
 // The robot's state from all measurements: tracks, gyro, attitude, three poses, terrain and
 // traction.
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 
@@ -110,11 +112,25 @@ class Perception {
   /// The newest sample of all, and whether it is of this session.
   const Sample& sample() const { return sample_; }
   bool has_sample() const { return has_sample_; }
+  /// There is one that is not older than the time-out.
+  bool fresh(HostNs now) const {
+    return has_sample_ && to_s(now - sample_.measured_ns) <= parameters_.sample_timeout_s;
+  }
+  /// The gyro steers and its newest value is old. The firmware's own limit is 10 samples.
+  bool imu_stale() const { return gyro_steers() && sample_.imu_age > kOldestImu; }
 
+  Estimate estimate(PoseSource source) const;
   Estimate steering_estimate() const { return estimate(parameters_.steering); }
   Pose steering_pose() const { return steering_estimate().pose; }
+  /// Standard deviation of its position, per axis.
+  double steering_sd_m() const {
+    const PlanarCovariance covariance = steering_estimate().covariance;
+    return std::sqrt(std::max(covariance.xx, covariance.yy));
+  }
   /// The steering pose in the course's world, which differs where ramps and blocks are virtual.
   Pose world_pose() const { return terrain_contacts_.world(steering_pose()); }
+  /// Transform from the robot's floor into that world.
+  const Transform2d& to_world() const { return terrain_contacts_.transform(); }
   const Speeds& speeds() const { return speeds_; }
   /// False on a stand, where the body does not turn.
   bool gyro_steers() const { return parameters_.setup != Setup::kStand; }
@@ -127,6 +143,8 @@ class Perception {
   bool on_obstacle() const;
   /// The tracks run but the robot does not move.
   bool immobilised() const { return traction_estimator_.state() == Traction::kImmobilised; }
+  /// A camera sample was used since the samples were last interrupted.
+  bool camera_known() const { return filter_.camera_known(); }
   /// How often the camera contradicted the filter so much that the filter was reset.
   std::uint32_t contradictions() const { return filter_.recoveries(); }
 
@@ -134,7 +152,8 @@ class Perception {
   void write(Snapshot& snapshot, HostNs now) const;
 
  private:
-  Estimate estimate(PoseSource source) const;
+  static constexpr std::uint8_t kOldestImu = 20;
+
   PerSource<Estimate> estimates() const;
   double distance_m() const;
   double heading_rate_radps() const;

@@ -1,13 +1,13 @@
 #include "bridge/step.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <utility>
 
 #include "bridge/external_world.h"
 #include "bridge/parameters.h"
 #include "bridge/perception.h"
+#include "bridge/witnesses.h"
 #include "control/arming.h"
 #include "control/hand_drive.h"
 #include "control/monitor.h"
@@ -21,8 +21,6 @@ namespace {
 
 // Time beyond this between two steps was not observed and does not count towards durations.
 constexpr double kLongestSeenS = 0.05;
-// The firmware's own limit is 10 samples.
-constexpr std::uint8_t kOldestImu = 20;
 
 }  // namespace
 
@@ -32,6 +30,7 @@ struct Step::State {
         course(std::move(c)),
         perception(parameters, course.get()),
         external(p.world, p.setup),
+        witnesses(parameters, perception, external),
         disturbance(p.control),
         hand_drive(course == nullptr ? std::nullopt : std::optional(course->fence)) {
     if (course != nullptr) {
@@ -47,7 +46,6 @@ struct Step::State {
   void take_changes(std::span<const ParameterChange> changes);
   void take_requests(std::span<const OperatorRequest> requests);
   void take_world(std::span<const WorldSample> received, double dt_s);
-  bool fresh_sample(HostNs now) const;
   FaultMask aborts(const StepInputs& in, HostNs now, double dt_s);
   StartRefusal refusal(const StepInputs& in, HostNs now) const;
   void begin(HostNs now);
@@ -63,6 +61,7 @@ struct Step::State {
   std::optional<course::Path> path;
   Perception perception;
   ExternalWorld external;
+  WitnessPoses witnesses;
   std::optional<control::Tracker> tracker;
   std::optional<control::Monitor> monitor;
   control::DisturbanceDetector disturbance;
@@ -72,7 +71,8 @@ struct Step::State {
 
   control::Target target{};
   bool at_fence = false;
-  bool goes_on = false;  // the run that is about to begin continues the last one
+  bool no_course = false;  // this step refused a start
+  bool goes_on = false;    // the run that is about to begin continues the last one
   HostNs last_step_ns = 0, run_began_ns = 0;
   std::uint32_t session_number = 0;
   Outputs out{};
@@ -145,9 +145,12 @@ void Step::State::take_changes(std::span<const ParameterChange> changes) {
 }
 
 void Step::State::take_requests(std::span<const OperatorRequest> requests) {
+  no_course = false;
   for (const OperatorRequest request : requests) {
     switch (request) {
       case OperatorRequest::kStart:
+        no_course = !path;
+        if (no_course) break;
         goes_on = false;
         arming.start();
         break;
@@ -183,20 +186,14 @@ void Step::State::take_world(std::span<const WorldSample> received, double dt_s)
   perception.set_external_terrain({external.ground(), external.transform()});
 }
 
-bool Step::State::fresh_sample(HostNs now) const {
-  return perception.has_sample() &&
-         to_s(now - perception.sample().measured_ns) <= parameters.sample_timeout_s;
-}
-
 FaultMask Step::State::aborts(const StepInputs& in, HostNs now, double dt_s) {
   FaultMask faults = 0;
   const bool running = armed(arming.state());
   if (running && perception.has_sample()) {
     faults = monitor->update(observe(now, dt_s));
-    if (!fresh_sample(now))
+    if (!perception.fresh(now))
       faults |= fault_bit(in.samples.empty() ? Fault::link_lost : Fault::samples_stale);
-    if (perception.gyro_steers() && perception.sample().imu_age > kOldestImu)
-      faults |= fault_bit(Fault::imu_stale);
+    if (perception.imu_stale()) faults |= fault_bit(Fault::imu_stale);
   }
   if (running ? external.lost(now) : !external.fresh(now)) faults |= fault_bit(Fault::world_lost);
   return faults;
@@ -204,12 +201,12 @@ FaultMask Step::State::aborts(const StepInputs& in, HostNs now, double dt_s) {
 
 StartRefusal Step::State::refusal(const StepInputs& in, HostNs now) const {
   if (in.session != SessionState::kReady) return StartRefusal::kNoSession;
-  if (!fresh_sample(now)) return StartRefusal::kNoSample;
+  if (!perception.fresh(now)) return StartRefusal::kNoSample;
   const Sample& sample = perception.sample();
   if (motors_on(sample)) return StartRefusal::kMotorsOn;
   if ((sample.faults & ~kKnownRobotFaults) != 0) return StartRefusal::kUnknownFault;
   if (control::tilted(sample, parameters.control)) return StartRefusal::kTilted;
-  if (perception.gyro_steers() && sample.imu_age > kOldestImu) return StartRefusal::kNoImu;
+  if (perception.imu_stale()) return StartRefusal::kNoImu;
   if (perception.gyro_steers() && !perception.gyro_bias_known()) return StartRefusal::kNotStill;
   if (!external.fresh(now)) return StartRefusal::kNoWorld;
   return StartRefusal::kNone;
@@ -227,6 +224,7 @@ void Step::State::begin(HostNs now) {
     tracker->restart();
   }
   external.restart(now);
+  witnesses.begin();
   disturbance.restart(perception.contradictions());
   monitor->restart();
   run_began_ns = now;
@@ -235,6 +233,7 @@ void Step::State::begin(HostNs now) {
 
 control::Observation Step::State::observe(HostNs now, double dt_s) const {
   const Speeds& speeds = perception.speeds();
+  const bool by_hand = arming.state() == RunState::kDriving;
   return {.sample = &perception.sample(),
           .pose = perception.world_pose(),
           .left_mps = speeds.tracks.left_mps,
@@ -245,7 +244,9 @@ control::Observation Step::State::observe(HostNs now, double dt_s) const {
           .pitch_rad = perception.pitch_rad(),
           .on_obstacle = perception.on_obstacle(),
           .immobilised = perception.immobilised() || external.blocked(),
-          .by_hand = arming.state() == RunState::kDriving,
+          .by_hand = by_hand,
+          .others = witnesses.now(by_hand ? nullptr : &*tracker),
+          .recoveries = perception.contradictions(),
           .commanded = out.command_valid,
           .target = target,
           .commanded_left_mps = out.snapshot.commanded_left_mps,
@@ -265,13 +266,13 @@ void Step::State::aim(double desired_yaw_rad, double yaw_rate_radps, double spee
 
 void Step::State::drive_by_hand(HostNs now, double dt_s) {
   const Pose pose = perception.world_pose();
-  const PlanarCovariance covariance = perception.steering_estimate().covariance;
   const control::HandCommand wanted =
       hand_drive.update({.pose = pose,
                          .measured_yaw_rate_radps = perception.speeds().steering.yaw_rate_radps,
-                         .position_sd_m = std::sqrt(std::max(covariance.xx, covariance.yy)),
+                         .position_sd_m = perception.steering_sd_m(),
                          .limits = drive_of(parameters, 0.0).limits,
-                         .braking_mps2 = parameters.drive.max_track_mps2},
+                         .braking_mps2 = parameters.drive.max_track_mps2,
+                         .others = witnesses.now(nullptr)},
                         parameters.control, now, std::min(dt_s, kLongestSeenS));
   aim(wanted.desired_yaw_rad, wanted.yaw_rate_radps, wanted.speed_mps);
   at_fence = wanted.at_fence;
@@ -372,11 +373,12 @@ const Outputs& Step::operator()(const StepInputs& in, HostNs now) {
   if (s.external.take_stop(under_way(s.arming.state()))) s.arming.stop();
   for (const VelocityInput& input : in.velocities) s.hand_drive.take(input, now);
 
+  s.witnesses.advance(std::min(dt_s, kLongestSeenS));
   const FaultMask aborts = s.aborts(in, now, dt_s);
   const StartRefusal refusal = s.refusal(in, now);
   s.out.request = s.arming.update(
       {.session = in.session,
-       .sample = s.fresh_sample(now) ? &s.perception.sample() : nullptr,
+       .sample = s.perception.fresh(now) ? &s.perception.sample() : nullptr,
        .refusal = refusal,
        .new_session = new_session,
        .rebooted = in.robot_rebooted,
@@ -385,7 +387,7 @@ const Outputs& Step::operator()(const StepInputs& in, HostNs now) {
        .done = s.arming.state() == RunState::kDriving ? s.hand_drive.silent(now)
                                                       : armed(s.arming.state()) && s.target.done},
       dt_s);
-  s.out.refused = s.arming.refused();
+  s.out.refused = s.no_course ? StartRefusal::kNoCourse : s.arming.refused();
   s.out.disarming = s.arming.disarming();
   if (s.arming.just_began()) s.begin(now);
   s.steer(now, dt_s);

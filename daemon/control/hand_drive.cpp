@@ -104,7 +104,8 @@ double speed_inside(double speed_mps, const FenceMotion& motion, const course::F
                     .y = sign * std::sin(pose.yaw_rad),
                     .turned_rad = kYawErrorRad + motion.yaw_rate_radps * kDelayS,
                     .margin_m = std::min({kMarginM + kDeviations * motion.uncertainty_m,
-                                          kMaxMarginM, kMaxMarginShare * side_m}),
+                                          kMaxMarginM, kMaxMarginShare * side_m}) -
+                                motion.tolerance_m,
                     .braking_mps2 = kBrakingShare * motion.braking_mps2,
                     .max_mps = std::abs(speed_mps)};
   if (fence.corners.empty()) {
@@ -156,12 +157,17 @@ HandCommand HandDrive::update(const HandDriveState& state, const Parameters& par
   if (fence_) {
     const double turning_radps = std::max(std::abs(turn_asked(ahead_rad_, yaw_rate_radps_, limits)),
                                           std::abs(state.measured_yaw_rate_radps));
-    speed_mps_ = speed_inside(wanted_mps,
-                              {.pose = state.pose,
-                               .yaw_rate_radps = turning_radps,
-                               .braking_mps2 = state.braking_mps2,
-                               .uncertainty_m = state.position_sd_m},
-                              *fence_);
+    FenceMotion motion{.pose = state.pose,
+                       .yaw_rate_radps = turning_radps,
+                       .braking_mps2 = state.braking_mps2,
+                       .uncertainty_m = state.position_sd_m};
+    speed_mps_ = speed_inside(wanted_mps, motion, *fence_);
+    motion.uncertainty_m = 0.0;
+    for (const Witness& other : state.others) {
+      motion.pose = other.pose;
+      motion.tolerance_m = tolerance_m(other);
+      speed_mps_ = speed_inside(speed_mps_, motion, *fence_);
+    }
     out.at_fence = speed_mps_ != wanted_mps;
   }
   out.desired_yaw_rad = desired_yaw(state, dt_s);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "control/envelope.h"
 #include "control/parameters.h"
 #include "control/track_limits.h"
 #include "core/command.h"
@@ -20,6 +21,7 @@ struct FenceMotion {
   double yaw_rate_radps = 0.0;  ///< without sign: the greater of the commanded and the measured one
   double braking_mps2 = 0.6;    ///< of the tracks, by the robot's file
   double uncertainty_m = 0.0;   ///< of the position: added to the margin to the fence, up to 3 cm
+  double tolerance_m = 0.0;     ///< how far outside this pose may be; taken off the margin
 };
 
 /// The ground speed nearest to `speed_mps` (backwards negative) at which the reference point can
@@ -34,6 +36,8 @@ struct HandDriveState {
   double position_sd_m = 0.0;            ///< standard deviation of the position, per axis
   TrackLimits limits{};
   double braking_mps2 = 0.6;  ///< of the tracks, by the robot's file
+  /// Other poses that tell where the robot is: the fence limits it by the one nearest to it.
+  Witnesses others{};
 };
 
 /// Command to the robot. The desired yaw is on the pose's branch.

@@ -61,7 +61,6 @@ double drained(double balance_rad, double by_rad) {
   return std::copysign(std::max(0.0, std::abs(balance_rad) - by_rad), balance_rad);
 }
 
-constexpr double kHeadingS = 0.5;
 constexpr double kTiltS = 0.3;
 constexpr double kBatteryS = 2.0;
 constexpr double kAgainstDutyS = 0.5;
@@ -179,7 +178,8 @@ bool tilted(const Sample& sample, const Parameters& parameters) {
 }
 
 void Monitor::restart() {
-  heading_ = tilt_ = battery_ = stalled_ = against_duty_ = disagreement_ = none_taken_ = Lasting{};
+  envelope_.restart();
+  tilt_ = battery_ = stalled_ = against_duty_ = disagreement_ = none_taken_ = Lasting{};
   opposed_rad_ = running_on_radps_ = 0.0;
   left_duty_.restart();
   right_duty_.restart();
@@ -220,20 +220,6 @@ bool Monitor::turn_disagrees(const Observation& seen) {
                                           mean_mps(seen), seen.on_obstacle, seen.dt_s);
 }
 
-FaultMask Monitor::course_faults(const Observation& seen) {
-  FaultMask faults = 0;
-  const auto raise = [&faults](bool condition, Fault fault) {
-    if (condition) faults |= fault_bit(fault);
-  };
-  raise(seen.target.off_path_m > parameters_.max_cross_track_m, Fault::cross_track);
-  raise(heading_.update(std::abs(seen.target.heading_error_rad) > parameters_.max_heading_error_rad,
-                        seen.dt_s, kHeadingS),
-        Fault::heading);
-  raise(!course::contains(fence_, seen.pose.x_m, seen.pose.y_m), Fault::fence);
-  raise(seen.elapsed_s > parameters_.time_limit_factor * nominal_duration_s_, Fault::time_limit);
-  return faults;
-}
-
 FaultMask Monitor::update(const Observation& seen) {
   FaultMask faults = 0;
   const auto raise = [&faults](bool condition, Fault fault) {
@@ -242,7 +228,13 @@ FaultMask Monitor::update(const Observation& seen) {
   const double dt = seen.dt_s;
   const Sample& sample = *seen.sample;
 
-  if (!seen.by_hand) faults |= course_faults(seen);
+  faults |= envelope_.update({.steering = {.pose = seen.pose, .off_path_m = seen.target.off_path_m},
+                              .others = seen.others,
+                              .by_hand = seen.by_hand,
+                              .heading_error_rad = seen.target.heading_error_rad,
+                              .elapsed_s = seen.elapsed_s,
+                              .dt_s = dt,
+                              .recoveries = seen.recoveries});
   raise(turns_against(seen), Fault::heading);
   raise(tilt_.update(tilted(sample, parameters_), dt, kTiltS), Fault::tilt);
   raise(battery_.update(sample.battery_v < parameters_.min_battery_v, dt, kBatteryS),

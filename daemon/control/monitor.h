@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "control/envelope.h"
 #include "control/parameters.h"
 #include "control/tracker.h"
 #include "core/arithmetic.h"
@@ -122,7 +123,10 @@ struct Observation {
   bool on_obstacle = false;  ///< a real ramp or block
   bool immobilised = false;  ///< the tracks run but the robot does not move
   bool by_hand = false;      ///< no path, fence or time limit applies: see HandDrive
-  bool commanded = false;    ///< a command went out in the last step
+  /// Other poses that tell where the robot is, see Witness.
+  Witnesses others{};
+  std::uint32_t recoveries = 0;  ///< how often the camera reset the fused pose
+  bool commanded = false;        ///< a command went out in the last step
   Target target{};
   double commanded_left_mps = 0.0;  ///< track speeds according to the command
   double commanded_right_mps = 0.0;
@@ -132,19 +136,6 @@ struct Observation {
 
 /// True if the IMU's newest value shows a tilt of more than control.max_tilt_deg.
 bool tilted(const Sample& sample, const Parameters& parameters);
-
-/// A condition that must last before it counts.
-class Lasting {
- public:
-  /// True once `condition` has held for `needed_s`.
-  bool update(bool condition, double dt_s, double needed_s) {
-    held_s_ = condition ? held_s_ + dt_s : 0.0;
-    return condition && held_s_ >= needed_s;
-  }
-
- private:
-  double held_s_ = 0.0;
-};
 
 /// The robot's values that the monitor uses.
 struct MonitoredRobot {
@@ -160,8 +151,7 @@ class Monitor {
   Monitor(const Parameters& parameters, const course::Fence& fence, double nominal_duration_s,
           const MonitoredRobot& robot)
       : parameters_(parameters),
-        fence_(fence),
-        nominal_duration_s_(nominal_duration_s),
+        envelope_(parameters, fence, nominal_duration_s),
         wheelbase_m_(robot.wheelbase_m),
         left_duty_(robot.motor),
         right_duty_(robot.motor),
@@ -175,13 +165,11 @@ class Monitor {
 
  private:
   bool turns_against(const Observation& seen);
-  FaultMask course_faults(const Observation& seen);
   bool duty_disagrees(const Observation& seen);
   bool turn_disagrees(const Observation& seen);
 
   Parameters parameters_;
-  course::Fence fence_;
-  double nominal_duration_s_;
+  Envelope envelope_;
   double wheelbase_m_;
   DutyMonitor left_duty_, right_duty_;
   TurnBalance turn_;
@@ -189,7 +177,7 @@ class Monitor {
   double opposed_rad_ = 0.0;       ///< rotation against the command
   double running_on_radps_ = 0.0;  ///< turn rate that a reversal explains
   std::uint16_t last_taken_ = 0;   ///< last command that the robot accepted
-  Lasting heading_, tilt_, battery_, stalled_, against_duty_, disagreement_, none_taken_;
+  Lasting tilt_, battery_, stalled_, against_duty_, disagreement_, none_taken_;
 };
 
 }  // namespace tp100::control

@@ -164,14 +164,24 @@ const Target& Tracker::update(const Pose& pose, const Twist& twist, double dt_s,
   return target_;
 }
 
+double Tracker::off_path_m(double x_m, double y_m, double slack_m) const {
+  // The robot may pass a corner beside its point.
+  const bool turns = progress_.segment().kind == Kind::kPivot;
+  const double reach_m = slack_m + (turns ? corner().reach_m() : 0.0);
+  if (turns || reach_m > 0.0)
+    return path_.distance(x_m, y_m, target_.progress_m - reach_m, target_.progress_m + reach_m);
+  const course::PathPoint here = progress_.here();
+  return magnitude(x_m - here.x_m, y_m - here.y_m);
+}
+
 void Tracker::follow(const Pose& pose, const Twist& twist, double dt_s) {
   progress_.advance(pose.x_m, pose.y_m);
   const course::PathPoint here = progress_.here();
   const double c = std::cos(here.yaw_rad);
   const double s = std::sin(here.yaw_rad);
   target_.cross_track_m = -s * (pose.x_m - here.x_m) + c * (pose.y_m - here.y_m);
-  target_.off_path_m = magnitude(pose.x_m - here.x_m, pose.y_m - here.y_m);
   target_.progress_m = here.s_m;
+  target_.off_path_m = off_path_m(pose.x_m, pose.y_m);
   recovery_.update(target_.cross_track_m, wrap_angle(pose.yaw_rad - here.yaw_rad), dt_s);
 
   const double left_m = progress_.left_m() - corner().stop_before_m();
@@ -259,10 +269,7 @@ void Tracker::turn(const Pose& pose, const Twist& twist, double dt_s) {
   target_.speed_mps = 0.0;
   target_.cross_track_m = 0.0;
   target_.progress_m = segment.begin.s_m;
-  // The robot may pass a corner beside its point.
-  const double reach_m = corner().reach_m();
-  target_.off_path_m = path_.distance(pose.x_m, pose.y_m, target_.progress_m - reach_m,
-                                      target_.progress_m + reach_m);
+  target_.off_path_m = off_path_m(pose.x_m, pose.y_m);
   if (paused_ && !pivot_.arrived()) {
     pivot_.halt_at(pose.yaw_rad);
     come_to_rest(pose.yaw_rad);

@@ -106,6 +106,10 @@ class Tracker {
   /// the robot is being pushed, see DisturbanceDetector.
   const Target& update(const Pose& pose, const Twist& twist, double dt_s, bool disturbed = false);
 
+  /// Distance of a place from the path where progress says the robot is, or at most `slack_m`
+  /// before or after that: Target::off_path_m is that of the pose, without slack.
+  double off_path_m(double x_m, double y_m, double slack_m = 0.0) const;
+
   /// Duration of the path at the intended speeds, pivots included. [s]
   double nominal_duration_s() const { return nominal_duration_s_; }
 

@@ -61,6 +61,28 @@ bool contains(const Fence& fence, double x_m, double y_m) {
                       [&](const Polygon& area) { return contains(area, x_m, y_m); });
 }
 
+double outside_m(const Fence& fence, double x_m, double y_m) {
+  if (contains(fence, x_m, y_m)) return 0.0;
+  const auto to_edge_m = [&](const Polygon& polygon) {
+    double nearest_m = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const Vertex edge = nearest_on_edge(polygon, i, x_m, y_m);
+      nearest_m = std::min(nearest_m, magnitude(edge.x_m - x_m, edge.y_m - y_m));
+    }
+    return nearest_m;
+  };
+  double out_m = 0.0;
+  if (fence.corners.empty()) {
+    out_m = magnitude(std::max({fence.min_x_m - x_m, 0.0, x_m - fence.max_x_m}),
+                      std::max({fence.min_y_m - y_m, 0.0, y_m - fence.max_y_m}));
+  } else if (!contains(fence.corners, x_m, y_m)) {
+    out_m = to_edge_m(fence.corners);
+  }
+  for (const Polygon& area : fence.keep_out)
+    if (contains(area, x_m, y_m)) out_m = std::max(out_m, to_edge_m(area));
+  return out_m;
+}
+
 bool crosses_itself(const Polygon& polygon) {
   const std::size_t count = polygon.size();
   for (std::size_t i = 0; i < count; ++i) {

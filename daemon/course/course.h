@@ -38,6 +38,10 @@ bool contains(const Polygon& polygon, double x_m, double y_m);
 /// no keep-out area.
 bool contains(const Fence& fence, double x_m, double y_m);
 
+/// How far from the nearest place where the reference point may be; 0: it may be there. In an area
+/// that overlaps another one or the boundary this is the larger of both distances.
+double outside_m(const Fence& fence, double x_m, double y_m);
+
 /// Whether two edges of the polygon cross or touch, except neighbours at their corner.
 bool crosses_itself(const Polygon& polygon);
 

@@ -149,6 +149,8 @@ class PoseFilter {
   const Twist& twist() const { return odometry_.twist(); }
   /// In the world frame, with the error common to all images.
   PlanarCovariance pose_covariance() const;
+  /// A camera sample was used since the last interruption.
+  bool camera_known() const { return camera_known_; }
   /// Age of the last camera sample used; infinite before the first. [s]
   double camera_age_s(HostNs now) const;
   const FilterState& state() const { return odometry_.state(); }

@@ -1,7 +1,9 @@
 #include "live/link_monitor.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "core/arithmetic.h"
 #include "core/faults.h"
 
 namespace tp100::live {
@@ -11,9 +13,15 @@ using messages::Event;
 
 // A longer pause of the loop is reported; other programs on the machine may cause it now and then.
 constexpr HostNs kStillNs = 50 * kNsPerMs;
+// A false detection now and then is usual; so are a bump and a push.
+constexpr std::uint64_t kFewestPoses = 30;
+constexpr double kUsualShare = 0.2;
+constexpr double kTiltedRad = 8.0 * kRadPerDeg;
+constexpr HostNs kTiltedNs = 300 * kNsPerMs;
 
 struct Text {
   std::uint64_t least;  // a session's first frames and a brief pause do not count
+  const char* kind;
   const char* what;
   const char* cause;
   std::string fix;
@@ -24,6 +32,46 @@ struct Text {
 void LinkMonitor::take(const StepRecord& record) {
   count(record.link);
   time(record);
+  see(record.snapshot);
+  tilt(record.snapshot);
+}
+
+void LinkMonitor::take(const link::CameraCounters& poses) {
+  tallies_[kCameraMalformed].now = poses.malformed;
+  tallies_[kCameraLate].now = poses.late + poses.early;
+}
+
+void LinkMonitor::see(const Snapshot& snapshot) {
+  const FilterFigures& now = snapshot.filter;
+  // The step counts anew with each run.
+  const auto more = [](std::uint32_t before, std::uint32_t after) {
+    return after < before ? after : after - before;
+  };
+  const std::uint32_t rejected = more(camera_.camera_rejected, now.camera_rejected);
+  camera_poses_ += rejected + more(camera_.camera_used, now.camera_used);
+  tallies_[kCameraRejected].now += rejected;
+  camera_ = now;
+  // What was usual long ago says nothing about now.
+  if (now_ns_ - window_ns_ < kQuietNs) return;
+  window_ns_ = now_ns_;
+  tallies_[kCameraRejected].reported = tallies_[kCameraRejected].now;
+  reported_of_ = camera_poses_;
+}
+
+void LinkMonitor::tilt(const Snapshot& snapshot) {
+  const double pitch_rad = std::abs(snapshot.imu_pitch_rad);
+  const bool tilted = armed(snapshot.run_state) && pitch_rad > kTiltedRad &&
+                      snapshot.terrain_contact.pitch_source != PitchSource::kImu;
+  if (!tilted) {
+    tilted_since_ns_ = 0;
+    return;
+  }
+  steepest_rad_ = std::max(steepest_rad_, pitch_rad);
+  if (tilted_since_ns_ == 0) tilted_since_ns_ = now_ns_;
+  const bool counted = tilted_since_ns_ < 0;
+  if (counted || now_ns_ - tilted_since_ns_ < kTiltedNs) return;
+  ++tallies_[kTiltedOnFlat].now;
+  tilted_since_ns_ = -1;
 }
 
 void LinkMonitor::count(const LinkCounters& link) {
@@ -56,42 +104,63 @@ void LinkMonitor::time(const StepRecord& record) {
 
 std::vector<Event> LinkMonitor::drain_events() {
   static const std::array<Text, kCount> kTexts{
-      {{1, "corrupted frames", "bytes change or are lost on their way, or another program writes",
+      {{1, "session", "corrupted frames",
+        "bytes change or are lost on their way, or another program writes",
         "check cable and hub; run tp100d doctor to examine the port"},
-       {1, "frames corrupted on their way to the robot",
+       {1, "session", "frames corrupted on their way to the robot",
         "bytes change or are lost, or its board was busy for too long",
         "check cable and hub; run tp100d doctor to examine the port"},
-       {1, "encoder edges missed by the robot",
+       {1, "session", "encoder edges missed by the robot",
         "an encoder's wires pick up noise or make bad contact",
         "check the encoders' plugs and shields"},
-       {1, "frames of an unknown type or size",
+       {1, "session", "frames of an unknown type or size",
         "the firmware or another program sends other messages",
         "flash the board with " + flash_command() + "; run tp100d doctor to examine the port"},
-       {5, "samples repeated or out of order", "a hub or its driver repeats or reorders",
+       {5, "session", "samples repeated or out of order", "a hub or its driver repeats or reorders",
         "use another cable or hub"},
-       {1, "impossible values", "glitches on an encoder's wires, or a clock that jumped",
+       {1, "session", "impossible values", "glitches on an encoder's wires, or a clock that jumped",
         "check the encoders' plugs and shields, and the board's supply"},
-       {5, "unusable replies to clock requests", "they arrive late, twice or out of order",
-        "use another cable or hub"},
-       {1, "frames that the port did not accept", "the robot or its USB bridge reads nothing",
-        "check the cable; plug it in again"},
-       {3, "steps without a fresh sample",
+       {5, "session", "unusable replies to clock requests",
+        "they arrive late, twice or out of order", "use another cable or hub"},
+       {1, "session", "frames that the port did not accept",
+        "the robot or its USB bridge reads nothing", "check the cable; plug it in again"},
+       {3, "session", "steps without a fresh sample",
         "a USB bridge or hub holds data back, or the machine is busy",
         "set the bridge's latency timer to 1 ms; run tp100d doctor to examine the machine"},
-       {1, "cycles of the loop that started late",
+       {1, "session", "cycles of the loop that started late",
         "the machine is busy or the loop lacks privileges",
-        "end other programs; see the lines `real time:` and tp100d doctor"}}};
+        "end other programs; see the lines `real time:` and tp100d doctor"},
+       {1, "camera", "malformed poses of the camera",
+        "its program sends another format, or numbers out of range",
+        "use tp100-camera of this version; see the camera's datagrams in CAMERA.md"},
+       {10, "camera", "poses of the camera that arrived too late or from the future",
+        "the camera's program, the machine or the network holds them back, or the stamps are of "
+        "another clock",
+        "check the load of both machines and the stamps; see camera.max_age_ms"},
+       {1, "camera", "poses of the camera rejected",
+        "they contradict the robot's own sensors: mirrored, turned or scaled, false detections, or "
+        "the robot was moved",
+        "check the camera's image, its view file and the markers"},
+       {1, "run", "times that the IMU measured a slope on a set-up without one",
+        "the set-up does not match the floor: only on terrain are ramps and blocks real",
+        "start with --setup terrain, or take the obstacles off the floor"}}};
   std::vector<Event> out;
   for (std::size_t i = 0; i < kCount; ++i) {
     Tally& tally = tallies_[i];
     const Text& text = kTexts[i];
     if (tally.now < tally.reported + text.least) continue;
     if (tally.has_reported && now_ns_ - tally.reported_ns < kQuietNs) continue;
-    std::string line = std::to_string(tally.now - tally.reported) + " " + text.what;
+    const std::uint64_t fresh = tally.now - tally.reported, poses = camera_poses_ - reported_of_;
+    const double share = static_cast<double>(fresh) / static_cast<double>(std::max(poses, fresh));
+    if (i == kCameraRejected && (poses < kFewestPoses || share < kUsualShare)) continue;
+    std::string line = std::to_string(fresh) + " " + text.what;
     if (i == kLate) line += ", the oldest of " + std::to_string(oldest_us_ / 1000) + " ms";
     if (i == kStoodStill) line += ", the longest after " + std::to_string(longest_ms_) + " ms";
+    if (i == kCameraRejected) line += ", of " + std::to_string(poses);
+    if (i == kTiltedOnFlat)
+      line += ", up to " + std::to_string(std::lround(steepest_rad_ * kDegPerRad)) + " deg";
     out.push_back({.at_ns = now_ns_,
-                   .kind = "session",
+                   .kind = text.kind,
                    .level = Event::Level::kWarning,
                    .text = std::move(line),
                    .cause = text.cause,
@@ -101,6 +170,8 @@ std::vector<Event> LinkMonitor::drain_events() {
     tally.has_reported = true;
     if (i == kLate) oldest_us_ = 0;
     if (i == kStoodStill) longest_ms_ = 0;
+    if (i == kCameraRejected) reported_of_ = camera_poses_;
+    if (i == kTiltedOnFlat) steepest_rad_ = 0.0;
   }
   return out;
 }

@@ -1,12 +1,14 @@
 #pragma once
-// Detects trouble on a link that is up: frames that are corrupted, repeated or late. Reports it as
-// messages for the log and for viewers. No clock, no port.
+// Where counters become messages for the log and for viewers: trouble on a link that is up (frames
+// that are corrupted, repeated or late), poses of the camera that are of no use, and a set-up that
+// the IMU contradicts. No clock, no port.
 
 #include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include "link/camera_intake.h"
 #include "messages/messages.h"
 #include "messages/sink.h"
 
@@ -21,6 +23,8 @@ class LinkMonitor : public messages::Sink {
   static constexpr std::int64_t kLateUs = 15'000;
 
   void take(const StepRecord& record) override;
+  /// The datagrams of the camera's poses so far.
+  void take(const link::CameraCounters& poses);
   /// Reports since the last call; nearly always empty.
   std::vector<messages::Event> drain_events();
 
@@ -36,6 +40,10 @@ class LinkMonitor : public messages::Sink {
     kUnwritten,
     kLate,
     kStoodStill,
+    kCameraMalformed,
+    kCameraLate,
+    kCameraRejected,
+    kTiltedOnFlat,
     kCount
   };
   /// Count of one kind of trouble, and how much of it was reported.
@@ -47,11 +55,19 @@ class LinkMonitor : public messages::Sink {
   };
   void count(const LinkCounters& link);
   void time(const StepRecord& record);
+  void see(const Snapshot& snapshot);
+  void tilt(const Snapshot& snapshot);
 
   std::array<Tally, kCount> tallies_{};
   HostNs now_ns_ = 0;
   std::uint64_t step_ = 0;
   std::int64_t oldest_us_ = 0, longest_ms_ = 0;
+  FilterFigures camera_{};          ///< as last seen
+  std::uint64_t camera_poses_ = 0;  ///< used or rejected
+  std::uint64_t reported_of_ = 0;   ///< at the last report, or when the window began
+  HostNs window_ns_ = 0;
+  double steepest_rad_ = 0.0;
+  HostNs tilted_since_ns_ = 0;  ///< 0: it is level
 };
 
 }  // namespace tp100::live

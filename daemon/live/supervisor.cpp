@@ -401,6 +401,7 @@ void Supervisor::State::take_figures() {
 }
 
 void Supervisor::State::drain_events() {
+  if (camera != nullptr) link_monitor.take(camera->figures().detections);
   std::vector<messages::Event> events = link_monitor.drain_events();
   settings.recording->drain_events(events);
   settings.controls->drain_events(events);

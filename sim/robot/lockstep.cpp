@@ -50,6 +50,7 @@ class Lockstep {
   void count(std::chrono::duration<double> wall);
   void advance_robot();
   void step_host();
+  void show(CameraSample seen);
   void look();
   void deliver();
   void cable();
@@ -93,8 +94,8 @@ class Lockstep {
 bridge::Parameters parameters_of(const LockstepSettings& settings) {
   bridge::Parameters parameters = config::bridge_parameters(settings.configuration, settings.robot);
   parameters.setup = settings.setup;
-  parameters.world.kind =
-      settings.external_world ? bridge::WorldKind::kUdp : bridge::WorldKind::kInternal;
+  parameters.world.kind = settings.external_world || settings.world ? bridge::WorldKind::kUdp
+                                                                    : bridge::WorldKind::kInternal;
   return parameters;
 }
 
@@ -166,10 +167,14 @@ void Lockstep::advance_robot() {
   if (settings_.watch) settings_.watch(robot_);
 }
 
+void Lockstep::show(CameraSample seen) {
+  if (settings_.misread) settings_.misread(seen);
+  cycle_.camera(seen);
+}
+
 void Lockstep::look() {
   camera_->look(truth_now(), robot_.now_ns());
-  while (const std::optional<CameraSample> seen = camera_->take(robot_.now_ns()))
-    cycle_.camera(*seen);
+  while (const std::optional<CameraSample> seen = camera_->take(robot_.now_ns())) show(*seen);
 }
 
 void Lockstep::deliver() {
@@ -177,7 +182,7 @@ void Lockstep::deliver() {
     CameraSample sample = settings_.detections[delivered_];
     sample.measured_ns += begin_ns_;
     if (sample.measured_ns + kDetectionDelayNs > robot_.now_ns()) return;
-    cycle_.camera(sample);
+    show(sample);
     ++delivered_;
   }
 }
@@ -227,8 +232,9 @@ void Lockstep::record(const Snapshot& snapshot) {
 }
 
 void Lockstep::publish() {
-  if (settings_.sink == nullptr && !world_) return;
+  if (settings_.sink == nullptr && !world_ && !settings_.world) return;
   cycle_.record(record_);
+  if (settings_.world) cycle_.world(settings_.world(record_));
   if (world_) {
     world_->exchange(record_, robot_.now_ns(),
                      [this](const WorldSample& received) { cycle_.world(received); });

@@ -31,8 +31,12 @@ struct LockstepSettings {
   /// Detections by a camera of this same drive, in order, with times since its beginning; used
   /// instead of `camera`. They arrive kDetectionDelayNs after their image.
   std::vector<CameraSample> detections{};
+  std::function<void(CameraSample&)> misread{};  ///< changes every sample of either camera
   /// True: the world at the configuration's address; false: always the course's own.
   bool external_world = false;
+  /// A world within this process, in place of the one at the address: its answer to a step, sent at
+  /// once.
+  std::function<WorldSample(const StepRecord&)> world{};
   std::uint64_t seed = 1;
   std::uint32_t start_us = 0;          ///< device clock at boot; near 2^32 it wraps during the run
   std::vector<PlannedFault> faults{};  ///< of the robot, its cable and the host

@@ -75,6 +75,24 @@ TEST_F(StepTest, SaysBeforehandWhyAStartWouldBeRefused) {
   EXPECT_EQ(tick(ready, robot).snapshot.start_refusal, StartRefusal::kUnderWay);
 }
 
+// A start may arrive after the course was given up.
+TEST_F(StepTest, AStartWithoutACourseIsRefusedAndMovesNothing) {
+  Step step(parameters_, nullptr);
+  KinematicRobot robot(parameters_);
+  run(step, robot, 1.0);
+  for (const OperatorRequest request : {OperatorRequest::kStart, OperatorRequest::kGoOn}) {
+    const Outputs& out = tick(step, robot, std::span(&request, 1));
+    EXPECT_EQ(out.refused, request == OperatorRequest::kStart ? StartRefusal::kNoCourse
+                                                              : StartRefusal::kNone);
+    EXPECT_EQ(run(step, robot, 5.0), RunState::kIdle);
+    EXPECT_FALSE(robot.armed);
+  }
+  const OperatorRequest drive = OperatorRequest::kDrive;
+  tick(step, robot, std::span(&drive, 1));
+  for (int i = 0; i < 40; ++i) tick(step, robot);
+  EXPECT_EQ(tick(step, robot).snapshot.run_state, RunState::kDriving) << "by hand it drives";
+}
+
 TEST_F(StepTest, ARobotThatIsUpsideDownIsNotArmed) {
   Step step(parameters_, course_);
   KinematicRobot robot(parameters_);

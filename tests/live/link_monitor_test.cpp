@@ -54,6 +54,45 @@ TEST_F(LinkMonitorTest, EveryTroubleHasALineWithCauseAndFix) {
   }
 }
 
+TEST_F(LinkMonitorTest, PosesOfACameraThatAreOfNoUseAreSpokenOf) {
+  const auto poses = [this](std::uint32_t used, std::uint32_t rejected) {
+    record_->snapshot.filter.camera_used += used;
+    record_->snapshot.filter.camera_rejected += rejected;
+    return drive(1.0);
+  };
+  for (int i = 0; i < 600; ++i) EXPECT_THAT(poses(30, 1), SizeIs(0)) << "a few are usual";
+  std::vector<messages::Event> events;
+  for (int i = 0; i < 10; ++i)
+    for (messages::Event& one : poses(15, 15)) events.push_back(std::move(one));
+  ASSERT_THAT(events, SizeIs(1)) << "however many were used before";
+  EXPECT_THAT(events[0].text, HasSubstr("rejected"));
+  record_->snapshot.filter.camera_used = record_->snapshot.filter.camera_rejected = 0;
+  EXPECT_THAT(poses(30, 0), SizeIs(0)) << "a run counts anew";
+
+  watch_.take(link::CameraCounters{.malformed = 3, .late = 12});
+  events = drive(0.1);
+  ASSERT_THAT(events, SizeIs(2));
+  EXPECT_THAT(events[0].text, HasSubstr("3 malformed"));
+  EXPECT_THAT(events[1].text, HasSubstr("12 poses"));
+  for (const messages::Event& one : events) EXPECT_EQ(one.kind, "camera");
+}
+
+TEST_F(LinkMonitorTest, ASlopeOnASetUpWithoutOneIsSpokenOfWithTheSetUp) {
+  Snapshot& snapshot = record_->snapshot;
+  snapshot.imu_pitch_rad = -28.0 * kRadPerDeg;
+  EXPECT_THAT(drive(1.0), SizeIs(0)) << "the robot may be carried";
+  snapshot.run_state = RunState::kRunning;
+  const auto events = drive(1.0);
+  ASSERT_THAT(events, SizeIs(1));
+  EXPECT_THAT(events[0].text, HasSubstr("28 deg"));
+  EXPECT_THAT(events[0].text, HasSubstr("set-up"));
+  snapshot.imu_pitch_rad = 0.0;
+  drive(20.0);
+  snapshot.imu_pitch_rad = 0.3;
+  snapshot.terrain_contact.pitch_source = PitchSource::kImu;
+  EXPECT_THAT(drive(1.0), SizeIs(0)) << "on terrain slopes are real";
+}
+
 TEST_F(LinkMonitorTest, WhatLastsIsSaidEveryTenSecondsWithItsNumber) {
   drive(0.1);
   record_->link.crc_errors = 1;

@@ -19,6 +19,8 @@ struct HandDrivenSettings {
   std::shared_ptr<const course::Course> course{};  ///< null: no course
   std::uint64_t seed = 1;
   messages::Sink* sink = nullptr;
+  /// A world that owns the pose: its answer to a step.
+  std::function<WorldSample(const StepRecord&)> world{};
 };
 
 class HandDriven : public live::DaemonRig {
@@ -32,7 +34,8 @@ class HandDriven : public live::DaemonRig {
                 .on_stand = settings.loaded.setup == bridge::Setup::kStand,
                 .terrain = run_.course == nullptr ? course::Terrain{} : run_.course->terrain,
                 .seed = settings.seed}),
-        sink_(settings.sink) {
+        sink_(settings.sink),
+        world_(settings.world) {
     robot_.reset(PowerUp::kPowerOn);
     while (robot_.now_ns() < 20 * kNsPerMs) robot_.advance();
     robot_.opened();
@@ -44,6 +47,7 @@ class HandDriven : public live::DaemonRig {
 
   EmulatedRobot& robot() { return robot_; }
   HostNs now() const override { return robot_.now_ns(); }
+  void see(const CameraSample& seen) { cycle_.camera(seen); }
 
   void step() {
     for (const HostNs end = now() + kPeriodNs; now() < end;) {
@@ -62,6 +66,7 @@ class HandDriven : public live::DaemonRig {
     cycle_.after_write(now());
     take_results();
     if (sink_ != nullptr) sink_->take(record());
+    if (world_) cycle_.world(world_(record()));
   }
   template <class Condition>
   bool step_until(Condition condition, double within_s) {
@@ -104,12 +109,15 @@ class HandDriven : public live::DaemonRig {
                          .parameters = config::bridge_parameters(settings.loaded.configuration,
                                                                  settings.loaded.robot)};
     run.parameters.setup = settings.loaded.setup;
-    run.parameters.world.kind = bridge::WorldKind::kInternal;
+    run.parameters.world.kind =
+        settings.world ? bridge::WorldKind::kUdp : bridge::WorldKind::kInternal;
+    run.parameters.world.owns_pose = static_cast<bool>(settings.world);
     return run;
   }
 
   EmulatedRobot robot_;
   messages::Sink* sink_;
+  std::function<WorldSample(const StepRecord&)> world_;
   std::vector<std::uint8_t> arriving_;
 };
 
