@@ -71,7 +71,7 @@ struct Step::State {
 
   control::Target target{};
   bool at_fence = false;
-  bool no_course = false;  // this step refused a start
+  bool no_course = false;  // a start was refused
   bool goes_on = false;    // the run that is about to begin continues the last one
   HostNs last_step_ns = 0, run_began_ns = 0;
   std::uint32_t session_number = 0;
@@ -133,6 +133,7 @@ void Step::State::resume(const CarriedState& carried) {
   target.cross_track_m = carried.cross_track_m;
   target.progress_m = carried.progress_m;
   perception.resume(carried);
+  witnesses.begin();
   take_changes({carried.parameters.begin(), carried.parameters.end()});
 }
 
@@ -150,9 +151,8 @@ void Step::State::take_requests(std::span<const OperatorRequest> requests) {
     switch (request) {
       case OperatorRequest::kStart:
         no_course = !path;
-        if (no_course) break;
         goes_on = false;
-        arming.start();
+        if (path) arming.start();
         break;
       case OperatorRequest::kGoOn:
         if (!path || !may_go_on(arming.state(), target.progress_m, path->length_m())) break;
@@ -213,18 +213,18 @@ StartRefusal Step::State::refusal(const StepInputs& in, HostNs now) const {
 }
 
 void Step::State::begin(HostNs now) {
-  if (arming.state() == RunState::kDriving) {
+  const bool by_hand = arming.state() == RunState::kDriving;
+  if (by_hand || goes_on) {
     perception.go_on();
-    hand_drive.restart(now);
-  } else if (goes_on) {
-    perception.go_on();
-    tracker->resume(target.progress_m, perception.world_pose().yaw_rad);
+    witnesses.go_on();
   } else {
     perception.begin(course->start, now);
+    witnesses.begin();
     tracker->restart();
   }
+  if (by_hand) hand_drive.restart(now);
+  if (!by_hand && goes_on) tracker->resume(target.progress_m, perception.world_pose().yaw_rad);
   external.restart(now);
-  witnesses.begin();
   disturbance.restart(perception.contradictions());
   monitor->restart();
   run_began_ns = now;
@@ -233,7 +233,6 @@ void Step::State::begin(HostNs now) {
 
 control::Observation Step::State::observe(HostNs now, double dt_s) const {
   const Speeds& speeds = perception.speeds();
-  const bool by_hand = arming.state() == RunState::kDriving;
   return {.sample = &perception.sample(),
           .pose = perception.world_pose(),
           .left_mps = speeds.tracks.left_mps,
@@ -244,8 +243,8 @@ control::Observation Step::State::observe(HostNs now, double dt_s) const {
           .pitch_rad = perception.pitch_rad(),
           .on_obstacle = perception.on_obstacle(),
           .immobilised = perception.immobilised() || external.blocked(),
-          .by_hand = by_hand,
-          .others = witnesses.now(by_hand ? nullptr : &*tracker),
+          .by_hand = arming.state() == RunState::kDriving,
+          .others = witnesses.now(arming.state() == RunState::kRunning ? &*tracker : nullptr),
           .recoveries = perception.contradictions(),
           .commanded = out.command_valid,
           .target = target,

@@ -20,8 +20,8 @@ constexpr double kRealShare = 0.15;
 // The same of its turns.
 constexpr double kTurnShare = 0.1;
 // Camera and odometry agree within these.
-constexpr double kAgreeDeviations = 2.0;
-constexpr double kAgreeRad = 2.0 * kRadPerDeg;
+constexpr double kAgreeM = 0.04;
+constexpr double kAgreeRad = 3.0 * kRadPerDeg;
 
 double share_of(const terrain::ContactState& on) {
   if (on.climbing || on.incline.horizontal_fraction == 0.0) return kClimbingShare;
@@ -34,8 +34,15 @@ double share_of(const terrain::ContactState& on) {
 void WitnessPoses::begin() {
   begun_at_ = perception_.to_world();
   corrected_ = {};
-  at_correction_ = {};
+  counts_from_.reset();
   slip_m_ = lag_m_ = lag_rad_ = obstacle_lag_m_ = 0.0;
+}
+
+// Nobody knows how accurately a robot was placed that is driven without a start. Its world is where
+// the robot is assumed to be, too.
+void WitnessPoses::go_on() {
+  if (external_.ground() && !counts_from_)
+    counts_from_ = perception_.estimate(PoseSource::kOdometry);
 }
 
 void WitnessPoses::advance(double dt_s) {
@@ -57,26 +64,30 @@ Pose WitnessPoses::odometry() const {
 
 /// With odometry's deviations: a camera that is wrong does not know of it.
 control::Witness WitnessPoses::witness(const Pose& pose, const Pose& other) const {
-  const PlanarCovariance now = perception_.estimate(PoseSource::kOdometry).covariance;
-  const PlanarCovariance& then = at_correction_;
+  const Estimate now = perception_.estimate(PoseSource::kOdometry);
+  const Estimate then = counts_from_.value_or(Estimate{});
+  const PlanarCovariance &all = now.covariance, &old = then.covariance;
+  // The error of the heading then has grown with the distance since.
+  const double dx_m = now.pose.x_m - then.pose.x_m, dy_m = now.pose.y_m - then.pose.y_m;
+  const double xx = old.xx - 2.0 * dy_m * old.x_yaw + square(dy_m) * old.yaw_yaw;
+  const double yy = old.yy + 2.0 * dx_m * old.y_yaw + square(dx_m) * old.yaw_yaw;
   const auto sd = [](double variance) { return std::sqrt(std::max(0.0, variance)); };
   return {.pose = pose,
           .other = other,
-          .sd_m = sd(std::max(now.xx - then.xx, now.yy - then.yy)),
-          .sd_rad = sd(now.yaw_yaw - then.yaw_yaw)};
+          .sd_m = sd(std::max(all.xx - xx, all.yy - yy)),
+          .sd_rad = sd(all.yaw_yaw - old.yaw_yaw)};
 }
 
 void WitnessPoses::follow_camera() {
   const Pose fused = perception_.estimate(PoseSource::kFused).pose;
   const Pose at = odometry();
   const control::Witness one = witness(at, fused);
-  const bool agree =
-      magnitude(at.x_m - fused.x_m, at.y_m - fused.y_m) < kAgreeDeviations * one.sd_m + slip_m_ &&
-      std::abs(wrap_angle(at.yaw_rad - fused.yaw_rad)) < kAgreeRad + kAgreeDeviations * one.sd_rad;
+  const bool agree = magnitude(at.x_m - fused.x_m, at.y_m - fused.y_m) < kAgreeM + slip_m_ &&
+                     std::abs(wrap_angle(at.yaw_rad - fused.yaw_rad)) < kAgreeRad;
   if (one.sd_m < kCertainM || !agree) return;
   const Estimate now = perception_.estimate(PoseSource::kOdometry);
   corrected_ = Transform2d::between(now.pose, fused);
-  at_correction_ = now.covariance;
+  counts_from_ = now;
   slip_m_ = 0.0;
 }
 

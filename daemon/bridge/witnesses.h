@@ -1,6 +1,8 @@
 #pragma once
 // The poses that tell where the robot is, for the envelope of a run or drive.
 
+#include <optional>
+
 #include "bridge/external_world.h"
 #include "bridge/parameters.h"
 #include "bridge/perception.h"
@@ -15,21 +17,24 @@ namespace tp100::bridge {
 /// stand, where the robot stands still, there is the steering pose alone. No allocation; safe in
 /// the real-time thread.
 ///
-/// Odometry counts from the start of the run, or from where the robot was last placed: no world
-/// moves it, and a camera does only where odometry has become less certain than kCertainM and both
-/// agree. So the envelope of a long drive is as narrow as that of a short one.
+/// Odometry counts from the start of the last run, or from where the robot was last placed; driving
+/// by hand goes on from there. No world moves it, and a camera does only where odometry has become
+/// less certain than kCertainM and both agree, so that the envelope of a long drive is as narrow as
+/// that of a short one.
 class WitnessPoses {
  public:
-  static constexpr double kCertainM = 0.03;
+  static constexpr double kCertainM = 0.05;
 
   /// `parameters`, `perception` and `external` must outlive this.
   WitnessPoses(const Parameters& parameters, const Perception& perception,
                const ExternalWorld& external)
       : parameters_(parameters), perception_(perception), external_(external) {}
 
-  /// A run or drive begins.
+  /// The robot is at the start of a run, or where it was placed.
   void begin();
-  /// Another `dt_s` of the run or drive has passed.
+  /// A drive by hand begins, or a run goes on.
+  void go_on();
+  /// Another `dt_s` has passed.
   void advance(double dt_s);
   /// `tracker`: of a run on a course; null: by hand.
   control::Witnesses now(const control::Tracker* tracker) const;
@@ -44,8 +49,9 @@ class WitnessPoses {
   const ExternalWorld& external_;
   Transform2d begun_at_{};   ///< from the robot's floor into the course's world, as the run began
   Transform2d corrected_{};  ///< from odometry to where a camera last confirmed it
-  PlanarCovariance at_correction_{};  ///< of odometry
-  double slip_m_ = 0.0;               ///< that odometry may have missed on real ramps and blocks
+  /// Odometry then: its error of that time does not count. Nothing since the start of a run.
+  std::optional<Estimate> counts_from_{};
+  double slip_m_ = 0.0;  ///< that odometry may have missed on real ramps and blocks
   /// What the robot of the external world may be behind or ahead; a part is due to its obstacles.
   double lag_m_ = 0.0, lag_rad_ = 0.0, obstacle_lag_m_ = 0.0;
 };

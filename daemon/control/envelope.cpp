@@ -7,16 +7,22 @@ namespace tp100::control {
 namespace {
 
 constexpr double kHeadingErrorS = 0.5;
-constexpr double kMostDeviations = 3.0;
+constexpr double kMostDeviations = 2.0;
 // Odometry is usually better than its deviation, most of which is slip that might be there.
 constexpr double kUsualDeviations = 0.5;
 constexpr double kClosestM = 0.005;
+// Two poses of which one alone has left the envelope need not be as far apart.
+constexpr double kAloneM = 0.02;
+
+/// Whether the two poses are farther apart than that, beside what explains it.
+bool apart(const Witness& one, double margin_m, double deviations) {
+  const double apart_m = magnitude(one.pose.x_m - one.other.x_m, one.pose.y_m - one.other.y_m);
+  return apart_m > margin_m + deviations * one.sd_m + one.lag_m;
+}
 
 bool contradicts(const Witness& one) {
-  const Pose& other = one.other;
-  const double apart_m = magnitude(one.pose.x_m - other.x_m, one.pose.y_m - other.y_m);
-  const double turned_rad = std::abs(wrap_angle(one.pose.yaw_rad - other.yaw_rad));
-  return apart_m > Envelope::kContradictionM + kMostDeviations * one.sd_m + one.lag_m ||
+  const double turned_rad = std::abs(wrap_angle(one.pose.yaw_rad - one.other.yaw_rad));
+  return apart(one, Envelope::kContradictionM, kMostDeviations) ||
          turned_rad > Envelope::kContradictionRad + kMostDeviations * one.sd_rad + one.lag_rad;
 }
 
@@ -55,8 +61,8 @@ FaultMask Envelope::contradictions(const Whereabouts& seen) {
   bool before_left = !seen.by_hand && left_by(seen.steering, 0.0) != 0;
   for (const Witness& one : seen.others) {
     const bool left = !seen.by_hand && left_by(one, tolerance_m(one)) != 0;
-    if (one.contradiction && ((left && !before_left) || contradicts(one)))
-      faults |= fault_bit(*one.contradiction);
+    const bool alone = left ? !before_left : before_left && apart(one, kAloneM, 1.0);
+    if (one.contradiction && (alone || contradicts(one))) faults |= fault_bit(*one.contradiction);
     before_left = left;
   }
   return faults;

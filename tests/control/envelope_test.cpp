@@ -49,6 +49,12 @@ TEST_F(EnvelopeTest, APoseThatAloneIsOutsideContradictsTheOneThatSteers) {
     EXPECT_EQ(judged(alone), fault);
     seen_.steering.pose.x_m = 1.01;
     EXPECT_EQ(judged(alone), fault_bit(Fault::fence)) << "they agree";
+    Witness inside = alone;
+    inside.pose.x_m = 0.995;
+    inside.other.x_m = 1.01;
+    EXPECT_EQ(judged(inside), fault_bit(Fault::fence)) << "they nearly agree";
+    seen_.steering.pose.x_m = inside.other.x_m = 1.05;
+    EXPECT_EQ(judged(inside), fault);
     seen_.steering.pose.x_m = 0.0;
   }
 }
@@ -80,8 +86,8 @@ TEST_F(EnvelopeTest, PlaceAndDirectionMayDifferByAMarginThatGrowsWithWhatIsNotKn
     return 2.0;
   };
   EXPECT_NEAR(apart_m(0.0, 0.0), Envelope::kContradictionM, 0.002);
-  EXPECT_NEAR(apart_m(0.02, 0.0), Envelope::kContradictionM + 0.06, 0.002);
-  EXPECT_NEAR(apart_m(0.02, 0.1), Envelope::kContradictionM + 0.16, 0.002);
+  EXPECT_NEAR(apart_m(0.02, 0.0), Envelope::kContradictionM + 0.04, 0.002);
+  EXPECT_NEAR(apart_m(0.02, 0.1), Envelope::kContradictionM + 0.14, 0.002);
   for (const double sign : {1.0, -1.0}) {
     Witness one = witness(0.0, 0.0, Fault::camera_against_odometry);
     one.other.yaw_rad = sign * 11.9 * kRadPerDeg + 4.0 * kPi;
