@@ -24,6 +24,7 @@ RecordingFile::RecordingFile(std::string path) : path_(std::move(path)) {
   if (descriptor_ < 0)
     throw SetupError(path_ + ": cannot be written (" + std::strerror(errno) +
                      "); check folder, permission and free space");
+  text::note_written(path_);
   mark_in_use(descriptor_);
 }
 

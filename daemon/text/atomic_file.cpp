@@ -229,8 +229,7 @@ void FileReplacement::commit(Flush flush) {
   if (error == 0) error = s.output.close(flush);
   if (error == 0 && !s.target.direct) error = s.output.rename_to(s.target.path);
   if (error != 0) fail(s.path, error);
-  const std::lock_guard lock(inputs().mutex);
-  inputs().written.insert(s.path);
+  note_written(s.path);
 }
 
 void write_file(const std::string& path, std::string_view content, Flush flush) {
@@ -264,6 +263,11 @@ void restore_file(const std::string& path) {
 void note_read(const std::string& path) {
   const std::lock_guard lock(inputs().mutex);
   if (!inputs().written.contains(path)) inputs().read.insert(path);
+}
+
+void note_written(const std::string& path) {
+  const std::lock_guard lock(inputs().mutex);
+  inputs().written.insert(path);
 }
 
 void require_not_read(const std::string& path) {

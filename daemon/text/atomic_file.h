@@ -53,9 +53,11 @@ std::string kept_path(const std::string& path);
 /// Notes that the program reads the file `path`, so that no result is written over it, by whatever
 /// name or link. A file that the program itself has written is no input. Any thread.
 void note_read(const std::string& path);
-/// For writers of other kinds: throws SetupError if write_file() would refuse `path` because the
-/// program reads that file.
+/// Throws SetupError if the program reads the file `path`.
 void require_not_read(const std::string& path);
+/// Notes that the program itself has written `path`: for writers of other kinds, after
+/// require_not_read().
+void note_written(const std::string& path);
 
 /// Creates the folder for results and its parents if absent; empty is the working folder. Throws
 /// SetupError, which asks for another value of `option`.

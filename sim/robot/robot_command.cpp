@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <ctime>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -31,6 +30,7 @@
 #include "sim/robot/emulated_robot.h"
 #include "sim/robot/pty.h"
 #include "sim/sensors/overhead_camera.h"
+#include "text/atomic_file.h"
 #include "text/format.h"
 #include "wire/frame.h"
 #include "wire/messages.h"
@@ -357,8 +357,7 @@ int run_robot(const RobotCommand& command) {
     const nlohmann::json figures = {
         {"samples", cable.samples()},
         {"longest_pause_ms", static_cast<double>(longest_pause_ns) * 1e-6}};
-    if (!(std::ofstream(command.stats) << figures.dump(2) << '\n').flush())
-      throw SetupError(command.stats + ": cannot be written; check --stats");
+    text::write_file(command.stats, figures.dump(2) + "\n", text::Flush::kNo);
   }
   return 0;
 }
