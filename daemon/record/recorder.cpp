@@ -97,20 +97,24 @@ struct Recorder::State {
       while (in.left() > 0) {
         const auto kind = static_cast<EntryKind>(in.number<std::uint8_t>());
         const auto payload = in.bytes(in.number<std::uint32_t>());
-        try {
-          take(kind, payload);
-        } catch (const std::exception& error) {
-          fail(error);
-        }
+        guarded([&] { take(kind, payload); });
       }
-      try {
-        report();
-      } catch (const std::exception& error) {
-        fail(error);
-      }
+      guarded([&] { report(); });
     }
   }
   // An error such as lack of memory must not stop the robot.
+  template <class Part>
+  void guarded(Part part) {
+    try {
+      try {
+        part();
+      } catch (const std::exception& error) {
+        fail(error);
+      }
+    } catch (...) {
+      // There is not even memory for the message.
+    }
+  }
   void fail(const std::exception& error) {
     const std::string path = writer == nullptr ? std::string() : writer->path();
     writer.reset();

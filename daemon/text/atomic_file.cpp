@@ -4,7 +4,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -42,8 +41,10 @@ const mode_t kMask = [] {
 /// The content of a small file. Throws SetupError.
 std::string content_of(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
+  if (!file) fail(path, errno);
   std::ostringstream text;
-  if (!(text << file.rdbuf())) fail(path, EIO);
+  text << file.rdbuf();
+  if (file.bad()) fail(path, EIO);
   return text.str();
 }
 
@@ -281,6 +282,7 @@ void require_not_read(const std::string& path) {
   std::set<std::string> read;
   {
     const std::lock_guard lock(inputs().mutex);
+    if (inputs().written.contains(path)) return;
     read = inputs().read;
   }
   for (const std::string& input : read)

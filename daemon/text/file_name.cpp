@@ -24,7 +24,7 @@ constexpr std::string_view kLatin =
     "G g G g H h H h I i I i I i I i I i IjijJ j K k q L l L l L l L "
     "l L l N n N n N n n N n O o O o O o OeoeR r R r R r S s S s S s "
     "S s T t T t T t U u U u U u U u U u U u W w Y y Y Z z Z z Z z s ";
-static_assert(kLatin.size() == 2 * (0x180 - 0xC0));
+static_assert(kLatin.size() == std::size_t{2} * (0x180 - 0xC0));
 
 /// The letters for a character of UTF-8; empty: there are none.
 std::string_view letters_for(std::string_view character) {
