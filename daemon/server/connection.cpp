@@ -33,6 +33,7 @@ constexpr auto kWriteTime = std::chrono::seconds(10);
 constexpr auto kAnswerTime = std::chrono::seconds(2);
 constexpr std::uint32_t kMaxHeader = 8 * 1024;
 constexpr std::size_t kPart = 65'536;
+constexpr double kBodyBytesPerUnit = 16'384.0;  // most of them are copied only
 
 constexpr const char* kBusy = "the daemon is busy; try again later";
 
@@ -270,7 +271,7 @@ void Connection::answer(HttpAnswer answer) {
   answer_ = std::move(answer);
   release_body();
   shared_.body_bytes += body_bytes_ = answer_.body.size();
-  budget_->charge(static_cast<double>(body_bytes_) / Budget::kBytesPerUnit, monotonic_now());
+  budget_->charge(static_cast<double>(body_bytes_) / kBodyBytesPerUnit, monotonic_now());
   head_ = Head(static_cast<http::status>(answer_.status), 11);
   head_.keep_alive(!last_);
   head_.set(http::field::server, "tp100d");
