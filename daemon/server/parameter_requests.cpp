@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::size_t kMaxShownName = 64;
 constexpr HostNs kOverdueNs = 500 * kNsPerMs;
+constexpr std::size_t kChangeBytes = 4096;  // what every viewer is told of a change
 constexpr const char* kSteering = "estimation.steering";
 
 }  // namespace
@@ -46,11 +47,10 @@ void ParameterRequests::change_setup(std::vector<messages::ParameterText> parame
 
 std::vector<const messages::ParameterText*> ParameterRequests::select(
     const std::vector<std::string>& names) const {
+  const std::set<std::string_view> wanted(names.begin(), names.end());
   std::vector<const messages::ParameterText*> out;
-  for (const messages::ParameterText& parameter : parameters_) {
-    if (names.empty() || std::find(names.begin(), names.end(), parameter.name) != names.end())
-      out.push_back(&parameter);
-  }
+  for (const messages::ParameterText& parameter : parameters_)
+    if (wanted.empty() || wanted.contains(parameter.name)) out.push_back(&parameter);
   return out;
 }
 
@@ -90,6 +90,7 @@ std::string ParameterRequests::set_one(const SetParameters::One& one) {
 void ParameterRequests::set(Viewer& viewer, const SetParameters& wanted, bool may_command,
                             HostNs now) {
   std::vector<std::string> names;
+  bool changed = false;
   for (const SetParameters::One& one : wanted.parameters) {
     names.push_back(one.name);
     const std::string why =
@@ -99,14 +100,16 @@ void ParameterRequests::set(Viewer& viewer, const SetParameters& wanted, bool ma
       continue;
     }
     overdue_ns_ = now + kOverdueNs;
+    viewer.charge(kChangeBytes);
     for (const messages::ParameterText* parameter : select({one.name}))
       parameter_changed(*parameter, now);
+    changed = true;
   }
+  if (changed) publish(now);
   if (!names.empty()) viewer.reply(parameter_values(select(names), wanted.id));
 }
 
 void ParameterRequests::parameter_changed(const messages::ParameterText& parameter, HostNs now) {
-  publish(now);
   std::string value;
   std::visit([&](const auto& content) { text::JsonWriter(value).value(content); }, parameter.value);
   publisher_.take(
@@ -128,6 +131,7 @@ void ParameterRequests::finish_overdue(HostNs now) {
     const messages::ParameterValue used = std::string(to_string(publisher_.state().steering));
     if (parameter.value == used) continue;
     parameter.value = used;
+    publish(now);
     parameter_changed(parameter, now);
   }
 }

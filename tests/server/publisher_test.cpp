@@ -68,6 +68,32 @@ TEST_F(PublisherTest, StepChannelsComeWithEveryStep) {
   EXPECT_TRUE(run(0.1, messages::Channel::kCommand).empty());
 }
 
+// Forty viewers that do not read would otherwise keep forty copies of each long course that was
+// ever chosen.
+TEST_F(PublisherTest, AllViewersShareTheMessagesOfACourseUntilTheNextReplacesThem) {
+  std::vector<std::shared_ptr<Viewer>> deaf;
+  Subscribe all;
+  for (std::uint32_t i = 1; i <= messages::kChannelCount; ++i) all.subscriptions.push_back({i, i});
+  for (std::uint32_t id = 2; id < 42; ++id) {
+    deaf.push_back(std::make_shared<Viewer>(
+        id, [] {}, [] {}));
+    broker_.add(deaf.back());
+    broker_.subscribe(*deaf.back(), all);
+  }
+  std::vector<std::weak_ptr<const std::string>> texts;
+  for (int i = 0; i < 10; ++i) {
+    messages::SharedMessages setup;
+    for (const messages::Channel channel :
+         {messages::Channel::kCourse, messages::Channel::kScene}) {
+      setup.emplace_back(channel, std::make_shared<const std::string>(1 << 20, ' '));
+      texts.emplace_back(setup.back().second);
+    }
+    publisher_.change_setup(messages::example_subject(), setup, kNsPerS * i);
+  }
+  for (std::size_t i = 0; i < texts.size(); ++i)
+    EXPECT_EQ(texts[i].use_count(), i < texts.size() - 2 ? 0 : 42) << i;
+}
+
 TEST_F(PublisherTest, SlowChannelsKeepTheirRates) {
   const auto near = [&](messages::Channel channel, double hz) {
     EXPECT_NEAR(static_cast<double>(run(4.0, channel).size()), 4.0 * hz, hz);
