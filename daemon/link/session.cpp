@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/arithmetic.h"
 #include "core/board.h"
@@ -15,26 +16,19 @@ using wire::Type;
 
 // Protocol, firmware version and schema open every hello, whatever its version.
 constexpr std::size_t kHelloPrefix = 9;
-
 // A session counts as lasting after this many samples, one second.
 constexpr std::uint32_t kLasted = 200;
 constexpr HostNs kFirstRetryNs = 200 * kNsPerMs;
 constexpr HostNs kLongestRetryNs = 5 * kNsPerS;
-
 constexpr HostNs kHelloRequestPeriodNs = 200 * kNsPerMs;
 constexpr HostNs kParametersPeriodNs = 100 * kNsPerMs;
 // After kHostSilenceMs of silence the robot considers the host lost.
 constexpr HostNs kKeepAliveNs = 400 * kNsPerMs;
 constexpr HostNs kArmLifeNs = OneShotRequest::kLimitNs;
-// The robot takes a command for an old one if its sequence is half the range, or more, ahead of the
-// last accepted one.
+// A sequence that is 2^15 ahead of the last accepted one counts as old.
 constexpr std::int16_t kFurthestAhead = 1 << 14;
 // The robot refuses a yaw beyond 1000 rad, and needs only the difference of the two.
-constexpr double kFurthestYawRad = 100.0;
-
-double whole_turns(double yaw_rad) {
-  return std::abs(yaw_rad) <= kFurthestYawRad ? 0.0 : yaw_rad - wrap_angle(yaw_rad);
-}
+constexpr double kFarYawRad = 100.0;
 
 double fastest_of(const wire::Parameters& parameters) {
   return max_counts_per_s(static_cast<double>(parameters.max_track_mps),
@@ -214,10 +208,8 @@ void Session::on_sample(const wire::Sample& sample, HostNs now) {
     return;
   }
   const auto ahead = wrapped_difference(command_sequence_, sample.last_command);
-  if (!sequence_known_ || ahead < 0 || ahead > kFurthestAhead) {
+  if (!std::exchange(sequence_known_, true) || ahead < 0 || ahead > kFurthestAhead)
     command_sequence_ = sample.last_command;
-    sequence_known_ = true;
-  }
   const DeviceUs device_us = clock_.extend(sample.device_us, now);
   const ClockState clock = state_ == SessionState::kReady ? clock_.fitted() : ClockState{};
   if (intake_.push(sample, device_us, clock, now)) {
@@ -334,8 +326,9 @@ void Session::send(const Command& command, HostNs now) {
   out.answers = command.answers;
   out.x_m = static_cast<float>(command.pose.x_m);
   out.y_m = static_cast<float>(command.pose.y_m);
-  const double turns_rad = whole_turns(command.pose.yaw_rad);
-  out.yaw_rad = static_cast<float>(command.pose.yaw_rad - turns_rad);
+  const double yaw_rad = command.pose.yaw_rad;
+  const double turns_rad = std::abs(yaw_rad) <= kFarYawRad ? 0.0 : yaw_rad - wrap_angle(yaw_rad);
+  out.yaw_rad = static_cast<float>(yaw_rad - turns_rad);
   out.desired_yaw_rad = static_cast<float>(command.desired_yaw_rad - turns_rad);
   out.yaw_rate_radps = static_cast<float>(command.yaw_rate_radps);
   out.speed_mps = static_cast<float>(command.speed_mps);

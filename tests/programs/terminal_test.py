@@ -12,9 +12,10 @@ import termios
 import threading
 import time
 
-from client_test import page, started, when
-from verdict import check
-import tp100_client
+sys.dont_write_bytecode = True
+from client_test import page, started, when  # noqa: E402
+from verdict import check  # noqa: E402
+import tp100_client  # noqa: E402
 
 F_SETPIPE_SZ = 1031
 CTRL_S, CTRL_Z = b"\x13", b"\x1a"
