@@ -28,13 +28,16 @@ constexpr auto kFlushTimeout = 1000ms, kLook = 5ms;
 
 /// A sink that knows whether it waits for its reader.
 template <class Sink>
-struct Watched : Sink {
+class Watched : public Sink {
+ public:
   explicit Watched(std::atomic<bool>& waits) : waits_(waits) {}
   void log(const spdlog::details::log_msg& message) override {
     waits_ = true;
     Sink::log(message);
     waits_ = false;
   }
+
+ private:
   std::atomic<bool>& waits_;
 };
 
