@@ -34,7 +34,7 @@ class DaemonRig {
         recording_(files_, run_, {}),
         setup_({files_, run_}, cycle_),
         controls_(cycle_, loop_, recording_, setup_, runs_, self_test_),
-        publisher_(broker_, messages::Messages(context(), {}), controls_),
+        publisher_(broker_, messages::Messages(first_context(), {}), controls_),
         handler_(broker_, publisher_, controls_, {}, "session"),
         terminal_(nullptr, {controls_, [this](const std::string& line, bool) { said(line); },
                             [this] { publisher_.stop_pressed("keyboard", now()); },
@@ -159,7 +159,9 @@ class DaemonRig {
             made->run->setup.course == nullptr ? "" : made->run->setup.course->name;
         ros2_.set_course(course);
         terminal_.follow(course);
-        publisher_.change_setup(config::run_context_of(made->run->setup), now());
+        const messages::RunContext context = config::run_context_of(made->run->setup);
+        publisher_.change_setup(
+            context, messages::setup_messages(messages::Messages(context, {}), now()), now());
       }
       setup_.finish();
     }
@@ -194,7 +196,7 @@ class DaemonRig {
   Terminal terminal_;
 
  private:
-  messages::RunContext context() const {
+  messages::RunContext first_context() const {
     messages::RunContext out;
     out.course = run_.course;
     return out;
