@@ -287,8 +287,9 @@ void require_not_read(const std::string& path) {
   }
   for (const std::string& input : read)
     if (::stat(input.c_str(), &in) == 0 && in.st_dev == out.st_dev && in.st_ino == out.st_ino)
-      throw SetupError(path +
-                       ": this file is read, so nothing is written over it; give another one");
+      throw SetupError(
+          path +
+          ": this file is read, so nothing is written over it; give another path for the result");
 }
 
 void make_folder(const std::string& path, const std::string& option) {

@@ -101,7 +101,7 @@ TEST_F(RunArchiveTest, ListsRunsWithoutAPath) {
 // A folder that this account may list but not search, as on a stick that another account wrote,
 // would end the daemon in the middle of a run.
 TEST_F(RunArchiveTest, AFolderThatCannotBeSearchedIsAnError) {
-  if (::geteuid() != 0) GTEST_SKIP() << "only root can become another account";
+  if (::geteuid() != 0) GTEST_SKIP() << "only root can become another account; run it as root";
   fs::permissions(folder_.path(), fs::perms::all);
   for (const char* denied : {"runs/a", "runs"}) {
     const fs::perms before = fs::status(folder_.file(denied)).permissions();

@@ -157,7 +157,7 @@ TEST_F(AtomicFile, AReplacedFileKeepsItsModeAndItsOwner) {
 }
 
 TEST_F(AtomicFile, AFileOfAnotherAccountIsReplacedToo) {
-  if (::geteuid() != 0) GTEST_SKIP() << "only root can become another account";
+  if (::geteuid() != 0) GTEST_SKIP() << "only root can become another account; run it as root";
   const std::string path = folder_.file("out");
   write_file(path, "of root");
   ASSERT_EQ(::chmod(folder_.path().c_str(), 0777), 0);
