@@ -373,7 +373,7 @@ TEST(Envelope, AHealthyRunIsNotDoubted) {
   for (const std::string camera : kCameras) {
     for (const std::string course : kCourses) {
       each_healthy(camera, course, 1, [&i](const Healthy& one) {
-        if (i++ % 31 == 0) expect_no_alarm(one);
+        if (i++ % 43 == 0) expect_no_alarm(one);
       });
     }
   }
