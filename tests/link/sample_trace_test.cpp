@@ -146,7 +146,7 @@ TEST_F(IntakeTrace, EveryValueOfASample) {
                  s.left_duty,
                  s.right_duty,
                  static_cast<double>(s.state),
-                 s.faults * 1.0,
+                 static_cast<double>(s.faults),
                  s.last_command * 1.0,
                  s.imu_age * 1.0,
                  static_cast<double>(counters_.lost),
