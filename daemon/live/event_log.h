@@ -45,6 +45,7 @@ class EventLog {
   bool flush();
 
   void info(const std::string& line);
+  void say(const std::string& line, bool warning) { warning ? warn(line) : info(line); }
   void warn(const std::string& line);
   /// `described`: the event as describe_event() describes it, one line each. Bursts are folded into
   /// a count.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -251,9 +252,24 @@ void LiveControls::set_start(const StartFacts& facts) {
   start_ = facts;
 }
 
-bool LiveControls::emulator() {
+bool LiveControls::start_by_itself(bool came_later, HostNs program_start_ns, HostNs now) {
+  const bool emulator = [this] {
+    const std::lock_guard lock(mutex_);
+    return start_.emulator;
+  }();
+  const std::string why = move(OperatorRequest::kStart,
+                               option_consent(emulator, came_later, program_start_ns, now), now);
+  if (why.empty()) return true;
   const std::lock_guard lock(mutex_);
-  return start_.emulator;
+  events_.push_back({.at_ns = now,
+                     .kind = "run",
+                     .level = messages::Event::Level::kWarning,
+                     .text = "nothing starts by itself",
+                     .cause = emulator ? why
+                                       : "--go counts for 10 s after the program's start, for a "
+                                         "robot that is there then",
+                     .fix = "start it at the terminal or on the page"});
+  return false;
 }
 
 StartConsent LiveControls::start_consent() {
@@ -271,6 +287,10 @@ void LiveControls::set_privileges(const std::vector<loop::Privilege>& privileges
 }
 
 void LiveControls::drain_events(std::vector<messages::Event>& events) {
+  {
+    const std::lock_guard lock(mutex_);
+    std::ranges::move(std::exchange(events_, {}), std::back_inserter(events));
+  }
   std::string end = self_test_.wheels_up().take_end();
   if (end.empty()) return;
   events.push_back({.at_ns = monotonic_now(),

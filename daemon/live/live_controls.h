@@ -91,10 +91,11 @@ class LiveControls : public server::Controls {
   void note_port(const std::string& line);
   /// Sets the facts that the supervisor knows; the cycle knows whether a run has begun.
   void set_start(const StartFacts& facts);
-  /// Whether the robot is an emulated one, by those facts.
-  bool emulator();
+  /// Starts a run by the consent of the program's option, see option_consent(). False: it does not,
+  /// and drain_events() says why.
+  bool start_by_itself(bool came_later, HostNs program_start_ns, HostNs now);
   void set_privileges(const std::vector<loop::Privilege>& privileges);
-  /// Appends the result of a check of the tracks that has ended.
+  /// Appends the result of a check of the tracks that has ended, and why nothing started by itself.
   void drain_events(std::vector<messages::Event>& events);
   /// The program is ending: refuses further starts.
   void end();
@@ -119,6 +120,7 @@ class LiveControls : public server::Controls {
   StartFacts start_{};
   server::Wheel wheel_;
   std::vector<std::pair<std::string, bool>> privileges_;
+  std::vector<messages::Event> events_;
   bool ending_ = false;
 };
 

@@ -236,6 +236,15 @@ bool acknowledges_stop(const link::SessionEvent& event) {
          answer->result == wire::Result::kAccepted;
 }
 
+std::string state_line(SessionState session, RunState run, const std::string& course,
+                       const std::string& page) {
+  std::string line = "link " + std::string(to_string(session)) + ", run ";
+  line += to_string(run);
+  if (!course.empty()) line += ", course " + course;
+  if (!page.empty()) line += "; page " + page;
+  return line;
+}
+
 std::string firmware_text(const wire::Hello& hello) {
   return std::to_string(hello.firmware[0]) + "." + std::to_string(hello.firmware[1]) + "." +
          std::to_string(hello.firmware[2]);

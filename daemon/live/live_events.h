@@ -15,6 +15,10 @@ std::vector<messages::Event> describe_event(const LiveEvent& event);
 /// The robot acknowledged a STOP.
 bool acknowledges_stop(const link::SessionEvent& event);
 
+/// Session, run, course and page in one line; course and page may be empty.
+std::string state_line(SessionState session, RunState run, const std::string& course,
+                       const std::string& page);
+
 /// "0.1.0".
 std::string firmware_text(const wire::Hello& hello);
 

@@ -53,7 +53,7 @@ class SetupChanger {
   struct Made {
     std::shared_ptr<const config::LoadedRun> run{};  ///< null: only the place has changed
     std::string text{};                              ///< of the event
-    std::uint64_t step = 0;                        ///< the first with it
+    std::uint64_t step = 0;                          ///< the first with it
     // With `run`: what its messages need, made by the changer's thread.
     messages::RunContext run_context{};
     messages::SharedMessages for_viewers{};

@@ -57,7 +57,6 @@ struct Supervisor::State {
   void change_setup(SetupChanger::Made made);
   void drain_events();
   void on_session_state(SessionState state);
-  bool start_by_itself();
   void on_session(const SessionReport& report);
   void on_run_state(const RunChange& change);
   void run_ended(int exit_status, const std::string& result);
@@ -130,13 +129,10 @@ int Supervisor::State::run() {
   sinks.push_back(world.get());
   loop.start();
   privileges.insert(privileges.end(), loop.privileges().begin(), loop.privileges().end());
+  const auto say = [this](const std::string& line, bool warning) { log.say(line, warning); };
+  const auto pressed = [this] { settings.server->stop_pressed("keyboard"); };
   terminal = std::make_unique<Terminal>(
-      &context,
-      Terminal::Reach{*settings.controls,
-                      [this](const std::string& line, bool warning) {
-                        warning ? log.warn(line) : log.info(line);
-                      },
-                      [this] { settings.server->stop_pressed("keyboard"); }, settings.course});
+      &context, Terminal::Reach{*settings.controls, say, pressed, settings.course});
   try {
     tick();
     log.privileges(privileges);
@@ -197,11 +193,7 @@ void Supervisor::State::begin_serving() {
 }
 
 void Supervisor::State::notify_manager() {
-  std::string line = "link " + std::string(to_string(session)) + ", run ";
-  line += to_string(run_state);
-  if (!settings.course.empty()) line += ", course " + settings.course;
-  if (!figures.page.empty()) line += "; page " + figures.page;
-  notice.status(line);
+  notice.status(state_line(session, run_state, settings.course, figures.page));
 }
 
 void Supervisor::State::serve(const SessionReport& report) {
@@ -329,20 +321,9 @@ void Supervisor::State::on_session_state(SessionState next) {
   if (next != SessionState::kReady) return;
   connector.session_ready();
   if (settings.course.empty() || ending) return;
-  if (settings.controls->start_consent() != StartConsent::kNone || !start_by_itself())
+  if (settings.controls->start_consent() != StartConsent::kNone ||
+      !settings.controls->start_by_itself(connector.came_later(), began_ns, monotonic_now()))
     terminal->ask();
-}
-
-bool Supervisor::State::start_by_itself() {
-  const HostNs now = monotonic_now();
-  const bool emulator = settings.controls->emulator();
-  const Consent consent = option_consent(emulator, connector.came_later(), began_ns, now);
-  const std::string why = settings.controls->move(OperatorRequest::kStart, consent, now);
-  if (why.empty()) return true;
-  log.warn(emulator ? "the emulated robot is not started: " + why
-                    : "--go starts nothing: it counts for 10 s after the program's start, for a "
-                      "robot that is there then; start it here or on the page");
-  return false;
 }
 
 void Supervisor::State::on_run_state(const RunChange& change) {

@@ -167,8 +167,8 @@ bool Connection::may_ask() const {
   return followed_link || fetch_site_allowed(view(request["Sec-Fetch-Site"]));
 }
 
-/// Does `job` on the disk's thread or the worker's, and `then` here with its result, or with that of
-/// `failed` if it throws; `late` if that takes too long.
+/// Does `job` on the disk's thread or the worker's, and `then` here with its result, or with that
+/// of `failed` if it throws; `late` if that takes too long.
 template <class Result>
 void Connection::ask(bool disk, std::function<Result()> job,
                      std::function<Result(const std::string& why)> failed,

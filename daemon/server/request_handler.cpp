@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "server/services.h"
@@ -20,6 +21,32 @@ Driver driver_of(const Viewer& viewer) {
 bool needs_consent(Service service) {
   return service == Service::kStart || service == Service::kResume ||
          service == Service::kDriveTake || service == Service::kWheelsUpBegin;
+}
+
+/// Takes `stops` and `t_s` out of the arguments: what the person saw on /state when acting. Returns
+/// why that is impossible.
+std::string read_consent(Arguments& arguments, const messages::PublishClock& clock, HostNs now,
+                         Consent& consent) {
+  // Counted exactly by a double.
+  constexpr double kMaxStops = 1e15, kMaxSeconds = 1e9;
+  constexpr HostNs kRounding = kNsPerMs;
+  const auto take = [&](std::string_view name, double most) -> std::optional<double> {
+    const auto at = std::ranges::find(arguments, name, &RequestField::name);
+    const double* value = at == arguments.end() ? nullptr : std::get_if<double>(&at->value);
+    if (value == nullptr || !(*value >= 0.0 && *value <= most)) return std::nullopt;
+    const double taken = *value;
+    arguments.erase(at);
+    return taken;
+  };
+  const std::optional<double> stops = take("stops", kMaxStops), t_s = take("t_s", kMaxSeconds);
+  if (!stops || !t_s || *stops != std::floor(*stops))
+    return "stops and t_s are needed: /state.stop.count and /state.t_s as the person saw them when "
+           "acting";
+  consent.stops_seen = static_cast<std::uint64_t>(*stops);
+  consent.acted_ns = std::min(clock.start_ns + from_s(*t_s), now + kRounding);
+  return consent.acted_ns < now + kRounding
+             ? ""
+             : "t_s is later than now; send /state.t_s as it was received";
 }
 
 /// The answer of a recording request: its run, and with `bytes` its size.

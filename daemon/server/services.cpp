@@ -207,30 +207,6 @@ std::string unknown_argument(Service service, const Arguments& arguments) {
   return {};
 }
 
-std::string read_consent(Arguments& arguments, const messages::PublishClock& clock, HostNs now,
-                         Consent& consent) {
-  // Counted exactly by a double.
-  constexpr double kMaxStops = 1e15, kMaxSeconds = 1e9;
-  constexpr HostNs kRounding = kNsPerMs;
-  const auto take = [&](std::string_view name, double most) -> std::optional<double> {
-    const auto at = std::ranges::find(arguments, name, &RequestField::name);
-    const double* value = at == arguments.end() ? nullptr : std::get_if<double>(&at->value);
-    if (value == nullptr || !(*value >= 0.0 && *value <= most)) return std::nullopt;
-    const double taken = *value;
-    arguments.erase(at);
-    return taken;
-  };
-  const std::optional<double> stops = take("stops", kMaxStops), t_s = take("t_s", kMaxSeconds);
-  if (!stops || !t_s || *stops != std::floor(*stops))
-    return "stops and t_s are needed: /state.stop.count and /state.t_s as the person saw them when "
-           "acting";
-  consent.stops_seen = static_cast<std::uint64_t>(*stops);
-  consent.acted_ns = std::min(clock.start_ns + from_s(*t_s), now + kRounding);
-  return consent.acted_ns < now + kRounding
-             ? ""
-             : "t_s is later than now; send /state.t_s as it was received";
-}
-
 std::string read_start(const Arguments& arguments, bool& here) {
   if (arguments.empty()) return {};
   const std::optional<std::string> from = text_of(arguments, "from");

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "core/consent.h"
 #include "core/pose.h"
 #include "messages/figures.h"
 #include "messages/messages.h"
@@ -53,10 +52,6 @@ const std::vector<ServiceText>& services();
 // Each returns why the arguments are refused, in one line; empty: they are accepted.
 /// Whether the service knows their names.
 std::string unknown_argument(Service service, const Arguments& arguments);
-/// Takes `stops` and `t_s` out of the arguments of a request that sets the robot in motion: what
-/// the person saw on /state when acting. `t_s` is converted by `clock`; it must not be after `now`.
-std::string read_consent(Arguments& arguments, const messages::PublishClock& clock, HostNs now,
-                         Consent& consent);
 /// Reads those of start; `here`: start where the last run ended.
 std::string read_start(const Arguments& arguments, bool& here);
 /// Reads that of record_start; it may stay empty.

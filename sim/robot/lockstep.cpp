@@ -158,10 +158,9 @@ void Lockstep::advance_robot() {
     if (!plugged()) continue;
     arriving_.push_back(byte.value);
     // Like the live loop, which wakes up for bytes: a frame gets the time stamp of its end.
-    if (byte.value == wire::kDelimiter) {
-      cycle_.session().receive(arriving_, byte.at_ns);
-      arriving_.clear();
-    }
+    if (byte.value != wire::kDelimiter) continue;
+    cycle_.session().receive(arriving_, byte.at_ns);
+    arriving_.clear();
   }
   truth_.add(robot_.now_ns(), robot_.truth().pose);
   if (settings_.watch) settings_.watch(robot_);
