@@ -153,5 +153,32 @@ TEST(Fence, APathIsOutsideWhereItFirstCrossesAnEdge) {
   EXPECT_GT(outside, 200);
 }
 
+// Going back by that distance is enough, and by less is not.
+TEST(Fence, HowFarOutsideIsTheDistanceToTheNearestPlaceInside) {
+  const Fence rectangle{-1.0, 2.0, -0.5, 1.5};
+  Fence corners = rectangle;
+  corners.corners = corners_of(rectangle);
+  Fence kept = rectangle;
+  kept.keep_out = {{{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}}};
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<> anywhere(-3.0, 4.0);
+  for (int i = 0; i < 2000; ++i) {
+    const double x_m = anywhere(random), y_m = anywhere(random);
+    EXPECT_NEAR(outside_m(rectangle, x_m, y_m), outside_m(corners, x_m, y_m), 1e-12);
+    for (const Fence& fence : {rectangle, corners, kept}) {
+      const double out_m = outside_m(fence, x_m, y_m);
+      ASSERT_EQ(out_m == 0.0, contains(fence, x_m, y_m)) << x_m << ' ' << y_m;
+      if (out_m == 0.0) continue;
+      bool nearer = false, there = false;
+      for (int turn = 0; turn < 720; ++turn) {
+        const double c = std::cos(turn * kPi / 360.0), s = std::sin(turn * kPi / 360.0);
+        nearer |= contains(fence, x_m + 0.99 * out_m * c, y_m + 0.99 * out_m * s);
+        there |= contains(fence, x_m + 1.01 * out_m * c, y_m + 1.01 * out_m * s);
+      }
+      EXPECT_TRUE(there && !nearer) << x_m << ' ' << y_m;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace tp100::course
