@@ -366,14 +366,12 @@ bool is_local(const boost::asio::ip::tcp::socket& socket) {
   return !error && plain(end.address()).is_loopback();
 }
 
-bool serve_connection(boost::asio::ip::tcp::socket socket, SharedState& shared) {
-  const bool within = shared.http_budgets.of(budget_name(socket))->charge(1.0, monotonic_now());
+void serve_connection(boost::asio::ip::tcp::socket socket, SharedState& shared) {
   if (shared.connections >= kMaxConnections - (is_local(socket) ? 0 : kKeptForLocal)) {
     ++shared.refused;
-    return within;
+    return;
   }
   std::make_shared<Connection>(std::move(socket), shared)->read();
-  return within;
 }
 
 }  // namespace tp100::server

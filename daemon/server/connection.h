@@ -55,8 +55,7 @@ std::string budget_name(const boost::asio::ip::tcp::socket& socket);
 /// Whether the peer is a program of this machine.
 bool is_local(const boost::asio::ip::tcp::socket& socket);
 
-/// Serves `socket` until it ends. False: its address has asked for too much; accept the next one a
-/// little later.
-bool serve_connection(boost::asio::ip::tcp::socket socket, SharedState& shared);
+/// Serves `socket` until it ends.
+void serve_connection(boost::asio::ip::tcp::socket socket, SharedState& shared);
 
 }  // namespace tp100::server

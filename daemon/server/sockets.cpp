@@ -2,6 +2,7 @@
 
 #include <pthread.h>
 #include <sys/resource.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <boost/asio/post.hpp>
@@ -21,10 +22,12 @@ using asio::ip::tcp;
 
 constexpr auto kSecond = std::chrono::seconds(1);
 constexpr auto kAcceptPause = std::chrono::milliseconds(200);
-constexpr auto kFloodPause = std::chrono::milliseconds(1);
+constexpr auto kBusyPause = std::chrono::milliseconds(20);
 constexpr auto kGoodbyeTick = std::chrono::milliseconds(10);
 constexpr HostNs kGoodbyeNs = 500 * kNsPerMs;
-constexpr int kNice = -15;
+constexpr int kNice = -10;
+constexpr HostNs kBusyWindowNs = 50 * kNsPerMs;
+constexpr double kBusyShare = 0.4;
 constexpr std::uint16_t kUsualPort = 8765;
 
 tcp::endpoint parse_address(const std::string& text) {
@@ -117,13 +120,28 @@ void Sockets::start() {
 void Sockets::accept() {
   acceptor_.async_accept([this](boost::system::error_code error, tcp::socket socket) {
     if (stopping_ || error == asio::error::operation_aborted) return;
-    if (!error && serve_connection(std::move(socket), shared_)) return accept();
-    // Probably out of descriptors, or an address that connects without end.
-    pause_.expires_after(error ? kAcceptPause : kFloodPause);
+    if (!error) serve_connection(std::move(socket), shared_);
+    if (!error && !busy()) return accept();
+    // Probably out of descriptors, or somebody connects without end.
+    pause_.expires_after(error ? kAcceptPause : kBusyPause);
     pause_.async_wait([this](boost::system::error_code cancelled) {
       if (!cancelled) accept();
     });
   });
+}
+
+// With its better priority it would otherwise take the processor from the worker and the
+// supervisor, whoever makes it do so.
+bool Sockets::busy() {
+  const HostNs now = monotonic_now();
+  if (now - window_ns_ < kBusyWindowNs) return busy_;
+  timespec used{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
+  const HostNs used_ns = used.tv_sec * kNsPerS + used.tv_nsec;
+  busy_ = to_s(used_ns - used_ns_) > kBusyShare * to_s(now - window_ns_);
+  window_ns_ = now;
+  used_ns_ = used_ns;
+  return busy_;
 }
 
 void Sockets::tick() {

@@ -45,6 +45,7 @@ class Sockets {
   void listen();
   bool try_listen(const boost::asio::ip::tcp::endpoint& end, boost::system::error_code& error);
   void accept();
+  bool busy();
   void tick();
   void begin_goodbyes();
   void await_goodbyes();
@@ -56,6 +57,8 @@ class Sockets {
   std::optional<Announcement> announcement_;
   HostNs stop_by_ns_ = 0;
   bool stopping_ = false;
+  bool busy_ = false;  // the thread, in the last window
+  HostNs window_ns_ = 0, used_ns_ = 0;
   // Declared after what its handlers refer to.
   boost::asio::io_context context_{1};
   boost::asio::executor_work_guard<boost::asio::io_context::executor_type> guard_{
