@@ -59,8 +59,8 @@ int main(int argc, char** argv) {
     at_fence_s.push_back(run.at_fence_s);
     if (run.end != tp100::RunState::kDriving) {
       ++aborted;
-      std::fprintf(stderr, "drive_bench: seed %d (%s) ended early, faults %x\n", seed,
-                   run.what.c_str(), run.faults);
+      std::fprintf(stderr, "drive_bench: seed %d (%s) ended early, faults %llx\n", seed,
+                   run.what.c_str(), static_cast<unsigned long long>(run.faults));
     }
   }
   if (outside_mm.empty()) return status;
