@@ -28,8 +28,8 @@ void add_run(CLI::App& app, Action& action) {
                     "Wait for port and robot instead of ending with status 2");
   command->add_flag("--go", options.go,
                     "Start the first run without Enter on a physical port, too, within 10 s and if "
-                    "the robot is there at once, but not in a service; end after every fault. Every later run takes the word go and Enter; "
-                    "Enter alone is STOP");
+                    "the robot is there at once, but not in a service; end after every fault. "
+                    "Every later run takes the word go and Enter; Enter alone is STOP");
   command
       ->add_option("--course", options.course,
                    "Name in config/courses or file (default: none, poses only)")
@@ -193,8 +193,9 @@ void add_identify(CLI::App& app, Action& action) {
       ->add_option("--camera", options.guided.run.camera,
                    "Overhead camera of --drive: udp:PORT or udp:ADDRESS:PORT (default: none)")
       ->type_name("ADDRESS");
-  command->add_flag("--go", options.guided.run.go,
-                    "Start each drive of --drive without confirmation on a physical port, too");
+  command->add_flag(
+      "--go", options.guided.run.go,
+      "Start the first drive of --drive without confirmation on a physical port, too");
   command
       ->add_option("--course", options.guided.courses,
                    "Courses of --drive: names in config/courses or files (default: those that "

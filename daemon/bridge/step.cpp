@@ -30,7 +30,7 @@ struct Step::State {
         course(std::move(c)),
         perception(parameters, course.get()),
         external(p.world, p.setup),
-        witnesses(parameters, perception, external),
+        witnesses(parameters, perception, external, course != nullptr && course->identifies),
         disturbance(p.control),
         hand_drive(course == nullptr ? std::nullopt : std::optional(course->fence)) {
     if (course != nullptr) {
@@ -387,6 +387,7 @@ const Outputs& Step::operator()(const StepInputs& in, HostNs now) {
                                                       : armed(s.arming.state()) && s.target.done},
       dt_s);
   s.out.refused = s.no_course ? StartRefusal::kNoCourse : s.arming.refused();
+  s.out.waits_for = refusal;
   s.out.disarming = s.arming.disarming();
   if (s.arming.just_began()) s.begin(now);
   s.steer(now, dt_s);

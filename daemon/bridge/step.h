@@ -15,8 +15,9 @@ namespace tp100::bridge {
 struct Outputs {
   bool command_valid = false;  ///< false: send nothing (no session, no sample yet)
   Command command{};
-  RobotRequest request = RobotRequest::kNone;  ///< to be passed to the link once
-  StartRefusal refused = StartRefusal::kNone;  ///< a start was refused in this step
+  RobotRequest request = RobotRequest::kNone;    ///< to be passed to the link once
+  StartRefusal refused = StartRefusal::kNone;    ///< a start was refused in this step
+  StartRefusal waits_for = StartRefusal::kNone;  ///< what a start that is about to begin waits for
   bool disarming = false;  ///< the end of a run is unconfirmed, or motors are on without a request
   Snapshot snapshot{};
 };

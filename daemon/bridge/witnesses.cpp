@@ -14,9 +14,14 @@ namespace {
 constexpr double kLevelShare = 0.25;
 constexpr double kSlopeShare = 0.5;
 constexpr double kClimbingShare = 1.0;
+// More than the ramps and blocks of any bundled course explain. A world that claims more of them
+// has led the robot off its real floor.
+constexpr double kMostObstacleLagM = 0.15;
 // The same of the real robot's way over real ramps and blocks, of which odometry knows the slip
 // less well than its covariance says.
 constexpr double kRealShare = 0.15;
+// The same where the robot's slip is unknown.
+constexpr double kUnknownShare = 0.5;
 // The same of its turns.
 constexpr double kTurnShare = 0.1;
 // Camera and odometry agree within these.
@@ -48,13 +53,18 @@ void WitnessPoses::go_on() {
 void WitnessPoses::advance(double dt_s) {
   const Twist& twist = perception_.speeds().steering;
   const double way_m = std::abs(twist.vx_mps) * dt_s;
-  if (perception_.on_obstacle()) slip_m_ += kRealShare * way_m;
+  if (identifies_) {
+    slip_m_ += kUnknownShare * way_m;
+  } else if (perception_.on_obstacle()) {
+    slip_m_ += kRealShare * way_m;
+  }
   if (perception_.camera_known()) follow_camera();
   const auto& ground = external_.ground();
   if (!ground) return;
   const double share = share_of(*ground);
   lag_m_ += share * way_m;
-  if (share > kLevelShare) obstacle_lag_m_ += share * way_m;
+  if (share > kLevelShare)
+    obstacle_lag_m_ = std::min(obstacle_lag_m_ + share * way_m, kMostObstacleLagM);
   lag_rad_ += kTurnShare * std::abs(twist.yaw_rate_radps) * dt_s;
 }
 

@@ -25,10 +25,14 @@ class WitnessPoses {
  public:
   static constexpr double kCertainM = 0.05;
 
-  /// `parameters`, `perception` and `external` must outlive this.
+  /// `parameters`, `perception` and `external` must outlive this. `identifies`: on a course that
+  /// identifies the robot its slip is unknown, so that odometry may be wrong by half of the way.
   WitnessPoses(const Parameters& parameters, const Perception& perception,
-               const ExternalWorld& external)
-      : parameters_(parameters), perception_(perception), external_(external) {}
+               const ExternalWorld& external, bool identifies)
+      : parameters_(parameters),
+        perception_(perception),
+        external_(external),
+        identifies_(identifies) {}
 
   /// The robot is at the start of a run, or where it was placed.
   void begin();
@@ -47,11 +51,12 @@ class WitnessPoses {
   const Parameters& parameters_;
   const Perception& perception_;
   const ExternalWorld& external_;
+  bool identifies_;
   Transform2d begun_at_{};   ///< from the robot's floor into the course's world, as the run began
   Transform2d corrected_{};  ///< from odometry to where a camera last confirmed it
   /// Odometry then: its error of that time does not count. Nothing since the start of a run.
   std::optional<Estimate> counts_from_{};
-  double slip_m_ = 0.0;  ///< that odometry may have missed on real ramps and blocks
+  double slip_m_ = 0.0;  ///< that odometry may have missed on real ramps and blocks, or if unknown
   /// What the robot of the external world may be behind or ahead; a part is due to its obstacles.
   double lag_m_ = 0.0, lag_rad_ = 0.0, obstacle_lag_m_ = 0.0;
 };

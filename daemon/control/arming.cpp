@@ -8,9 +8,8 @@ namespace {
 
 // The robot refuses to arm before it has a fresh command; let a few arrive first.
 constexpr double kCommandsFirstS = 0.05;
-// Shorter than a consent's life (core/consent.h), so that the reason is said, not that the request
-// is too old.
-constexpr double kBeginS = 2.5;
+// After this time the operator may no longer be watching the robot.
+constexpr double kBeginS = 3.0;
 constexpr double kConfirmS = 1.0;
 // The link repeats a request for 0.2 s.
 constexpr double kRequestS = 0.2;

@@ -59,7 +59,7 @@ struct ArmingInputs {
 };
 
 /// Nothing moves before start() or drive(); after an abort, a stop or a lost session nothing moves
-/// until the next one. A start that cannot begin within 2.5 s is refused. Motors that are on without
+/// until the next one. A start that cannot begin within 3 s is refused. Motors that are on without
 /// a request are stopped in every state. No allocation; safe in the real-time thread.
 class Arming {
  public:

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <limits>
 #include <string>
 
 #include "core/time.h"
@@ -47,6 +48,7 @@ struct Consent {
 
   Requester by{};
   HostNs acted_ns = 0;           ///< when the person acted, or earlier
+  HostNs seen_ns = 0;            ///< when the robot was as the person saw it then
   std::uint64_t stops_seen = 0;  ///< STOPs that the person had seen then, by ConsentRule::stops()
   HostNs life_ns = kLifeNs;
   /// Given before anything ran, by an option or a first Enter: it does not count after a run began,
@@ -59,10 +61,14 @@ struct Consent {
 /// starts whenever it is there. `came_later`: plugged in, or in again, after the program's start.
 constexpr Consent option_consent(bool emulator, bool came_later, HostNs program_start_ns,
                                  HostNs now) {
-  Consent consent{.by = {Door::kOption}, .acted_ns = now, .first_only = true};
+  Consent consent{.by = {Door::kOption},
+                  .acted_ns = now,
+                  .seen_ns = now,
+                  .life_ns = Consent::kOptionLifeNs,
+                  .first_only = true};
   if (emulator) return consent;
   consent.acted_ns = program_start_ns;
-  consent.life_ns = came_later ? 0 : Consent::kOptionLifeNs;
+  if (came_later) consent.life_ns = 0;
   return consent;
 }
 
@@ -71,7 +77,7 @@ enum class ConsentLoss : std::uint8_t {
   kNone,
   kStopped,  ///< there was a STOP that the person had not seen
   kTooOld,
-  kNotFirst,
+  kChanged,  ///< the robot was held or paused, or another course or place chosen, meanwhile
 };
 
 /// What happened and what to do, in one line; empty for kNone.
@@ -83,8 +89,8 @@ constexpr const char* to_string(ConsentLoss loss) {
       return "STOP was pressed meanwhile; look at the robot, then ask again";
     case ConsentLoss::kTooOld:
       return "the request is too old; look at the robot, then ask again";
-    case ConsentLoss::kNotFirst:
-      return "something else ran meanwhile; look at the robot, then ask again";
+    case ConsentLoss::kChanged:
+      return "somebody held or paused the robot, or changed what would run; look, then ask again";
   }
   return "unknown";
 }
@@ -98,6 +104,9 @@ class ConsentRule {
   /// STOPs since the program's start.
   std::uint64_t stops() const { return stops_.load(std::memory_order_acquire); }
 
+  /// The robot was held or paused, or what a start would begin has changed: whoever looked before
+  /// does not know it. The real-time thread.
+  void set_changed(HostNs now) { changed_ns_.store(now, std::memory_order_release); }
   /// A run began, or only a person may start from now on.
   void set_ran() { ran_.store(true, std::memory_order_release); }
   bool ran() const { return ran_.load(std::memory_order_acquire); }
@@ -106,12 +115,14 @@ class ConsentRule {
   /// ask before, to answer at once.
   ConsentLoss judge(const Consent& consent, HostNs now) const {
     if (consent.stops_seen != stops()) return ConsentLoss::kStopped;
-    if (consent.first_only && ran()) return ConsentLoss::kNotFirst;
+    if (consent.first_only && ran()) return ConsentLoss::kChanged;
+    if (consent.seen_ns < changed_ns_.load(std::memory_order_acquire)) return ConsentLoss::kChanged;
     return now - consent.acted_ns > consent.life_ns ? ConsentLoss::kTooOld : ConsentLoss::kNone;
   }
 
  private:
   std::atomic<std::uint64_t> stops_{0};
+  std::atomic<HostNs> changed_ns_{std::numeric_limits<HostNs>::min()};
   std::atomic<bool> ran_{false};
 };
 

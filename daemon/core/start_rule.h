@@ -27,7 +27,9 @@ enum class StartConsent : std::uint8_t {
 
 constexpr StartConsent start_consent(const StartFacts& facts) {
   if (facts.has_run) return StartConsent::kWord;
-  if ((facts.emulator || facts.go) && !facts.service) return StartConsent::kNone;
+  // Whoever gave --go watched the first drive of the program.
+  const bool go = facts.go && !facts.ran_before;
+  if ((facts.emulator || go) && !facts.service) return StartConsent::kNone;
   return facts.ran_before ? StartConsent::kWord : StartConsent::kEnter;
 }
 

@@ -265,10 +265,9 @@ bool LiveControls::start_by_itself(bool came_later, HostNs program_start_ns, Hos
                      .kind = "run",
                      .level = messages::Event::Level::kWarning,
                      .text = "nothing starts by itself",
-                     .cause = emulator ? why
-                                       : "--go counts for 10 s after the program's start, for a "
-                                         "robot that is there then",
-                     .fix = "start it at the terminal or on the page"});
+                     .cause = why,
+                     .fix = "--go counts for 10 s after the program's start, for a robot that is "
+                            "there then; start it at the terminal or on the page"});
   return false;
 }
 

@@ -110,6 +110,7 @@ void LiveCycle::take_setup(HostNs now) {
     if (!cycle_.change_setup(request->change, now)) return;
     request->made = true;
     request->step = cycle_.steps() + 1;
+    consents_.set_changed(now);
     // From now on only a person can start; nothing starts by itself.
     if (request->change.step) consents_.set_ran();
   }
@@ -122,14 +123,20 @@ void LiveCycle::take_requests(HostNs now) {
   bool begins = !under_way(run_state_);
   while (requests_.pop(asked)) {
     if (shutting_down_) continue;
-    const ConsentLoss loss =
-        moves(asked.request) ? consents_.judge(asked.consent, now) : ConsentLoss::kNone;
+    if (!moves(asked.request)) {
+      cycle_.request(asked.request);
+      // Whoever looked before does not know that it was held or paused.
+      consents_.set_changed(now);
+      begins = begins || asked.request == OperatorRequest::kHold;
+      continue;
+    }
+    const ConsentLoss loss = consents_.judge(asked.consent, now);
     if (loss != ConsentLoss::kNone) {
       push(RequestDropped{now, asked.request, asked.consent.by, loss});
       continue;
     }
     cycle_.request(asked.request);
-    if (moves(asked.request) && std::exchange(begins, false)) begins_ = asked;
+    if (std::exchange(begins, false)) begins_ = asked;
   }
   give_up_arming(now);
 }
@@ -139,7 +146,8 @@ void LiveCycle::give_up_arming(HostNs now) {
   if (run_state_ != RunState::kArming) return;
   if (now - begins_.consent.acted_ns <= begins_.consent.life_ns) return;
   cycle_.request(OperatorRequest::kHold);
-  push(RequestDropped{now, begins_.request, begins_.consent.by, ConsentLoss::kTooOld});
+  push(RequestDropped{now, begins_.request, begins_.consent.by, ConsentLoss::kTooOld,
+                      cycle_.outputs().waits_for});
 }
 
 bool LiveCycle::take_inputs(HostNs now) {

@@ -38,6 +38,7 @@ struct RequestDropped {
   OperatorRequest request = OperatorRequest::kStart;
   Requester by{};
   ConsentLoss loss = ConsentLoss::kNone;
+  StartRefusal waited_for = StartRefusal::kNone;  ///< while its consent grew too old
 };
 /// Something that happened, for log and supervisor.
 using LiveEvent = std::variant<SessionReport, RunChange, RequestDropped>;

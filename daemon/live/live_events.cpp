@@ -128,7 +128,9 @@ Event describe_dropped(const RequestDropped& event) {
           .level = Level::kWarning,
           .text = std::string("'") + to_string(event.request) + "' of " + to_string(event.by) +
                   " is not carried out",
-          .cause = to_string(event.loss)};
+          .cause = event.waited_for == StartRefusal::kNone
+                       ? to_string(event.loss)
+                       : std::string(to_string(event.waited_for))};
 }
 
 /// Describes each event of a session in `out`, whose time is already set.

@@ -91,16 +91,19 @@ record::Recorder::Make LiveRecording::make(const std::string& directory, const s
   const auto unix_ns = static_cast<std::int64_t>(clock_.unix_ns(now));
   return [clock = clock_, max_mb = static_cast<std::uint64_t>(settings_.max_mb), run = run_,
           directory, name, facts, unix_ns, quota_mb, only, note = note_] {
+    // No run of a person is called a black box: those are deleted without being asked for.
+    const bool mistaken = only.empty() && ('-' + name).starts_with(kBlackBoxName);
+    const std::string own = mistaken ? "run-" : "";
     if (quota_mb > 0) {
       const std::uint64_t max_bytes = static_cast<std::uint64_t>(quota_mb) * 1'000'000;
       std::string text = describe_freed(runs::free_space(directory, max_bytes, only));
       if (!text.empty()) note->set(std::move(text));
     }
     return std::make_unique<record::RecordingWriter>(
-        record::RecordingSettings{
-            .path = runs::make_run_folder(directory, name, unix_ns) + "/" + record::kRecordingFile,
-            .max_bytes = max_mb * 1'000'000,
-            .clock = clock},
+        record::RecordingSettings{.path = runs::make_run_folder(directory, own + name, unix_ns) +
+                                          "/" + record::kRecordingFile,
+                                  .max_bytes = max_mb * 1'000'000,
+                                  .clock = clock},
         config::run_facts(run->files, run->setup, facts));
   };
 }

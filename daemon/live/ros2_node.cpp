@@ -89,7 +89,7 @@ HostNs Ros2Node::publish() {
   }
   while (const StepRecord* step = steps_.front()) {
     publisher_.take(*step);
-    requests_.observe(*step);
+    requests_.observe(*step, monotonic_now());
     const HostNs period_ns = step->now_ns - std::exchange(last_step_ns_, step->now_ns);
     period_ns_ += (std::min(period_ns, kLongestPeriodNs) - period_ns_) / kMeanOf;
     const HostNs late_ns = step->now_ns - due_ns_;

@@ -85,8 +85,8 @@ void Ros2Requests::refuse(ros2::Input input, HostNs now, const std::string& why)
   note(kNotes.at(static_cast<std::size_t>(input)), now, name_of(input) + " refused: " + why);
 }
 
-void Ros2Requests::observe(const StepRecord& record) {
-  note_stops(record.now_ns);
+void Ros2Requests::observe(const StepRecord& record, HostNs now) {
+  note_stops(now);
   drive_refusal_ = record.snapshot.drive_refusal;
   run_state_ = record.snapshot.run_state;
   at_ = record.snapshot.world;
@@ -114,6 +114,7 @@ Consent Ros2Requests::consent_of(const ros2::Received& received, HostNs now) {
       std::ranges::count_if(stop_times_, [&](HostNs at) { return at > acted_ns - kSeenNs; });
   return {.by = {Door::kRos2},
           .acted_ns = acted_ns,
+          .seen_ns = now,
           .stops_seen = stops_ - static_cast<std::uint64_t>(unseen)};
 }
 
@@ -272,6 +273,8 @@ void Ros2Requests::go_on(Start& start, const Snapshot& snapshot, HostNs now) {
   if (why.empty() && !ready && in_time) return;
   if (why.empty())
     why = start.chosen ? why_not(start, snapshot) : "its course took too long to load";
+  // The course is its own choice, and every other request since has ended it.
+  start.consent.seen_ns = now;
   if (why.empty()) why = controls_.move(OperatorRequest::kStart, start.consent, now);
   const ros2::Input input = std::exchange(start_, std::nullopt)->input;
   if (!why.empty()) return refuse(input, now, of_goal(why));

@@ -34,8 +34,9 @@ class Ros2Requests {
   explicit Ros2Requests(server::Controls& controls) : controls_(controls) {}
 
   // One thread, not the real-time one.
-  /// Takes a step; the last one decides whether the robot may start, be driven or be placed.
-  void observe(const StepRecord& record);
+  /// Takes a step, at `now`; the last one decides whether the robot may start, be driven or be
+  /// placed.
+  void observe(const StepRecord& record, HostNs now);
   void take(const ros2::Received& received, HostNs now);
   /// The newest answer to a node, once.
   std::optional<messages::Event> take_answer();

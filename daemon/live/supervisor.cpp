@@ -260,7 +260,7 @@ void Supervisor::State::take_events() {
     for (const messages::Event& one : events) settings.server->take(one);
     if (report != nullptr) on_session(*report);
     if (change != nullptr) on_run_state(*change);
-    if (std::holds_alternative<RequestDropped>(event)) terminal->ask();
+    if (std::holds_alternative<RequestDropped>(event)) terminal->ask(monotonic_now());
   }
 }
 
@@ -305,6 +305,7 @@ void Supervisor::State::change_setup(SetupChanger::Made made) {
     if (goes_on) settings.recording->start({}, [](const std::string&) {});
     first_session.expect(settings.robot);
     terminal->follow(settings.course);
+    terminal->ask(event.at_ns);
     notify_manager();
   }
   log.write({event});
@@ -323,7 +324,7 @@ void Supervisor::State::on_session_state(SessionState next) {
   if (settings.course.empty() || ending) return;
   if (settings.controls->start_consent() != StartConsent::kNone ||
       !settings.controls->start_by_itself(connector.came_later(), began_ns, monotonic_now()))
-    terminal->ask();
+    terminal->ask(monotonic_now());
 }
 
 void Supervisor::State::on_run_state(const RunChange& change) {
@@ -348,7 +349,7 @@ void Supervisor::State::on_run_state(const RunChange& change) {
     if (!by_hand) stay_status = 1;
     if (!waits) return run_ended(1, "aborted");
   }
-  if (!ending) terminal->ask();
+  if (!ending) terminal->ask(monotonic_now());
 }
 
 void Supervisor::State::run_ended(int exit_status, const std::string& result) {
@@ -356,7 +357,7 @@ void Supervisor::State::run_ended(int exit_status, const std::string& result) {
   stay_status = exit_status;
   figures.result = result;
   log.info(result);
-  terminal->ask();
+  terminal->ask(monotonic_now());
 }
 
 void Supervisor::State::end(int exit_status, const std::string& result) {

@@ -157,16 +157,17 @@ void Terminal::stop() {
   if (input_) input_->stop();
 }
 
-void Terminal::ask() {
+void Terminal::ask(HostNs now) {
   if (session_ != SessionState::kReady || under_way() || reach_.course.empty()) return;
   const bool word = reach_.controls.start_consent() == StartConsent::kWord;
   const bool typed_ahead = input_ && input_->drop_typed_ahead();
+  seen_ns_ = now;
   stops_seen_ = reach_.controls.stop_count();
   const std::string what = "to start course " + reach_.course;
   reach_.say(word ? "ready; type go and press Enter " + what + "; Enter alone is STOP"
                   : "ready; press Enter " + what,
              false);
-  if (typed_ahead && word) press_stop("Enter was pressed before the question: STOP");
+  if (typed_ahead && word) press_stop("Enter was pressed before the question: STOP", now);
 }
 
 void Terminal::take(const std::string& line, HostNs now) {
@@ -174,7 +175,8 @@ void Terminal::take(const std::string& line, HostNs now) {
   const LineMeaning meaning = meaning_of(line, reach_.controls.start_consent(), under_way());
   if (meaning == LineMeaning::kStop) {
     press_stop(under_way() || !can_start ? "Enter: STOP"
-                                         : "Enter: STOP; to start again type go and press Enter");
+                                         : "Enter: STOP; to start again type go and press Enter",
+               now);
   } else if (!can_start) {
     reach_.say("there is no course; nothing is started", false);
   } else if (meaning == LineMeaning::kNothing) {
@@ -190,19 +192,21 @@ void Terminal::start(bool first_only, HostNs now) {
   const std::string why = reach_.controls.move(OperatorRequest::kStart,
                                                {.by = {Door::kTerminal},
                                                 .acted_ns = now,
+                                                .seen_ns = seen_ns_,
                                                 .stops_seen = stops_seen_,
                                                 .first_only = first_only},
                                                now);
   if (why.empty()) return;
   reach_.say("nothing is started: " + why, true);
-  ask();
+  ask(now);
 }
 
-void Terminal::press_stop(const std::string& message) {
+void Terminal::press_stop(const std::string& message, HostNs now) {
   reach_.controls.stop();
   reach_.stop_pressed();
   reach_.say(message, true);
   stops_seen_ = reach_.controls.stop_count();
+  seen_ns_ = now;
 }
 
 }  // namespace tp100::live

@@ -39,7 +39,7 @@ class Terminal {
   void follow(const std::string& course) { reach_.course = course; }
   /// Asks for a start, if one is possible; only input typed from now on counts, and whoever types
   /// it has seen the STOPs until now.
-  void ask();
+  void ask(HostNs now);
   /// Somebody typed this line, without surrounding white space.
   void take(const std::string& line, HostNs now);
   /// Stops reading input.
@@ -48,13 +48,14 @@ class Terminal {
  private:
   class Input;
   void start(bool first_only, HostNs now);
-  void press_stop(const std::string& message);
+  void press_stop(const std::string& message, HostNs now);
   bool under_way() const { return tp100::under_way(run_); }
 
   Reach reach_;
   SessionState session_ = SessionState::kClosed;
   RunState run_ = RunState::kIdle;
   std::uint64_t stops_seen_ = 0;  // as of the last question, or pressed here
+  HostNs seen_ns_ = 0;            // time of the last question, or of that press
   std::unique_ptr<Input> input_;
 };
 

@@ -26,6 +26,9 @@
 namespace tp100::runs {
 namespace {
 
+// Of date_and_time().
+constexpr std::size_t kDateLength = 15;
+
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMaxFiles = 100;  // listed per run
@@ -251,7 +254,9 @@ void delete_run(const std::string& folder, const std::string& run) {
 FreedSpace free_space(const std::string& folder, std::uint64_t max_bytes, std::string_view only) {
   FreedSpace freed;
   std::vector<Run> runs = list_runs(folder);
-  std::erase_if(runs, [&](const Run& run) { return run.folder.find(only) == std::string::npos; });
+  std::erase_if(runs, [&](const Run& run) {
+    return run.folder.size() < kDateLength || !run.folder.substr(kDateLength).starts_with(only);
+  });
   std::size_t noted = 0;
   std::string failure;
   for (const Run& run : runs) freed.bytes += run.bytes;

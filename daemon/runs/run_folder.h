@@ -82,7 +82,8 @@ struct FreedSpace {
   std::string why_not{};    ///< why that is still more than permitted, in one line, or empty
 };
 /// Deletes the oldest runs without a note, as delete_run() does, until all together are at most
-/// `max_bytes`. `only`: runs without this text in their name are neither counted nor deleted.
+/// `max_bytes`. `only`: runs whose name does not go on with this text after the date are neither
+/// counted nor deleted.
 FreedSpace free_space(const std::string& folder, std::uint64_t max_bytes,
                       std::string_view only = {});
 

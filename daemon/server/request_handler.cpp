@@ -44,6 +44,7 @@ std::string read_consent(Arguments& arguments, const messages::PublishClock& clo
            "acting";
   consent.stops_seen = static_cast<std::uint64_t>(*stops);
   consent.acted_ns = std::min(clock.start_ns + from_s(*t_s), now + kRounding);
+  consent.seen_ns = consent.acted_ns;
   return consent.acted_ns < now + kRounding
              ? ""
              : "t_s is later than now; send /state.t_s as it was received";
@@ -240,7 +241,8 @@ void RequestHandler::on(const std::shared_ptr<Viewer>& viewer, const ServiceCall
   };
   if (call.service == 0 || call.service > services().size())
     return fail("there is no service " + std::to_string(call.service));
-  if (permission != Permission::kCommand)
+  // Whoever may stop the robot may say that it is watched.
+  if (permission != Permission::kCommand && service != Service::kWatch)
     return fail("only stop is taken from this client (server.commands)");
   if (call.encoding != "json") return fail("the encoding must be json");
   auto request = parse_request(call.payload);

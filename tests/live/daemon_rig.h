@@ -55,7 +55,8 @@ class DaemonRig {
   /// By a person who sees the robot now.
   void request(OperatorRequest request) {
     if (request == OperatorRequest::kStop) return controls_.stop();
-    cycle_.request(request, {.acted_ns = now(), .stops_seen = controls_.stop_count()});
+    cycle_.request(request,
+                   {.acted_ns = now(), .seen_ns = now(), .stops_seen = controls_.stop_count()});
   }
 
   /// Viewer `id` calls a service; connects first if it is new. What sets the robot in motion gets
@@ -159,6 +160,7 @@ class DaemonRig {
             made->run->setup.course == nullptr ? "" : made->run->setup.course->name;
         ros2_.set_course(course);
         terminal_.follow(course);
+        terminal_.ask(now());
         const messages::RunContext context = config::run_context_of(made->run->setup);
         publisher_.change_setup(
             context, messages::setup_messages(messages::Messages(context, {}), now()), now());
@@ -172,7 +174,7 @@ class DaemonRig {
     LiveStatus status;
     cycle_.take_status(status);
     publisher_.take(record_);
-    ros2_.observe(record_);
+    ros2_.observe(record_, now());
     handler_.tick(now());
     if (after_step) after_step(record_);
   }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <deque>
+#include <limits>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -36,11 +37,12 @@ config::RunFiles files() {
 }
 
 /// What a person knew when asking for motion. `stops`: those that the daemon had got when the
-/// person looked last.
+/// person looked last, at `seen_ns`.
 struct Act {
   std::string by;
   HostNs at_ns = 0;
   std::uint64_t stops = 0;
+  HostNs seen_ns = std::numeric_limits<HostNs>::max();
   HostNs life_ns = Consent::kLifeNs;
 };
 
@@ -117,17 +119,26 @@ class Doors : public DaemonRig {
     cycle_.written(cycle_.output().size());
     cycle_.after_write(now_);
     take_results();
+    const auto& requests = record().inputs.requests;
+    const bool changed =
+        record().inputs.restart.size() > 0 ||
+        std::ranges::any_of(requests, [](OperatorRequest request) {
+          return request == OperatorRequest::kHold || request == OperatorRequest::kPause;
+        });
+    if (changed) changed_ns_ = now_;
     const bool goes_on =
         paused && record().snapshot.pause_left_s == 0.0 && state() == RunState::kRunning;
     if (robot_.received.arms.size() > arms || goes_on) judge(goes_on ? "goes on" : "arms", stops);
     show();
   }
 
-  /// Motors may turn only if somebody asked within the last seconds who had seen every STOP.
+  /// Motors may turn only if somebody asked within the last seconds who had seen every STOP, and
+  /// who looked after the robot was held or paused last, or another course chosen.
   void judge(const std::string& what, std::uint64_t stops) {
     ++motions_;
     const bool asked = std::ranges::any_of(acts_, [&](const Act& act) {
-      return act.stops == stops && now_ - act.at_ns <= act.life_ns + kReactionNs;
+      return act.stops == stops && act.seen_ns >= changed_ns_ &&
+             now_ - act.at_ns <= act.life_ns + kReactionNs;
     });
     if (asked) return;
     std::ostringstream text;
@@ -180,7 +191,10 @@ class Doors : public DaemonRig {
     if (service == "start" || service == "resume" || service == "drive_take" ||
         service == "wheels_up_begin") {
       message.request = {{"stops", viewer.stops}, {"t_s", viewer.t_s}};
-      message.act = Act{.by = service, .at_ns = now_, .stops = viewer.stops};
+      message.act = Act{.by = service,
+                        .at_ns = now_,
+                        .stops = viewer.stops,
+                        .seen_ns = from_s(viewer.t_s) + kPeriodNs};
     }
     if (service == "start" && random_.chance(0.3)) message.request["from"] = "here";
     // Its own thread of the daemon would take the port.
@@ -199,10 +213,15 @@ class Doors : public DaemonRig {
   void type() {
     const bool go = random_.chance(0.6);
     if (go || controls_.start_consent() != StartConsent::kWord)
-      acts_.push_back({.by = "terminal", .at_ns = now_, .stops = terminal_saw_});
+      acts_.push_back({.by = "terminal",
+                       .at_ns = now_,
+                       .stops = terminal_saw_,
+                       .seen_ns = terminal_looked_ns_ + kPeriodNs});
     const std::uint64_t before = controls_.stop_count();
     terminal_.take(go ? "go" : "", now_);
-    if (controls_.stop_count() > before) terminal_saw_ = controls_.stop_count();
+    if (controls_.stop_count() == before) return;
+    terminal_saw_ = controls_.stop_count();
+    terminal_looked_ns_ = now_;
   }
 
   void write(Node& node) {
@@ -270,7 +289,9 @@ class Doors : public DaemonRig {
   }
 
   void said(const std::string& line) override {
-    if (line.starts_with("ready;")) terminal_saw_ = controls_.stop_count();
+    if (!line.starts_with("ready;")) return;
+    terminal_saw_ = controls_.stop_count();
+    terminal_looked_ns_ = now_;
   }
   // What the supervisor does.
   void happened(const LiveEvent& event) override {
@@ -281,12 +302,12 @@ class Doors : public DaemonRig {
       if (changed->to != SessionState::kReady) return;
       controls_.set_start({.emulator = !physical_, .go = go_});
       if (controls_.start_consent() == StartConsent::kNone && start_by_itself()) return;
-      terminal_.ask();
+      terminal_.ask(now_);
     } else if (const auto* change = std::get_if<RunChange>(&event)) {
       terminal_.follow(change->to);
-      terminal_.ask();
+      terminal_.ask(now_);
     } else if (std::holds_alternative<RequestDropped>(event)) {
-      terminal_.ask();
+      terminal_.ask(now_);
     }
   }
   bool start_by_itself() {
@@ -307,6 +328,8 @@ class Doors : public DaemonRig {
   std::vector<Act> acts_;
   std::vector<std::uint64_t> past_stops_;  // after each step
   std::uint64_t terminal_saw_ = 0;
+  HostNs terminal_looked_ns_ = 0;
+  HostNs changed_ns_ = std::numeric_limits<HostNs>::min();
   std::uint64_t motions_ = 0;
   std::string wrong_;
 };

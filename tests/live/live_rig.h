@@ -58,6 +58,7 @@ class LiveRig {
   /// Requests a start by a person who sees the robot now; `first_only`: as the first Enter.
   void start(bool first_only = false) {
     cycle.request(OperatorRequest::kStart, {.acted_ns = now,
+                                            .seen_ns = now,
                                             .stops_seen = first_only ? 0 : cycle.consents().stops(),
                                             .first_only = first_only});
   }

@@ -37,7 +37,7 @@ class Ros2RequestsTest : public ::testing::Test {
     record_.now_ns = now_;
     record_.inputs.requests.resize(0);
     edit(record_);
-    requests_.observe(record_);
+    requests_.observe(record_, now_);
   }
   void wait(HostNs ns) {
     for (const HostNs end = now_ + ns; now_ < end;) step();

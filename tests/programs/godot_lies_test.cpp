@@ -135,7 +135,7 @@ TEST_P(GodotPoseLies, AJumpOffThePathEndsTheRun) {
               answer["pose"]["pos"][1] = answer["pose"]["pos"][1].get<double>() + 0.35;
               return {answer.dump()};
             }),
-            "cross_track");
+            "world_against_odometry");
 }
 
 TEST_P(GodotPoseLies, ARobotThatIsSaidToFaceBackwardsEndsTheRun) {
@@ -143,7 +143,7 @@ TEST_P(GodotPoseLies, ARobotThatIsSaidToFaceBackwardsEndsTheRun) {
               answer["pose"]["rpy"][2] = answer["pose"]["rpy"][2].get<double>() + 3.1;
               return {answer.dump()};
             }),
-            "heading");
+            "world_against_odometry");
 }
 
 // The robot's tracks run, its gyro and encoders agree, but its position never changes.
@@ -154,7 +154,7 @@ TEST_P(GodotPoseLies, APoseThatStandsStillEndsTheRun) {
               answer["pose"] = frozen;
               return {answer.dump()};
             }),
-            "time_limit");
+            "world_against_odometry");
 }
 
 INSTANTIATE_TEST_SUITE_P(Authorities, GodotPoseLies, testing::Values("world"),

@@ -102,9 +102,11 @@ TEST_P(GodotRobots, AreObstaclesToEachOther) {
   const nlohmann::json first = drive(engine, "1-straight", GetParam(), "first", 0);
   EXPECT_TRUE(first.value("completed", false)) << first;
   const nlohmann::json second = drive(engine, "1-straight", GetParam(), "second", 1);
-  EXPECT_EQ(second.value("cause", ""), "immobilised") << second;
+  // A world that owns the pose says where its robot stands: the real one has no obstacle there.
+  const auto stopped = testing::AnyOf("immobilised", "world_against_odometry");
+  EXPECT_THAT(second.value("cause", ""), stopped) << second;
   const nlohmann::json again = drive(engine, "1-straight", GetParam(), "again", 0);
-  EXPECT_EQ(again.value("cause", ""), "immobilised") << again;
+  EXPECT_THAT(again.value("cause", ""), stopped) << again;
 }
 
 // Half a metre apart, at the same time, each by a program that is independent of the other.

@@ -366,6 +366,34 @@ void each_healthy(const std::string& camera, const std::string& course, const st
   }
 }
 
+// Ramps and blocks hold the virtual robot back, so that the real one may be ahead of it. A world
+// that claims them everywhere must not lead the real one on and on.
+TEST(Envelope, AWorldThatClaimsRampsAndBlocksEverywhereLeadsNoRobotFarOut) {
+  // What the world's obstacles may explain, and what the robot needs to stop.
+  constexpr double kFarthestM = 0.15 + kOutsideM;
+  for (const char* robot : {"uniform", "end-loaded"}) {
+    for (const double share : {0.0, 0.56, 0.8}) {
+      for (const bool block : {true, false}) {
+        LockstepSettings run =
+            settings("1-straight", loaded(robot, "flat"), PoseSource::kOdometry, 1);
+        Reach reach(run);
+        LyingWorld world(share, PoseSource::kOdometry);
+        run.configuration.parameters.world.owns_pose = true;
+        run.world = [&](const StepRecord& record) {
+          WorldSample answer = world.answer(record);
+          (block ? answer.step_height_m : answer.pitch_rad) = block ? 0.02 : -0.06;
+          return answer;
+        };
+        run.sink = &reach;
+        run.watch = [&](const EmulatedRobot& body) { reach.see(body); };
+        const report::RunResult result = run_lockstep(run);
+        EXPECT_LE(reach.out_m, kFarthestM) << robot << ' ' << share << ' ' << block;
+        EXPECT_FALSE(result.finished) << robot << ' ' << share << ' ' << block;
+      }
+    }
+  }
+}
+
 TEST(Envelope, AHealthyRunIsNotDoubted) {
   std::size_t i = 0;
   for (const std::string camera : kCameras) {

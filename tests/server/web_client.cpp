@@ -160,6 +160,7 @@ void WebClient::write_raw_header(std::uint64_t size) {
 }
 
 void WebClient::subscribe(messages::Channel channel) {
+  watches_state_ = watches_state_ || channel == messages::Channel::kState;
   const std::string id = std::to_string(static_cast<std::uint32_t>(channel));
   write_text(R"({"op":"subscribe","subscriptions":[{"id":)" + id + R"(,"channelId":)" + id + "}]}");
 }
@@ -221,10 +222,10 @@ void WebClient::take_frames() {
     if (opcode == 8) closed_ = true;
     if (opcode == 9) frame(10, payload);
     if (opcode != 1 && opcode != 2) continue;
-    if (opcode == 2 && payload.size() > kDataHead && payload[0] == 1 && payload[1] == kConsent) {
+    const bool data = opcode == 2 && payload.size() > kDataHead && payload[0] == 1;
+    if (data && payload.find("\"stop\":{\"count\":") != std::string::npos)
       state_ = payload.substr(kDataHead);
-      continue;
-    }
+    if (data && payload[1] == kConsent) continue;
     ++received_;
     data_ = data_ || (opcode == 2 && payload[0] == 1);
     messages_.push_back(std::move(payload));
