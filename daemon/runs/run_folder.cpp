@@ -254,9 +254,8 @@ void delete_run(const std::string& folder, const std::string& run) {
 FreedSpace free_space(const std::string& folder, std::uint64_t max_bytes, std::string_view only) {
   FreedSpace freed;
   std::vector<Run> runs = list_runs(folder);
-  std::erase_if(runs, [&](const Run& run) {
-    return run.folder.size() < kDateLength || !run.folder.substr(kDateLength).starts_with(only);
-  });
+  std::erase_if(
+      runs, [&](const Run& run) { return !only.empty() && run.folder.find(only) != kDateLength; });
   std::size_t noted = 0;
   std::string failure;
   for (const Run& run : runs) freed.bytes += run.bytes;

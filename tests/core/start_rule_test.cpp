@@ -26,9 +26,10 @@ TEST(StartRule, OnceSomethingHasRunNothingButTheWordStarts) {
     for (const char* line : {"", "g", "o", "GO", "go go", "\n", "\ngo", "go\n", "yes", "..."})
       EXPECT_EQ(meaning_of(line, consent, false), LineMeaning::kStop) << line;
   }
-  // The next drive of a calibration starts by itself only if the first one did so.
+  // Whoever typed --go may no longer watch the next drive of an identification.
   EXPECT_EQ(start_consent({.ran_before = true}), StartConsent::kWord);
-  EXPECT_EQ(start_consent({.go = true, .ran_before = true}), StartConsent::kNone);
+  EXPECT_EQ(start_consent({.go = true, .ran_before = true}), StartConsent::kWord);
+  EXPECT_EQ(start_consent({.emulator = true, .ran_before = true}), StartConsent::kNone);
 }
 
 TEST(StartRule, WhateverIsTypedDuringARunIsStop) {
