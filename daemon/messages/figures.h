@@ -100,7 +100,7 @@ struct StopFigures {
   enum class Status : std::uint8_t { kNone, kPending, kAcknowledged, kNotAcknowledged };
   std::uint64_t count = 0;  ///< of all doors, also STOPs that nobody pressed
   bool latched = false;
-  std::string by;  ///< who pressed the last one
+  std::string by;           ///< who pressed the last one
   HostNs requested_ns = 0;  ///< of the oldest unacknowledged press, else of the last one
   Status status = Status::kNone;
   double acknowledged_ms = 0.0;

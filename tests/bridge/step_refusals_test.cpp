@@ -82,8 +82,8 @@ TEST_F(StepTest, AStartWithoutACourseIsRefusedAndMovesNothing) {
   run(step, robot, 1.0);
   for (const OperatorRequest request : {OperatorRequest::kStart, OperatorRequest::kGoOn}) {
     const Outputs& out = tick(step, robot, std::span(&request, 1));
-    EXPECT_EQ(out.refused, request == OperatorRequest::kStart ? StartRefusal::kNoCourse
-                                                              : StartRefusal::kNone);
+    EXPECT_EQ(out.refused,
+              request == OperatorRequest::kStart ? StartRefusal::kNoCourse : StartRefusal::kNone);
     EXPECT_EQ(run(step, robot, 5.0), RunState::kIdle);
     EXPECT_FALSE(robot.armed);
   }

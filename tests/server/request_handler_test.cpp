@@ -21,13 +21,13 @@ TEST_F(RequestHandlerTest, GreetsWithInfoChannelsAndServices) {
   EXPECT_EQ(received.texts[1]["channels"].size(), messages::kChannelCount);
   std::vector<std::string> services;
   for (const Json& service : received.texts[2]["services"]) services.push_back(service["name"]);
-  EXPECT_THAT(services,
-              ::testing::ElementsAre("start", "hold", "stop", "record_start", "record_stop",
-                                     "drive_take", "drive", "drive_release", "choose", "place",
-                                     "file_save", "file_delete", "file_check", "pause", "resume",
-                                     "parameters_save", "parameters_restore", "run_note",
-                                     "run_delete", "run_report", "run_compare", "doctor",
-                                     "run_identify", "wheels_up_begin", "wheels_up_watch", "watch"));
+  EXPECT_THAT(
+      services,
+      ::testing::ElementsAre(
+          "start", "hold", "stop", "record_start", "record_stop", "drive_take", "drive",
+          "drive_release", "choose", "place", "file_save", "file_delete", "file_check", "pause",
+          "resume", "parameters_save", "parameters_restore", "run_note", "run_delete", "run_report",
+          "run_compare", "doctor", "run_identify", "wheels_up_begin", "wheels_up_watch", "watch"));
 }
 
 TEST_F(RequestHandlerTest, ASubscriberGetsWhatIsKeptAtOnceAndThenWhatIsNew) {

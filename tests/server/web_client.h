@@ -38,8 +38,8 @@ class WebClient {
   /// the page now.
   void call(std::uint32_t service);
   void call(Service service) { call(static_cast<std::uint32_t>(service)); }
-  /// `"stops":N,"t_s":T` of the next /state; without a subscription to it from one of its own, whose
-  /// messages are not among those below. Throws if none arrives within a minute.
+  /// `"stops":N,"t_s":T` of the next /state; without a subscription to it from one of its own,
+  /// whose messages are not among those below. Throws if none arrives within a minute.
   std::string consent();
 
   /// Reads the available bytes without waiting. The last 200 messages are kept.
