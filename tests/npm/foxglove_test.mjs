@@ -9,6 +9,9 @@ const { FoxgloveClient } = load('@foxglove/ws-protocol');
 const { WebSocket } = load('ws');
 const text = new TextDecoder();
 
+/** Of a person who has seen this message of /state. */
+const consent = ({ value }) => ({ stops: value.stop.count, t_s: value.t_s });
+
 /** The client and what it has received; `until` waits for a condition on it. */
 class Viewer {
   constructor(url, protocol) {
@@ -69,7 +72,7 @@ class Viewer {
       const found = condition();
       if (!found && states.at(-1) !== seen) {
         seen = states.at(-1);
-        if (seen.value.can.start) this.call('start');
+        if (seen.value.can.start) this.call('start', consent(seen));
       }
       return found;
     });
@@ -182,7 +185,7 @@ test('calls stop, and the robot acknowledges', limits, () => withPair({}, async 
   assert.equal(last.stop.latched, true);
   // Only a start ends the latched stop.
   await viewer.until(() => states.at(-1).value.can.start);
-  assert.deepEqual(await viewer.call('start'), { accepted: true });
+  assert.deepEqual(await viewer.call('start', consent(states.at(-1))), { accepted: true });
   await viewer.until(() => states.at(-1).value.run === 'running');
   assert.equal(states.at(-1).value.stop.latched, false);
   await viewer.close();
