@@ -78,14 +78,14 @@ bool is_found_name(std::string_view name) {
 }
 
 std::string percent_encoded(std::string_view name) {
-  constexpr std::string_view kDigits = "0123456789ABCDEF";
+  constexpr std::string_view kHexDigits = "0123456789ABCDEF";
   std::string out;
   for (const char c : name) {
     const auto byte = static_cast<std::uint8_t>(c);
     if (is_plain(c) || c == '~')
       out += c;
     else
-      (out += '%') += {kDigits[byte >> 4U], kDigits[byte & 15U]};
+      (out += '%') += {kHexDigits[byte >> 4U], kHexDigits[byte & 15U]};
   }
   return out;
 }
