@@ -18,11 +18,6 @@ Driver driver_of(const Viewer& viewer) {
   return {.id = name, .name = name};
 }
 
-bool needs_consent(Service service) {
-  return service == Service::kStart || service == Service::kResume ||
-         service == Service::kDriveTake || service == Service::kWheelsUpBegin;
-}
-
 /// Takes `stops` and `t_s` out of the arguments: what the person saw on /state when acting. Returns
 /// why that is impossible.
 std::string read_consent(Arguments& arguments, const messages::PublishClock& clock, HostNs now,
@@ -350,7 +345,7 @@ void RequestHandler::on(const std::shared_ptr<Viewer>& viewer, const ServiceCall
 
 void RequestHandler::stop_pressed(const std::shared_ptr<Viewer>& viewer, std::uint32_t call,
                                   HostNs at) {
-  publisher_.stop_pressed("viewer " + std::to_string(viewer->id()), at);
+  publisher_.stop_pressed(driver_of(*viewer).name, at);
   if (waiting_.size() >= kMaxWaiting) {
     viewer->reply(service_response(static_cast<std::uint32_t>(Service::kStop), call,
                                    stop_answer(publisher_.stop().figures())),

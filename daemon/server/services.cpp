@@ -197,6 +197,11 @@ const std::vector<ServiceText>& services() {
   return kServices;
 }
 
+bool needs_consent(Service service) {
+  const auto row = std::ranges::find(rows(), service, &Row::service);
+  return row != rows().end() && std::ranges::count(row->arguments, "stops") > 0;
+}
+
 std::string unknown_argument(Service service, const Arguments& arguments) {
   // Its arguments are parameters.
   if (service == Service::kParametersSave) return {};

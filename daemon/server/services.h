@@ -48,6 +48,9 @@ enum class Service : std::uint32_t {
 
 /// All of them, in the enum's order.
 const std::vector<ServiceText>& services();
+/// Whether requests of the service set the robot in motion, and so carry what a person saw
+/// (`stops`, `t_s`). A service that does not exist does not.
+bool needs_consent(Service service);
 
 // Each returns why the arguments are refused, in one line; empty: they are accepted.
 /// Whether the service knows their names.

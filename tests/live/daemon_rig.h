@@ -69,8 +69,7 @@ class DaemonRig {
     while (server::services().at(number - 1).name != service) ++number;
     const std::shared_ptr<server::Viewer> viewer = viewer_of(id);
     nlohmann::json sent = request;
-    const bool moves = service == "start" || service == "resume" || service == "drive_take" ||
-                       service == "wheels_up_begin";
+    const bool moves = server::needs_consent(static_cast<server::Service>(number));
     if (moves && !sent.contains("stops"))
       sent.update({{"stops", controls_.stop_count()}, {"t_s", to_s(now())}});
     // As the thread of the sockets does, before anybody else knows of it.

@@ -38,8 +38,7 @@ class Caller {
 
   /// The answer, or the reason of a refusal as text.
   json call(Service service, json request) {
-    if (service == Service::kWheelsUpBegin || service == Service::kDriveTake)
-      request.update(json::parse("{" + client_.consent() + "}"));
+    if (needs_consent(service)) request.update(json::parse("{" + client_.consent() + "}"));
     std::string bytes(1, '\2');
     for (const std::uint32_t number : {static_cast<std::uint32_t>(service), ++calls_, 4U})
       bytes.append(reinterpret_cast<const char*>(&number), 4);

@@ -89,10 +89,7 @@ class RequestHandlerTest : public ::testing::Test {
   Received call(std::uint32_t service, const std::string& payload = "{}",
                 Permission permission = Permission::kCommand, HostNs now = kNow) {
     Json request = Json::parse(payload, nullptr, false);
-    const bool moves = service == static_cast<std::uint32_t>(Service::kStart) ||
-                       service == static_cast<std::uint32_t>(Service::kResume) ||
-                       service == static_cast<std::uint32_t>(Service::kDriveTake) ||
-                       service == static_cast<std::uint32_t>(Service::kWheelsUpBegin);
+    const bool moves = needs_consent(static_cast<Service>(service));
     if (moves && request.is_object() && !request.contains("stops")) {
       request["stops"] = controls_.stop_count();
       request["t_s"] = publisher_.clock().t_s(now);

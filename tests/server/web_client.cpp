@@ -37,11 +37,6 @@ constexpr std::size_t kKept = 200;
 constexpr char kConsent = 99;
 constexpr std::size_t kDataHead = 13;
 
-bool needs_consent(Service service) {
-  return service == Service::kStart || service == Service::kResume ||
-         service == Service::kDriveTake || service == Service::kWheelsUpBegin;
-}
-
 /// The number after `key`, as text.
 std::string number_text(const std::string& json, const std::string& key) {
   const std::size_t at = json.find(key) + key.size();
