@@ -31,14 +31,6 @@ std::string thrown() {
   }
 }
 
-void run_job(const Worker::Job& job, const Worker::Failed& failed) {
-  try {
-    job();
-  } catch (...) {
-    failed(thrown());
-  }
-}
-
 }  // namespace
 
 Worker::Worker(std::size_t most) : most_(most), thread_([this] { run(); }) {}
@@ -65,7 +57,7 @@ bool Worker::post(Job job, Failed failed) {
 void Worker::ask(const Answer& answer, std::function<std::string()> job) {
   const auto answered = [answer, job = std::move(job)] {
     std::string json, why;
-    run_job([&] { json = job(); }, [&](const std::string& thrown) { why = thrown; });
+    run_here([&] { json = job(); }, [&](const std::string& thrown) { why = thrown; });
     answer(why, why.empty() ? json : "");
   };
   if (!post(answered, [](const std::string&) {})) answer(kBusy, "");
@@ -74,6 +66,14 @@ void Worker::ask(const Answer& answer, std::function<std::string()> job) {
 bool Worker::idle_by(std::chrono::steady_clock::time_point deadline) {
   std::unique_lock lock(mutex_);
   return idle_.wait_until(lock, deadline, [this] { return jobs_.empty() && !busy_; });
+}
+
+void Worker::run_here(const Job& job, const Failed& failed) {
+  try {
+    job();
+  } catch (...) {
+    failed(thrown());
+  }
 }
 
 void Worker::run() {
@@ -86,7 +86,7 @@ void Worker::run() {
     busy_ = true;
     lock.unlock();
     try {
-      run_job(next.job, next.failed);
+      run_here(next.job, next.failed);
     } catch (...) {
       // There is not even memory for the answer. The robot drives on, and its STOP works.
     }

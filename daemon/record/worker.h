@@ -40,6 +40,9 @@ class Worker {
   void ask(const Answer& answer, std::function<std::string()> job);
   /// Waits until no job is waiting or running; false: `deadline` passed first.
   bool idle_by(std::chrono::steady_clock::time_point deadline);
+  /// Runs `job` on the caller's thread, and `failed` after it if it throws. For jobs that wait for
+  /// something else than a disk.
+  static void run_here(const Job& job, const Failed& failed);
 
  private:
   struct Posted {

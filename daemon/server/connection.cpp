@@ -19,6 +19,7 @@
 #include <utility>
 
 #include "core/clock.h"
+#include "record/worker.h"
 #include "server/local_daemons.h"
 #include "server/viewer_socket.h"
 
@@ -190,13 +191,7 @@ void Connection::ask(bool disk, std::function<Result()> job,
     back(failed(why));
   };
   if (!disk) {
-    boost::asio::post(shared_.work, [done, broken] {
-      try {
-        done();
-      } catch (const std::exception& error) {
-        broken(error.what());
-      }
-    });
+    boost::asio::post(shared_.work, [done, broken] { record::Worker::run_here(done, broken); });
   } else if (!shared_.disk.post(done, broken)) {
     return late();
   }
@@ -235,9 +230,7 @@ void Connection::ask_for_content() {
       },
       [](const std::string& why) { return http_text(500, why); },
       [this](HttpAnswer& found) { answer(std::move(found)); },
-      [this, disk] {
-        answer(http_text(503, disk ? "the disk does not answer; try again later" : kBusy));
-      });
+      [this, disk] { answer(http_text(503, disk ? record::Worker::kBusy : kBusy)); });
 }
 
 void Connection::leave() {
