@@ -44,7 +44,8 @@ struct Step::State {
 
   void resume(const CarriedState& carried);
   void take_changes(std::span<const ParameterChange> changes);
-  void take_requests(std::span<const OperatorRequest> requests);
+  // Whether a start was refused because there is no course.
+  bool take_requests(std::span<const OperatorRequest> requests);
   void take_world(std::span<const WorldSample> received, double dt_s);
   FaultMask aborts(const StepInputs& in, HostNs now, double dt_s);
   StartRefusal refusal(const StepInputs& in, HostNs now) const;
@@ -71,8 +72,7 @@ struct Step::State {
 
   control::Target target{};
   bool at_fence = false;
-  bool no_course = false;  // a start was refused
-  bool goes_on = false;    // the run that is about to begin continues the last one
+  bool goes_on = false;  // the run that is about to begin continues the last one
   HostNs last_step_ns = 0, run_began_ns = 0;
   std::uint32_t session_number = 0;
   Outputs out{};
@@ -145,8 +145,8 @@ void Step::State::take_changes(std::span<const ParameterChange> changes) {
   if (tracker) tracker->retune(parameters.control);
 }
 
-void Step::State::take_requests(std::span<const OperatorRequest> requests) {
-  no_course = false;
+bool Step::State::take_requests(std::span<const OperatorRequest> requests) {
+  bool no_course = false;
   for (const OperatorRequest request : requests) {
     switch (request) {
       case OperatorRequest::kStart:
@@ -178,6 +178,7 @@ void Step::State::take_requests(std::span<const OperatorRequest> requests) {
         break;
     }
   }
+  return no_course;
 }
 
 void Step::State::take_world(std::span<const WorldSample> received, double dt_s) {
@@ -366,7 +367,7 @@ const Outputs& Step::operator()(const StepInputs& in, HostNs now) {
   for (const Sample& sample : in.samples) s.perception.take(sample, armed(s.arming.state()));
   for (const CameraSample& sample : in.camera) s.perception.take(sample);
   s.take_changes(in.changes);
-  s.take_requests(in.requests);
+  const bool no_course = s.take_requests(in.requests);
   if (s.pause.update(dt_s) && s.arming.state() == RunState::kRunning) s.arming.hold();
   // After the operator's requests, so that a start does not override a world that requests a stop.
   if (s.external.take_stop(under_way(s.arming.state()))) s.arming.stop();
@@ -386,7 +387,7 @@ const Outputs& Step::operator()(const StepInputs& in, HostNs now) {
        .done = s.arming.state() == RunState::kDriving ? s.hand_drive.silent(now)
                                                       : armed(s.arming.state()) && s.target.done},
       dt_s);
-  s.out.refused = s.no_course ? StartRefusal::kNoCourse : s.arming.refused();
+  s.out.refused = no_course ? StartRefusal::kNoCourse : s.arming.refused();
   s.out.waits_for = refusal;
   s.out.disarming = s.arming.disarming();
   if (s.arming.just_began()) s.begin(now);
