@@ -69,17 +69,15 @@
     "check USB hub and host load")                                                                \
   X(29, immobilised,                                                                              \
     "the tracks run but the robot does not move, or does not get over the obstacle",              \
-    "free the robot; clean tracks and floor; if it does move, check the set-up (terrain: the "    \
-    "floor "                                                                                      \
-    "has the map's ramps and blocks) and the camera's image")                                     \
+    "free the robot; clean tracks and floor; if it does move, check the set-up (terrain: "        \
+    "the floor has the map's ramps and blocks) and the camera's image")                           \
   X(30, world_lost, "the external world is silent, too slow or was restarted",                    \
     "check the world's program; start again once the log reports the world as connected")         \
   X(31, moves_unasked, "the robot is armed or drives its motors without a request",               \
     "switch the motors' supply off; flash the board (scripts/flash, installed: tp100-flash)")     \
   X(32, camera_against_odometry,                                                                  \
-    "camera contradicts odometry: the image stands still, is mirrored, turned or scaled, or "     \
-    "shows "                                                                                      \
-    "another marker; or the robot was moved",                                                     \
+    "camera contradicts odometry: the image stands still, is mirrored, turned or scaled, "        \
+    "or shows another marker; or the robot was moved",                                            \
     "check the camera's image, its view file and the markers; place the robot or put it to the "  \
     "start")                                                                                      \
   X(33, world_against_odometry,                                                                   \
