@@ -18,11 +18,11 @@ namespace tp100::sim {
 /// Options as given on the command line or by a campaign.
 struct Options {
   std::string board = "native";
-  std::string body;     ///< ode or shear; empty: the robot file's contact_law
-  std::string floor{};  ///< even or uneven; empty: the robot file's
-  std::string robot;    ///< bundled name or file; empty: the configuration's
-  std::string config;   ///< file; empty: defaults
-  std::string setup;    ///< empty: the configuration's
+  std::string body{};    ///< ode or shear; empty: the robot file's contact_law
+  std::string floor{};   ///< even or uneven; empty: the robot file's
+  std::string robot{};   ///< bundled name or file; empty: the configuration's
+  std::string config{};  ///< file; empty: defaults
+  std::string setup{};   ///< empty: the configuration's
   std::uint64_t seed = 1;
   text::NamedValues configuration_values{};  ///< override those in the file
   text::NamedValues robot_values{};          ///< override those in the robot's file
