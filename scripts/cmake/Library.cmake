@@ -6,9 +6,10 @@ add_library(tp100_options INTERFACE)
 target_compile_options(tp100_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast
   -Wnon-virtual-dtor -Woverloaded-virtual -Wdouble-promotion -Wformat=2 -Werror
-  # GCC gives the first warning for impossible paths, and the second for any type of a .cpp file that another one
-  # includes, as unity builds do.
-  $<$<CXX_COMPILER_ID:Clang>:-Wnull-dereference> $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>
+  # Not of GCC, which warns of impossible paths.
+  $<$<CXX_COMPILER_ID:Clang>:-Wnull-dereference>
+  # GCC warns of any type of a .cpp file that another one includes, as unity builds do.
+  $<$<AND:$<BOOL:${CMAKE_UNITY_BUILD}>,$<CXX_COMPILER_ID:GNU>>:-Wno-subobject-linkage>
   # Bit-identical runs need the same rounding at every optimisation level and on every processor: no fused multiply-add,
   # and no vectorised Eigen, which sums in another order and fuses on ARM.
   -ffp-contract=off
@@ -29,8 +30,9 @@ if(TP100_SANITIZE)
   endif()
 endif()
 
-# clang's precompiled headers depend on the path of the checkout, so that the compiler cache would serve only one.
-if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
+# Without unity builds each file is compiled by itself, with nothing but what it includes. clang's precompiled headers
+# depend on the path of the checkout, so that the compiler cache would serve only one.
+if(NOT CMAKE_UNITY_BUILD OR CMAKE_CXX_COMPILER_ID MATCHES Clang)
   set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
 endif()
 # The headers of libraries that most sources include are read once for all of them.
@@ -75,11 +77,12 @@ endfunction()
 
 # tp100_test(NAME SOURCES ... DEPENDS folders... [LABELS ...] [LIBRARIES ...] [LONG <regex>]
 #            [ALL <regex>] [NIGHTLY <regex>] [COMPUTE <regex>])
-# Label "realtime": the test waits more than it computes, so that many such tests run at once, but no computing tests
-# beside them. Label "threads": it starts threads, or programs of the project that do; the thread sanitizer's build has
-# only these tests. LONG, ALL, NIGHTLY and COMPUTE match the beginnings of test names (Suite.Name): LONG tests are started
-# first, ALL and NIGHTLY ones are run only by scripts/test --all and --nightly. COMPUTE ones compute for long in code and
-# threads that other tests run too; the sanitizers run them nightly.
+# Label "realtime": the test waits more than it computes, so that many such tests run at once. Label "threads": it starts
+# threads, or programs of the project that do. LONG, ALL, NIGHTLY and COMPUTE match the beginnings of test names
+# (Suite.Name): LONG tests are started first, ALL and NIGHTLY ones are run only by scripts/test --all and --nightly.
+# COMPUTE ones compute for long in code and threads that other tests run too; the sanitizers run them nightly.
+# Below --nightly each sanitizer has only the tests that it is for: the address sanitizer those of TP100_READERS, the
+# thread sanitizer those with threads. The target nightly_tests builds the others.
 function(tp100_test name)
   cmake_parse_arguments(TEST "" "LONG;ALL;NIGHTLY;COMPUTE" "SOURCES;DEPENDS;LABELS;LIBRARIES" ${ARGN})
   if(TP100_SANITIZE AND TEST_COMPUTE)
@@ -92,22 +95,20 @@ function(tp100_test name)
   target_link_libraries(${name} PRIVATE tp100_options tp100_test_options tp100_test_time tp100_test_paths
     ${TEST_DEPENDS} ${TEST_LIBRARIES} GTest::gmock GTest::gtest_main)
   target_precompile_headers(${name} REUSE_FROM tp100_test_headers)
-  if(TP100_SANITIZE STREQUAL "thread" AND NOT "threads" IN_LIST TEST_LABELS)
-    set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL ON)
-    return()
-  endif()
   # Under an emulator there is no real time, and tests that start programs are run by tests/arm64.
   if(CMAKE_CROSSCOMPILING AND (NOT "${TEST_LABELS}" MATCHES "^(unit|unit;physics|)$"))
     set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL ON)
     return()
   endif()
-  # scripts/test builds and runs these only with --nightly.
-  if(TP100_SANITIZE MATCHES address AND "lockstep" IN_LIST TEST_LABELS)
-    set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL ON)
-    add_dependencies(lockstep_tests ${name})
-  endif()
   if(NOT TEST_LABELS)
     set(TEST_LABELS unit)
+  endif()
+  cmake_path(GET CMAKE_CURRENT_SOURCE_DIR FILENAME folder)
+  if((TP100_SANITIZE MATCHES address AND NOT folder IN_LIST TP100_READERS) OR
+      (TP100_SANITIZE STREQUAL "thread" AND NOT "threads" IN_LIST TEST_LABELS))
+    set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL ON)
+    add_dependencies(nightly_tests ${name})
+    list(APPEND TEST_LABELS nightly)
   endif()
   # Under a sanitizer a program takes longer to start than most of its tests: start it once for all of them. Separate
   # starts remain for realtime tests, which may need a second try, and for long tests or tests that are not always run.
