@@ -72,7 +72,11 @@ void Worker::run_here(const Job& job, const Failed& failed) {
   try {
     job();
   } catch (...) {
-    failed(thrown());
+    try {
+      failed(thrown());
+    } catch (...) {
+      // There is not even memory for the answer. The robot drives on, and its STOP works.
+    }
   }
 }
 
@@ -85,11 +89,7 @@ void Worker::run() {
     jobs_.pop_front();
     busy_ = true;
     lock.unlock();
-    try {
-      run_here(next.job, next.failed);
-    } catch (...) {
-      // There is not even memory for the answer. The robot drives on, and its STOP works.
-    }
+    run_here(next.job, next.failed);
     next = {};  // frees what they captured without the lock
     lock.lock();
     busy_ = false;

@@ -40,8 +40,8 @@ class Worker {
   void ask(const Answer& answer, std::function<std::string()> job);
   /// Waits until no job is waiting or running; false: `deadline` passed first.
   bool idle_by(std::chrono::steady_clock::time_point deadline);
-  /// Runs `job` on the caller's thread, and `failed` after it if it throws. For jobs that wait for
-  /// something else than a disk.
+  /// Runs `job` on the caller's thread, and `failed` after it if it throws; throws nothing itself.
+  /// For jobs that wait for something else than a disk.
   static void run_here(const Job& job, const Failed& failed);
 
  private:

@@ -177,6 +177,7 @@ void Connection::ask(bool disk, std::function<Result()> job,
   // The other thread does not keep the connection: it would be closed there.
   const auto back = [held = std::make_shared<std::shared_ptr<Connection>>(shared_from_this()),
                      question = ++question_, then = std::move(then)](Result result) {
+    if (*held == nullptr) return;  // there was no memory to post the first result
     boost::asio::io_context& context = (*held)->shared_.context;
     boost::asio::post(context, [self = std::move(*held), question, then,
                                 found = std::make_shared<Result>(std::move(result))] {

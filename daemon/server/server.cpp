@@ -90,10 +90,14 @@ struct Server::State {
     const auto report = [this](messages::ClientsFigures figures) {
       asio::post(context, [this, f = std::move(figures)]() mutable { take(std::move(f)); });
     };
-    sockets.emplace(std::move(s), c, context, broker, handler, sources, session, report);
+    const auto fail = [this](const std::string& why) {
+      asio::post(context, [this, why] { failed(why); });
+    };
+    sockets.emplace(std::move(s), c, context, broker, handler, sources, session, report, fail);
   }
 
   void tick();
+  void failed(const std::string& why);
   void take(messages::ClientsFigures figures);
   void take_records();
   std::string health() const;
@@ -134,13 +138,20 @@ void Server::State::take(messages::ClientsFigures figures) {
 }
 
 void Server::State::tick() {
-  const HostNs now = monotonic_now();
-  publisher.tick(now);
-  handler.tick(now);
   timer.expires_after(kTick);
   timer.async_wait([this](boost::system::error_code error) {
     if (!error) tick();
   });
+  const HostNs now = monotonic_now();
+  publisher.tick(now);
+  handler.tick(now);
+}
+
+void Server::State::failed(const std::string& why) {
+  publisher.take(messages::Event{.at_ns = monotonic_now(),
+                                 .level = messages::Event::Level::kError,
+                                 .text = "the server could not do what a viewer asked for",
+                                 .cause = why});
 }
 
 std::string Server::State::health() const {
@@ -186,8 +197,8 @@ const std::string& Server::note() const { return state_->sockets->note(); }
 
 void Server::start() {
   state_->thread = std::thread([this] {
-    state_->tick();
-    state_->context.run();
+    asio::post(state_->context, [this] { state_->tick(); });
+    run_handlers(state_->context, [this](const std::string& why) { state_->failed(why); });
   });
   ::pthread_setname_np(state_->thread.native_handle(), "server");
   state_->sockets->start();

@@ -50,9 +50,13 @@ tcp::endpoint parse_address(const std::string& text) {
 
 }  // namespace
 
+void run_handlers(asio::io_context& context, const record::Worker::Failed& failed) {
+  while (!context.stopped()) record::Worker::run_here([&] { context.run(); }, failed);
+}
+
 Sockets::Sockets(ServerSettings settings, Controls& controls, asio::io_context& work,
                  Broker& broker, RequestHandler& handler, HttpSources& sources, std::string session,
-                 Report report)
+                 Report report, record::Worker::Failed failed)
     : shared_{.settings = std::move(settings),
               .controls = controls,
               .context = context_,
@@ -62,6 +66,7 @@ Sockets::Sockets(ServerSettings settings, Controls& controls, asio::io_context& 
               .sources = sources,
               .disk = disk_},
       report_(std::move(report)),
+      failed_(std::move(failed)),
       own_{.session = std::move(session)} {
   listen();
 }
@@ -111,8 +116,8 @@ void Sockets::start() {
     // also writes whatever viewers read.
     ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kNice);
     if (acceptor_.is_open()) accept();
-    tick();
-    context_.run();
+    asio::post(context_, [this] { tick(); });
+    run_handlers(context_, failed_);
   });
   ::pthread_setname_np(thread_.native_handle(), "sockets");
 }
@@ -120,13 +125,17 @@ void Sockets::start() {
 void Sockets::accept() {
   acceptor_.async_accept([this](boost::system::error_code error, tcp::socket socket) {
     if (stopping_ || error == asio::error::operation_aborted) return;
+    accept_next(error.failed());
     if (!error) serve_connection(std::move(socket), shared_);
-    if (!error && !busy()) return accept();
-    // Probably out of descriptors, or somebody connects without end.
-    pause_.expires_after(error ? kAcceptPause : kBusyPause);
-    pause_.async_wait([this](boost::system::error_code cancelled) {
-      if (!cancelled) accept();
-    });
+  });
+}
+
+void Sockets::accept_next(bool failed) {
+  if (!failed && !busy()) return accept();
+  // Probably out of descriptors, or somebody connects without end.
+  pause_.expires_after(failed ? kAcceptPause : kBusyPause);
+  pause_.async_wait([this](boost::system::error_code cancelled) {
+    if (!cancelled) accept();
   });
 }
 
@@ -145,6 +154,10 @@ bool Sockets::busy() {
 }
 
 void Sockets::tick() {
+  timer_.expires_after(kSecond);
+  timer_.async_wait([this](boost::system::error_code error) {
+    if (!error) tick();
+  });
   const HostNs now = monotonic_now();
   shared_.viewer_budgets.tick(now);
   shared_.http_budgets.tick(now);
@@ -162,10 +175,6 @@ void Sockets::tick() {
     viewer->tick(now);
   }
   report_(std::move(figures));
-  timer_.expires_after(kSecond);
-  timer_.async_wait([this](boost::system::error_code error) {
-    if (!error) tick();
-  });
 }
 
 void Sockets::stop() {

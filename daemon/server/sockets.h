@@ -18,16 +18,21 @@
 
 namespace tp100::server {
 
+/// Runs the handlers of `context` until it is stopped. Nothing that one throws ends the program:
+/// `failed` gets it, as of a job of record::Worker.
+void run_handlers(boost::asio::io_context& context, const record::Worker::Failed& failed);
+
 class Sockets {
  public:
   /// Called once a second by the sockets' thread, with all but the viewers' subscriptions.
   using Report = std::function<void(messages::ClientsFigures)>;
 
   /// Listens; serves nothing before start(). Throws SetupError if the address is not available.
-  /// `work` is the worker's; it and all others must outlive this object.
+  /// `work` is the worker's; it and all others must outlive this object. `failed`: as of
+  /// run_handlers(), called by the sockets' thread.
   Sockets(ServerSettings settings, Controls& controls, boost::asio::io_context& work,
           Broker& broker, RequestHandler& handler, HttpSources& sources, std::string session,
-          Report report);
+          Report report, record::Worker::Failed failed);
 
   /// As in Server.
   const std::string& url() const { return url_; }
@@ -45,6 +50,7 @@ class Sockets {
   void listen();
   bool try_listen(const boost::asio::ip::tcp::endpoint& end, boost::system::error_code& error);
   void accept();
+  void accept_next(bool failed);
   bool busy();
   void tick();
   void begin_goodbyes();
@@ -52,6 +58,7 @@ class Sockets {
 
   SharedState shared_;
   Report report_;
+  record::Worker::Failed failed_;
   LocalDaemon own_;
   std::string url_, note_;
   std::optional<Announcement> announcement_;
