@@ -2,7 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
+#include <cmath>
+#include <vector>
 
 #include "rig.h"
 
@@ -11,7 +12,134 @@ namespace {
 
 using wire::State;
 
-// The robot is armed and at standstill; the next command decides whether it moves.
+constexpr std::uint32_t kBoot = 77;
+constexpr std::uint32_t kNowUs = 0xFFFFFFFFU - 50'000U;  // the clock wraps during some tests
+
+// A gate that has accepted the command 100, and samples every 5 ms up to number 60, now.
+class Gate : public testing::Test {
+ protected:
+  Gate() {
+    p.command_life_ms = 110;
+    p.yaw_window_ms = 90;
+    for (std::uint16_t i = 0; i <= 60; ++i) history.add(i, kNowUs - (60U - i) * 5000U, 0, 0, 0);
+    gate.open(kBoot);
+    EXPECT_EQ(judge(command()), Verdict::kAccepted);
+    next.sequence = 101;
+  }
+  static wire::Command command() {
+    wire::Command c{};
+    c.boot_nonce = kBoot;
+    c.sequence = 100;
+    c.answers = 60;
+    c.speed_mps = 0.1f;
+    c.expiry_us = kNowUs + 100'000U;
+    return c;
+  }
+  Verdict judge(const wire::Command& c) { return gate.judge(c, kNowUs, history, p); }
+
+  wire::Parameters p = test::good_parameters();
+  TurnHistory history;
+  CommandGate gate;
+  wire::Command next = command();
+};
+
+TEST_F(Gate, IsOpenToCommandsOfThisBoot) {
+  EXPECT_EQ(judge(next), Verdict::kAccepted);
+  ++next.boot_nonce;
+  EXPECT_EQ(judge(next), Verdict::kWrongBoot);
+}
+
+TEST_F(Gate, IsOpenToANewerSequenceUpToHalfItsRange) {
+  for (const int ahead : {0, -1, -500, -32'768}) {
+    next.sequence = static_cast<std::uint16_t>(100 + ahead);
+    EXPECT_EQ(judge(next), Verdict::kRepeated) << ahead;
+  }
+  next.sequence = 100;
+  for (const int ahead : {1, 32'767}) {
+    next.sequence = static_cast<std::uint16_t>(next.sequence + ahead);
+    EXPECT_EQ(judge(next), Verdict::kAccepted) << ahead;
+  }
+  next.sequence = 5;
+  gate.open(kBoot);
+  EXPECT_EQ(gate.last_sequence(), 0) << "of the session before";
+  EXPECT_EQ(judge(next), Verdict::kAccepted) << "the first of a session may have any";
+}
+
+TEST_F(Gate, IsOpenToAnExpiryOfUpTo200MsAhead) {
+  struct Case {
+    int ahead_us;
+    Verdict verdict;
+  };
+  for (const Case& one :
+       {Case{-1, Verdict::kExpired}, Case{0, Verdict::kExpired}, Case{1, Verdict::kAccepted},
+        Case{200'000, Verdict::kAccepted}, Case{200'001, Verdict::kTooFarAhead}}) {
+    next.expiry_us = kNowUs + static_cast<std::uint32_t>(one.ahead_us);
+    EXPECT_EQ(judge(next), one.verdict) << one.ahead_us;
+    if (one.verdict == Verdict::kAccepted) ++next.sequence;
+  }
+}
+
+TEST_F(Gate, IsOpenToAnswersToASampleWithinTheWindow) {
+  for (const int back : {-1, 19, 60, 64}) {
+    next.answers = static_cast<std::uint16_t>(60 - back);
+    EXPECT_EQ(judge(next), Verdict::kUnknownSample) << back;
+  }
+  next.answers = 60 - 18;  // 90 ms
+  EXPECT_EQ(judge(next), Verdict::kAccepted);
+  EXPECT_EQ(gate.answered().device_us, kNowUs - 90'000U);
+}
+
+TEST_F(Gate, IsOpenToFiniteValuesInTheirRanges) {
+  using Command = wire::Command;
+  const std::vector<std::pair<float Command::*, float>> limits = {
+      {&Command::x_m, 1e4f},
+      {&Command::y_m, 1e4f},
+      {&Command::yaw_rad, 1e3f},
+      {&Command::desired_yaw_rad, 1e3f},
+      {&Command::yaw_rate_radps, 10.0f},
+      {&Command::speed_mps, 2.0f},
+      {&Command::gyro_bias_radps, 1.0f}};
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    SCOPED_TRACE(i);
+    const auto [field, limit] = limits[i];
+    const float beyond = std::nextafter(limit, kInf);
+    Command bad = next;
+    for (const float value : {kNan, kInf, -kInf, beyond, -beyond}) {
+      bad.*field = value;
+      EXPECT_EQ(judge(bad), Verdict::kOutOfRange) << value;
+    }
+    for (const float value : {limit, -limit}) {
+      Command good = next;
+      good.*field = value;
+      EXPECT_EQ(judge(good), Verdict::kAccepted) << value;
+      ++next.sequence;
+    }
+  }
+}
+
+TEST_F(Gate, ARefusedCommandUsesUpNoSequenceAndReplacesNoCommand) {
+  next.speed_mps = kNan;
+  EXPECT_EQ(judge(next), Verdict::kOutOfRange);
+  EXPECT_EQ(gate.current().speed_mps, 0.1f);
+  next.speed_mps = 0.2f;
+  EXPECT_EQ(judge(next), Verdict::kAccepted);
+  EXPECT_EQ(gate.last_sequence(), 101);
+}
+
+TEST_F(Gate, ACommandIsFreshUntilItsExpiryOrForTheLifeInTheParameters) {
+  for (const std::uint32_t ahead_us : {50'000U, 150'000U}) {
+    next.expiry_us = kNowUs + ahead_us;
+    ++next.sequence;
+    ASSERT_EQ(judge(next), Verdict::kAccepted);
+    const std::uint32_t life_us = std::min(ahead_us, 110'000U);
+    EXPECT_EQ(gate.life_us(), life_us);
+    EXPECT_TRUE(gate.fresh(kNowUs + life_us - 1));
+    EXPECT_FALSE(gate.fresh(kNowUs + life_us));
+    EXPECT_FALSE(gate.fresh(kNowUs + 1)) << "it is fresh again after a turn of the clock";
+  }
+}
+
+// The robot is armed and at standstill, and receives no commands.
 class Commands : public testing::Test {
  protected:
   Commands() {
@@ -21,128 +149,37 @@ class Commands : public testing::Test {
     rig.arm();
     rig.run(20);
     rig.streams = false;
-    rig.speed_mps = 0.1f;
   }
-
-  // True if `command` alone moves the robot within 30 ms.
-  bool moves(const wire::Command& command) {
-    EXPECT_EQ(rig.program.state(), State::kArmed);
-    rig.send(command);
-    rig.run(30);
-    return rig.motors_on() || rig.program.state() == State::kRunning;
-  }
-  bool corrupted_moves(const std::function<void(wire::Command&)>& corrupt) {
-    wire::Command command = rig.command();
-    corrupt(command);
-    return moves(command);
-  }
-
   Rig rig;
 };
 
-TEST_F(Commands, AGoodOneMoves) {
-  EXPECT_TRUE(moves(rig.command()));
-  EXPECT_EQ(rig.program.last_verdict(), Verdict::kAccepted);
-}
-
-TEST_F(Commands, OneOfAnotherBootDoesNot) {
-  EXPECT_FALSE(corrupted_moves([](auto& c) { c.boot_nonce ^= 0x100U; }));
-  EXPECT_EQ(rig.program.last_verdict(), Verdict::kWrongBoot);
-}
-
-TEST_F(Commands, ARepeatedOneDoesNot) {
-  EXPECT_FALSE(
-      corrupted_moves([](auto& c) { c.sequence = static_cast<std::uint16_t>(c.sequence - 1); }));
-  EXPECT_EQ(rig.program.last_verdict(), Verdict::kRepeated);
-}
-
-TEST_F(Commands, AnOlderOneDoesNot) {
-  EXPECT_FALSE(corrupted_moves(
-      [](auto& c) { c.sequence = static_cast<std::uint16_t>(c.sequence - 30000); }));
-  EXPECT_EQ(rig.program.last_verdict(), Verdict::kRepeated);
-}
-
-TEST_F(Commands, AnExpiredOneDoesNot) {
-  EXPECT_FALSE(corrupted_moves([this](auto& c) { c.expiry_us = rig.hal.now_us - 1; }));
-  EXPECT_EQ(rig.program.last_verdict(), Verdict::kExpired);
-}
-
-TEST_F(Commands, OneThatExpiresTooFarAheadDoesNot) {
-  EXPECT_FALSE(corrupted_moves([this](auto& c) { c.expiry_us = rig.hal.now_us + 202'000; }));
-  EXPECT_EQ(rig.program.last_verdict(), Verdict::kTooFarAhead);
-}
-
-TEST_F(Commands, OneThatAnswersAnUnknownSampleDoesNot) {
-  EXPECT_FALSE(
-      corrupted_moves([](auto& c) { c.answers = static_cast<std::uint16_t>(c.answers + 5); }));
-  EXPECT_EQ(rig.program.last_verdict(), Verdict::kUnknownSample);
-}
-
-TEST_F(Commands, OneThatAnswersAnOldSampleDoesNot) {
-  rig.speed_mps = 0.0f;
-  rig.streams = true;
-  rig.run(400);
-  rig.streams = false;
-  rig.speed_mps = 0.1f;
-  // 42 samples back is 210 ms, which is outside yaw_window_ms but still in the history.
-  EXPECT_FALSE(
-      corrupted_moves([](auto& c) { c.answers = static_cast<std::uint16_t>(c.answers - 42); }));
-  EXPECT_EQ(rig.program.last_verdict(), Verdict::kUnknownSample);
-  EXPECT_TRUE(
-      corrupted_moves([](auto& c) { c.answers = static_cast<std::uint16_t>(c.answers - 30); }));
-}
-
-TEST_F(Commands, NothingThatIsNotFiniteOrOutOfRangeMoves) {
-  float wire::Command::*const fields[] = {&wire::Command::x_m,
-                                          &wire::Command::y_m,
-                                          &wire::Command::yaw_rad,
-                                          &wire::Command::desired_yaw_rad,
-                                          &wire::Command::yaw_rate_radps,
-                                          &wire::Command::speed_mps,
-                                          &wire::Command::gyro_bias_radps};
-  const float limits[] = {1e4f, 1e4f, 1e3f, 1e3f, 10.0f, 2.0f, 1.0f};
-  for (std::size_t i = 0; i < std::size(fields); ++i) {
-    for (const float value : {kNan, kInf, -kInf, limits[i] * 1.01f, -limits[i] * 1.01f}) {
-      EXPECT_FALSE(corrupted_moves([&](auto& c) { c.*fields[i] = value; })) << i << " " << value;
-      EXPECT_EQ(rig.program.last_verdict(), Verdict::kOutOfRange) << i << " " << value;
-      // The robot must stay armed for the next command.
-      const float speed = rig.speed_mps;
-      rig.speed_mps = 0.0f;
-      rig.send(rig.command());
-      rig.speed_mps = speed;
-      rig.run(5);
-    }
+TEST_F(Commands, EachWishMovesTheRobotAndNoWishDoesNot) {
+  for (float wire::Command::*const wish :
+       {&wire::Command::gyro_bias_radps, &wire::Command::speed_mps, &wire::Command::yaw_rate_radps,
+        &wire::Command::desired_yaw_rad}) {
+    const bool moving = wish != &wire::Command::gyro_bias_radps;
+    wire::Command command = rig.command();
+    command.*wish = 0.1f;
+    rig.send(command);
+    rig.run(30);
+    EXPECT_EQ(rig.motors_on(), moving);
+    EXPECT_EQ(rig.program.state(), moving ? State::kRunning : State::kArmed);
+    rig.send(rig.command());
+    rig.send(wire::Disarm{1});
+    rig.run(5);
+    rig.arm();
   }
 }
 
-TEST_F(Commands, ARefusedOneDoesNotUseUpItsSequence) {
+TEST_F(Commands, ARefusedOneMovesNothing) {
   wire::Command command = rig.command();
-  command.speed_mps = kNan;
-  ASSERT_FALSE(moves(command));
   command.speed_mps = 0.1f;
-  command.expiry_us = rig.hal.now_us + 150'000;
-  EXPECT_TRUE(moves(command));
-}
-
-TEST_F(Commands, StandingStillKeepsTheRobotArmedButNotRunning) {
-  rig.speed_mps = 0.0f;
-  rig.streams = true;
-  rig.run(300);
+  command.boot_nonce ^= 0x100U;
+  rig.send(command);
+  rig.run(30);
   EXPECT_EQ(rig.program.state(), State::kArmed);
   EXPECT_EQ(rig.hal.nonzero_writes, 0);
-}
-
-TEST_F(Commands, TheSequenceWraps) {
-  rig.streams = true;
-  rig.sequence = 32000;  // within half a range of the last one
-  rig.run(20);
-  rig.sequence = 64000;
-  rig.run(20);
-  rig.sequence = 65530;
-  rig.run(200);
-  EXPECT_LT(rig.sequence, 100);
-  EXPECT_EQ(rig.program.state(), State::kRunning);
-  EXPECT_TRUE(rig.motors_on());
+  EXPECT_EQ(rig.program.last_verdict(), Verdict::kWrongBoot);
 }
 
 TEST(CommandsWithoutArm, MoveNothing) {
@@ -165,19 +202,6 @@ TEST(CommandsWithoutParameters, MoveNothing) {
   rig.run(500);
   EXPECT_EQ(rig.program.state(), State::kHello);
   EXPECT_EQ(rig.hal.nonzero_writes, 0);
-}
-
-TEST(CommandsAfterParameters, TheFirstIsNewWhateverItsSequence) {
-  Rig rig;
-  rig.drive();
-  rig.send(wire::Disarm{5});
-  rig.run(2);
-  rig.streams = false;
-  rig.sequence = static_cast<std::uint16_t>(rig.sequence - 500);
-  rig.connect();
-  rig.send(rig.command());
-  rig.run(2);
-  EXPECT_EQ(rig.program.last_verdict(), Verdict::kAccepted);
 }
 
 TEST(CommandsOfAnEarlierBoot, AreIgnored) {

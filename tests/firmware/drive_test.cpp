@@ -135,56 +135,6 @@ TEST(Drive, ADutyIsNeverMoreThanFull) {
   EXPECT_EQ(most, wire::kFullDuty);
 }
 
-TEST(SpeedLoop, ASaturatedMotorDoesNotWindUp) {
-  wire::Parameters p = test::good_parameters();
-  p.speed_ki = 1.0f;
-  SpeedLoop loop;
-  for (int i = 0; i < 100; ++i) {
-    loop.measure(0, 5000, p);
-    EXPECT_FLOAT_EQ(loop.update(0.2f, 5e-3f, p), 1.0f);
-  }
-  EXPECT_EQ(loop.lag_m(), 0.0f);
-}
-
-TEST(SpeedLoop, NorDoesItBackwards) {
-  wire::Parameters p = test::good_parameters();
-  p.speed_ki = 1.0f;
-  SpeedLoop loop;
-  for (int i = 0; i < 100; ++i) {
-    loop.measure(0, 5000, p);
-    EXPECT_FLOAT_EQ(loop.update(-0.2f, 5e-3f, p), -1.0f);
-  }
-  EXPECT_EQ(loop.lag_m(), 0.0f);
-}
-
-TEST(SpeedLoop, TheLagOfATrackThatDoesNotFollowIsBounded) {
-  wire::Parameters p = test::good_parameters();
-  p.speed_kp = 0.0f;
-  p.speed_ki = 10.0f;
-  SpeedLoop loop;
-  float duty = 0.0f;
-  for (int i = 0; i < 2000; ++i) {
-    loop.measure(0, 5000, p);
-    duty = loop.update(0.02f, 5e-3f, p);
-  }
-  EXPECT_FLOAT_EQ(loop.lag_m(), 0.02f);
-  EXPECT_NEAR(duty, 0.15f + 4.0f * 0.02f + 0.2f, 1e-4f);
-}
-
-TEST(SpeedLoop, TheDeadBandIsBlendedIn) {
-  wire::Parameters p = test::good_parameters();
-  p.speed_ki = 0.0f;
-  SpeedLoop loop;
-  float last = 0.0f;
-  for (float target = 0.0006f; target < 0.02f; target += 0.0001f) {
-    loop.measure(0, 5000, p);
-    const float duty = loop.update(target, 5e-3f, p);
-    EXPECT_GT(duty, last);
-    EXPECT_LT(duty - last, 0.03f);
-    last = duty;
-  }
-}
-
 // Right minus left duty, 30 ms after a command that answers a sample 50 ms old. The gyro reads
 // `rate_radps` until the command arrives.
 int turning_duty(float rate_radps, float desired_yaw_rad) {
@@ -219,47 +169,6 @@ TEST(Drive, YawIsCarriedForwardFromTheAnsweredSample) {
   EXPECT_LT(turning_duty(0.5f, 0.0f), straight - 100);
 }
 
-TEST(Drive, TheGyroBiasIsTakenOff) {
-  wire::Parameters p = test::good_parameters();
-  TurnHistory history;
-  const auto raw = static_cast<std::int16_t>(0.1f / test::kGyroRadpsPerLsb);
-  std::uint32_t us = 0xFFFFFFFFU - 50'000U;  // the clock wraps during the test
-  for (std::uint16_t i = 65'520; i != 20; ++i) {
-    history.add(i, us, raw, 0, 0);
-    us += 5000;
-  }
-  const TurnMark* then = history.find(65'530);
-  ASSERT_NE(then, nullptr);
-  const float span_s = 25 * 5e-3f;
-  EXPECT_NEAR(turned(*then, history.newest(), true, 0.0f, p), 0.1f * span_s, 1e-4f);
-  EXPECT_NEAR(turned(*then, history.newest(), true, 0.1f, p), 0.0f, 1e-4f);
-}
-
-TEST(Drive, WithoutTheGyroTheTracksCarryTheYaw) {
-  wire::Parameters p = test::good_parameters();
-  TurnHistory history;
-  for (std::uint16_t i = 0; i < 30; ++i) {
-    history.add(i, i * 5000U, 12'000, -i * 10, i * 10);
-  }
-  const TurnMark* then = history.find(9);
-  ASSERT_NE(then, nullptr);
-  const float arc_m = 200.0f / 11140.0f * (0.90f + 0.84f);
-  EXPECT_NEAR(turned(*then, history.newest(), false, 0.5f, p), arc_m / 0.274f, 1e-5f);
-}
-
-TEST(Drive, UnknownSamplesAreNotFound) {
-  TurnHistory history;
-  EXPECT_EQ(history.find(0), nullptr);
-  for (std::uint16_t i = 100; i < 300; ++i) history.add(i, i * 5000U, 0, 0, 0);
-  EXPECT_NE(history.find(299), nullptr);
-  EXPECT_NE(history.find(299 - 41), nullptr) << "the history must hold 200 ms";
-  EXPECT_EQ(history.find(300), nullptr);
-  EXPECT_EQ(history.find(100), nullptr);
-  EXPECT_EQ(history.find(299 + 32'768), nullptr);
-  history.clear();
-  EXPECT_EQ(history.find(299), nullptr);
-}
-
 TEST(Drive, YawErrorIsClosedByTheGyroBetweenCommands) {
   Rig rig;
   rig.tracks_follow = true;
@@ -275,43 +184,6 @@ TEST(Drive, YawErrorIsClosedByTheGyroBetweenCommands) {
     rig.run(5);
   }
   EXPECT_NEAR(rig.true_yaw_rad, 0.4, 0.02);
-}
-
-TEST(Drive, TheShortWayRoundIsTaken) {
-  const wire::Parameters p = test::good_parameters();
-  EXPECT_GT(turn_rate(6.0f - 12.5663706f * 2.0f, 0.0f, p), -p.max_yaw_radps - 1e-6f);
-  EXPECT_LT(turn_rate(6.0f, 0.0f, p), 0.0f);
-  EXPECT_GT(turn_rate(-6.0f, 0.0f, p), 0.0f);
-  EXPECT_NEAR(turn_rate(0.1f + 50 * 6.28318531f, 0.0f, p), 0.4f, 1e-3f);
-  EXPECT_FLOAT_EQ(turn_rate(3.0f, 0.0f, p), p.max_yaw_radps);
-  EXPECT_FLOAT_EQ(turn_rate(0.0f, -0.3f, p), -0.3f);
-}
-
-TEST(TrackSpeeds, InvertEquationsOneAndFive) {
-  const wire::Parameters p = test::good_parameters();
-  const TrackSpeeds tracks = track_speeds(0.1f, 0.2f, p);
-  const float left = tracks.left * (1.0f - p.slip_left);
-  const float right = tracks.right * (1.0f - p.slip_right);
-  EXPECT_NEAR((left + right) / 2.0f, 0.1f, 1e-6f);
-  EXPECT_NEAR((right - left) / p.wheelbase_m, 0.2f, 1e-5f);
-}
-
-TEST(TrackSpeeds, SaturationKeepsTheTurnAndCutsTheSpeed) {
-  const wire::Parameters p = test::good_parameters();
-  for (const float speed : {0.2f, 0.5f, 2.0f, -2.0f}) {
-    const TrackSpeeds tracks = track_speeds(speed, 0.5f, p);
-    EXPECT_LE(std::max(std::abs(tracks.left), std::abs(tracks.right)), p.max_track_mps + 1e-6f);
-    const float left = tracks.left * (1.0f - p.slip_left);
-    const float right = tracks.right * (1.0f - p.slip_right);
-    EXPECT_NEAR((right - left) / p.wheelbase_m, 0.5f, 1e-5f) << speed;
-  }
-}
-
-TEST(TrackSpeeds, ATurnBeyondTheLimitTurnsOnTheSpot) {
-  const wire::Parameters p = test::good_parameters();
-  const TrackSpeeds tracks = track_speeds(0.2f, 5.0f, p);
-  EXPECT_FLOAT_EQ(tracks.right, p.max_track_mps);
-  EXPECT_FLOAT_EQ(tracks.left, -p.max_track_mps);
 }
 
 }  // namespace

@@ -74,7 +74,10 @@ TEST_F(FakeRobotTest, TurnsByTheDifferenceOfItsTracks) {
   // 0.1 m/s between the tracks, 16 % slip, over 0.2742 m.
   const double radps = 0.84 * 0.1 / 0.2742;
   EXPECT_NEAR(mean(6) - bias, radps * 57.29578 * 32.8, 5.0);
+  // 0.15 m/s on average, less the slip, times the rate.
+  EXPECT_NEAR(mean(1), 0.84 * 0.15 * radps * 8192.0 / 9.80665, 5.0);
   EXPECT_NEAR(mean(2), 8192.0, 5.0);
+  EXPECT_NEAR(mean(3) / 340.0 + 36.53, 27.0, 0.1) << "degrees";
 }
 
 TEST_F(FakeRobotTest, FeelsThatItSpeedsUp) {

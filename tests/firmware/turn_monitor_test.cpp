@@ -82,6 +82,27 @@ TEST_F(TurnMonitorAlone, TheDrivenDistanceExplainsASmallOffsetOfTheGyro) {
   }
 }
 
+// Half of the turn by the gyro over the distance driven: on the spot 0.45 and full load; in an arc
+// of 0.12 half of it, which is less on a wider one; straight on none.
+TEST_F(TurnMonitorAlone, ATurnMayTakeMoreDutyTheTighterItIsAndShortlyAfterIt) {
+  p.turn_slip_share = 1.0f;
+  const auto turn_duty = [&](double left_mps, double right_mps) {
+    restart();
+    run(left_mps, right_mps, 2000);
+    return static_cast<double>(monitor.turn_duty());
+  };
+  EXPECT_EQ(turn_duty(0.1, 0.1), 0.0);
+  for (const double sign : {1.0, -1.0}) {
+    EXPECT_NEAR(turn_duty(-0.08 * sign, 0.08 * sign), 0.3, 0.01);
+    const double wide = turn_duty(0.1 - 0.005 * sign, 0.1 + 0.005 * sign);
+    EXPECT_NEAR(turn_duty(0.1 - 0.01 * sign, 0.1 + 0.01 * sign), 2.0 * wide, 0.01);
+    EXPECT_GT(wide, 0.02);
+  }
+  turn_duty(-0.08, 0.08);
+  run(0.1, 0.1, 500);
+  EXPECT_NEAR(static_cast<double>(monitor.turn_duty()), 0.15, 0.02) << "it falls by 0.3 a second";
+}
+
 TEST_F(TurnMonitorAlone, TheLoadOfASlopeEndsSlowlyAfterIt) {
   run(0.1, 0.1, 1000);
   EXPECT_EQ(monitor.slope_duty(), 0.0f);
