@@ -189,15 +189,6 @@ TEST_P(DecoderProperty, ATruncatedFrameCostsItselfAndAtMostTheNext) {
   }
 }
 
-TEST_P(DecoderProperty, DuplicatedAndReorderedFramesArriveAsSent) {
-  std::vector<Frame> frames = random_frames(random_, 60);
-  frames.insert(frames.end(), frames.begin(), frames.begin() + 30);
-  std::shuffle(frames.begin(), frames.end(), random_);
-  const Outcome outcome = decode(join(frames));
-  EXPECT_EQ(outcome.frames, frames);
-  EXPECT_EQ(outcome.lost(), 0);
-}
-
 TEST_P(DecoderProperty, OversizeIsCountedOnceAndSkippedToTheNextDelimiter) {
   const std::vector<Frame> frames = random_frames(random_, 2);
   for (const std::size_t length : {kMaxFrame, kMaxFrame + 1, std::size_t{5000}}) {

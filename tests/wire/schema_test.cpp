@@ -1,48 +1,70 @@
+// Tests that the messages are those of firmware/PROTOCOL.md, on which authors of other robots and
+// hosts rely.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdio>
+#include <fstream>
 #include <iterator>
-#include <map>
-#include <set>
+#include <sstream>
 #include <string>
-#include <utility>
+#include <type_traits>
+#include <vector>
 
 #include "all_messages.h"
+#include "golden.h"
+#include "support/paths.h"
+#include "wire/faults.h"
 #include "wire/frame.h"
 
 namespace tp100::wire {
 namespace {
 
-// Writes a line `0x43 boot_nonce:u32 sequence:u16 ... gyro:i16[3]\n` per message.
-class SchemaText {
- public:
-  void field(const char* name, const std::uint8_t&) { add(name, "u8"); }
-  void field(const char* name, const std::uint16_t&) { add(name, "u16"); }
-  void field(const char* name, const std::uint32_t&) { add(name, "u32"); }
-  void field(const char* name, const std::int16_t&) { add(name, "i16"); }
-  void field(const char* name, const std::int32_t&) { add(name, "i32"); }
-  void field(const char* name, const float&) { add(name, "f32"); }
-  template <class T, std::size_t N>
-  void field(const char* name, const T (&values)[N]) {
-    field(name, values[0]);
-    text_ += "[" + std::to_string(N) + "]";
-  }
-  const std::string& text() const { return text_; }
-
- private:
-  void add(const char* name, const char* type) { text_ += std::string(" ") + name + ":" + type; }
-  std::string text_;
+struct Field {
+  std::string name, type;  // `i16[3]`
+  std::size_t bytes;
 };
 
+class Fields {
+ public:
+  template <class T>
+  void field(const char* name, const T&) {
+    all.push_back({name, type_of<T>(), sizeof(T)});
+  }
+  template <class T, std::size_t N>
+  void field(const char* name, const T (&)[N]) {
+    all.push_back({name, type_of<T>() + "[" + std::to_string(N) + "]", N * sizeof(T)});
+  }
+  std::vector<Field> all;
+
+ private:
+  template <class T>
+  static std::string type_of() {
+    const char* kind = std::is_same_v<T, float> ? "f" : std::is_signed_v<T> ? "i" : "u";
+    return kind + std::to_string(8 * sizeof(T));
+  }
+};
+
+template <class Message>
+std::vector<Field> fields_of(Message message) {
+  Fields fields;
+  message.visit(fields);
+  return fields.all;
+}
+
+std::string hex(std::uint32_t value, int digits) {
+  char text[16];
+  std::snprintf(text, sizeof text, "0x%0*X", digits, value);
+  return text;
+}
+
+/// A line `0x43 boot_nonce:u32 sequence:u16 ... gyro:i16[3]\n` per message.
 std::string schema_text() {
   std::string text;
   for_each_message([&](const char*, auto message) {
-    char type[8];
-    std::snprintf(type, sizeof type, "0x%02X", static_cast<unsigned>(message.kType));
-    SchemaText fields;
-    message.visit(fields);
-    text += type + fields.text() + "\n";
+    text += hex(static_cast<std::uint8_t>(message.kType), 2);
+    for (const Field& field : fields_of(message)) text += ' ' + field.name + ':' + field.type;
+    text += '\n';
   });
   return text;
 }
@@ -53,60 +75,85 @@ std::uint32_t fnv1a(const std::string& text) {
   return hash;
 }
 
-TEST(Schema, HashIsThatOfTheMessagesAsTheyAre) {
-  char right[64];
-  std::snprintf(right, sizeof right, "kSchemaHash must be 0x%08X", fnv1a(schema_text()));
-  EXPECT_EQ(kSchemaHash, fnv1a(schema_text())) << right << " for\n" << schema_text();
+std::string document() {
+  std::ifstream file(source_path("firmware/PROTOCOL.md"));
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
 }
 
-TEST(Schema, HashMatchesThePublishedTestVector) { EXPECT_EQ(fnv1a("foobar"), 0xBF9CF968U); }
+void expect_in_document(const std::string& text) {
+  EXPECT_NE(document().find(text), std::string::npos) << text;
+}
 
-// The numbers are those of firmware/PROTOCOL.md, on which authors of other robots and hosts rely.
-TEST(Schema, EveryMessageHasItsTypeAndSize) {
-  const std::map<std::string, std::pair<int, std::size_t>> messages = {
-      {"Hello", {0x01, 18}},       {"Sample", {0x02, 40}},      {"Acknowledge", {0x03, 8}},
-      {"SyncReply", {0x04, 14}},   {"FaultReport", {0x05, 11}}, {"Log", {0x06, 45}},
-      {"HelloRequest", {0x41, 6}}, {"Parameters", {0x42, 83}},  {"Command", {0x43, 40}},
-      {"Arm", {0x44, 12}},         {"Disarm", {0x45, 4}},       {"Stop", {0x46, 4}},
-      {"SyncRequest", {0x47, 2}}};
-  std::size_t seen = 0;
-  for_each_message([&](const char* name, auto message) {
-    ++seen;
-    ASSERT_TRUE(messages.contains(name)) << name;
-    const auto [type, size] = messages.at(name);
-    EXPECT_EQ(static_cast<int>(message.kType), type) << name;
-    EXPECT_EQ(message.kSize, size) << name;
-    // The whole payload must be written, and nothing behind it.
+TEST(Schema, HashIsThatOfTheMessagesAsTheyAre) {
+  EXPECT_EQ(fnv1a("foobar"), 0xBF9CF968U) << "the published test vector";
+  EXPECT_EQ(kSchemaHash, fnv1a(schema_text()))
+      << "kSchemaHash must be " << hex(fnv1a(schema_text()), 8) << " for\n"
+      << schema_text();
+}
+
+TEST(Schema, APayloadHasTheStatedSizeAndIsReadOnlyWithIt) {
+  for_each_message([](const char* name, auto message) {
+    const std::size_t size = message.kSize;
     for (const std::uint8_t fill : {std::uint8_t{0x00}, std::uint8_t{0xFF}}) {
       std::uint8_t payload[kMaxPayload * 2];
       std::fill(std::begin(payload), std::end(payload), fill);
-      EXPECT_EQ(write_payload(message, payload), size) << name;
+      EXPECT_EQ(write_payload(decltype(message){}, payload), size) << name;
       EXPECT_TRUE(std::all_of(payload, payload + size, [](std::uint8_t b) { return b == 0; }))
-          << name;
-      EXPECT_TRUE(std::all_of(payload + size, std::end(payload), [&](std::uint8_t b) {
-        return b == fill;
-      })) << name;
+          << name << " is not written completely";
+      EXPECT_TRUE(
+          std::all_of(payload + size, std::end(payload), [&](std::uint8_t b) { return b == fill; }))
+          << name << " is written beyond its end";
+    }
+    const std::uint8_t payload[kMaxPayload + 1] = {};
+    EXPECT_TRUE(read_payload(payload, size, message)) << name;
+    for (const std::size_t other : {std::size_t{0}, size - 1, size + 1}) {
+      EXPECT_FALSE(read_payload(payload, other, message)) << name;
     }
   });
-  EXPECT_EQ(seen, messages.size());
 }
 
-TEST(Schema, TypesAreDistinctAndTellTheDirection) {
-  std::set<Type> types;
+TEST(ProtocolDocument, QuotesEveryGoldenFrame) {
+  const auto lines = golden::read_lines(source_path("tests/wire/golden_frames.txt"));
+  ASSERT_FALSE(lines.empty());
+  for (const golden::Line& line : lines) {
+    expect_in_document("\n" + line.name + " " + line.hex + "\n");
+  }
+}
+
+TEST(ProtocolDocument, ListsEveryFaultWithItsBit) {
+#define TP100_FAULT_ROW(bit, name, cause, fix) \
+  expect_in_document("| " #bit " | `" #name "` | " cause " | " fix " |");
+  TP100_ROBOT_FAULTS(TP100_FAULT_ROW)
+  TP100_DAEMON_FAULTS(TP100_FAULT_ROW)
+#undef TP100_FAULT_ROW
+}
+
+// A row is `| offset | type | name |`.
+TEST(ProtocolDocument, HasEveryMessageWithTypeAndSizeAndEveryFieldWithOffsetAndType) {
+  const std::string text = document();
   for_each_message([&](const char* name, auto message) {
-    EXPECT_TRUE(types.insert(message.kType).second) << name;
+    const std::string title = std::string("### `") + name + "` " +
+                              hex(static_cast<std::uint8_t>(message.kType), 2) + ", " +
+                              std::to_string(message.kSize) + " bytes";
+    std::size_t at = text.find(title);
+    ASSERT_NE(at, std::string::npos) << title;
+    const std::size_t end = text.find("\n#", at + 1);
+    std::size_t offset = 0;
+    for (const Field& field : fields_of(message)) {
+      const std::string row =
+          "| " + std::to_string(offset) + " | " + field.type + " | `" + field.name + "` | ";
+      at = text.find(row, at);
+      ASSERT_TRUE(at != std::string::npos && at < end) << title << ": " << row;
+      offset += field.bytes;
+    }
   });
-  EXPECT_EQ(types.size(), 13u);
 }
 
-TEST(Schema, APayloadOfAnotherSizeIsNotRead) {
-  for_each_message([](const char* name, auto message) {
-    const std::uint8_t payload[kMaxPayload + 1] = {};
-    EXPECT_TRUE(read_payload(payload, message.kSize, message)) << name;
-    EXPECT_FALSE(read_payload(payload, message.kSize - 1, message)) << name;
-    EXPECT_FALSE(read_payload(payload, message.kSize + 1, message)) << name;
-    EXPECT_FALSE(read_payload(payload, 0, message)) << name;
-  });
+TEST(ProtocolDocument, StatesVersionAndSchema) {
+  expect_in_document("protocol version " + std::to_string(kProtocolVersion) + ", schema hash " +
+                     hex(kSchemaHash, 8));
 }
 
 }  // namespace
