@@ -86,16 +86,18 @@ TEST(ByteFaults, OnlyWhileItLasts) {
   EXPECT_EQ(bytes.size() - out.size(), static_cast<std::size_t>(from_s(0.3) / kByteNs));
 }
 
-TEST(ByteFaults, FramesLoseTheirEndsOrTheirTails) {
+TEST(ByteFaults, FramesLoseTheirEndsOrTheirTailsOrEndTooEarly) {
   const std::vector<TimedByte> bytes = stream();
   const auto ends = [](const std::vector<TimedByte>& stream) {
-    return std::count_if(stream.begin(), stream.end(),
-                         [](const TimedByte& byte) { return byte.value == wire::kDelimiter; });
+    return static_cast<double>(
+        std::count_if(stream.begin(), stream.end(),
+                      [](const TimedByte& byte) { return byte.value == wire::kDelimiter; }));
   };
-  EXPECT_EQ(ends(carried("truncate:0.2", bytes)), 1000);
+  EXPECT_EQ(ends(carried("truncate:0.2", bytes)), 1000.0);
   EXPECT_NEAR(static_cast<double>(bytes.size() - carried("truncate:0.2", bytes).size()),
               200.0 * (kFrame - 9), 60.0 * kFrame);
-  EXPECT_NEAR(static_cast<double>(ends(carried("fuse:0.2", bytes))), 800.0, 60.0);
+  EXPECT_NEAR(ends(carried("fuse:0.2", bytes)), 800.0, 60.0);
+  EXPECT_NEAR(ends(carried("delimiter:0.1", bytes)), 1000.0 + 4500.0, 200.0);
 }
 
 TEST(ByteFaults, LateBytesKeepTheirOrderAndTheirNumber) {

@@ -2,48 +2,28 @@
 
 #include <gtest/gtest.h>
 
-#include <numeric>
+#include <algorithm>
+#include <array>
 
 #include "core/time.h"
+#include "firmware/quadrature.h"
 #include "sim/sensors/mpu6050.h"
 #include "sim/sensors/quadrature_encoder.h"
 
 namespace tp100::sim {
 namespace {
 
-// Counts edges as a board does: by the phases of one side.
-class Counter {
- public:
-  void take(const std::vector<EncoderEdge>& edges, std::uint8_t first_channel) {
-    for (const EncoderEdge& edge : edges) {
-      if (edge.channel / 2 != first_channel / 2) continue;
-      const unsigned before = place();
-      level_[edge.channel % 2] = edge.level;
-      const unsigned step = (place() - before) & 3U;
-      EXPECT_NE(step, 2u) << "both phases changed at once";
-      count_ += step == 1 ? 1 : step == 3 ? -1 : 0;
-    }
-  }
-  int count() const { return count_; }
-
- private:
-  // A leads B in forward direction: 00, 10, 11, 01.
-  unsigned place() const { return level_[0] ? (level_[1] ? 2U : 1U) : (level_[1] ? 3U : 0U); }
-  bool level_[2] = {false, false};
-  int count_ = 0;
-};
-
 struct Counts {
   int left, right;
   std::int64_t truly;
 };
 
-// Drives both tracks at 0.1 m/s for a second.
+// What a board counts while both tracks drive at 0.1 m/s for a second.
 Counts counted(const std::string& fault) {
   const course::EmulatedEncoder values{};
   QuadratureEncoder left(values, 0, 1), right(values, 2, 2);
   EncoderFaults faults({parse_fault(fault)});
-  Counter left_counter, right_counter;
+  std::array<firmware::Quadrature, 2> counters{};
   std::int64_t last_ns = 0;
   for (std::int64_t ms = 0; ms < 1000; ++ms) {
     std::vector<EncoderEdge> edges;
@@ -55,11 +35,15 @@ Counts counted(const std::string& fault) {
     for (const EncoderEdge& edge : edges) {
       EXPECT_GE(edge.at_ns, last_ns);
       last_ns = edge.at_ns;
+      firmware::Quadrature& counter = counters[edge.channel / 2U];
+      const unsigned bit = 1U << edge.channel % 2U;
+      const unsigned phase = edge.level ? counter.phase | bit : counter.phase & ~bit;
+      firmware::take_edge<1>(counter, static_cast<std::uint8_t>(phase));
     }
-    left_counter.take(edges, 0);
-    right_counter.take(edges, 2);
   }
-  return {left_counter.count(), right_counter.count(), left.counts()};
+  EXPECT_EQ(counters[0].missed + counters[1].missed, 0) << "both phases changed at once";
+  return {firmware::extended_counts(counters[0]), firmware::extended_counts(counters[1]),
+          left.counts()};
 }
 
 TEST(EncoderFaults, OneSideStandsStill) {
