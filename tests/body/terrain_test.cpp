@@ -179,16 +179,6 @@ TEST(BodyOnAStep, SquaresUpToTheRiser) {
   EXPECT_LT(std::abs(crossing.end.pose.yaw_rad), 4 * kRadPerDeg);
 }
 
-TEST(BodyOnTerrain, GivesTheSameBitsAndTheSolverHasNothingToSay) {
-  const course::Terrain terrain = block(0.037);
-  const Pose a = over(terrain, robot(0.022, 0.9), 7.0, {.yaw_rad = 0.05}).end.pose;
-  const Pose b = over(terrain, robot(0.022, 0.9), 7.0, {.yaw_rad = 0.05}).end.pose;
-  EXPECT_EQ(a.x_m, b.x_m);
-  EXPECT_EQ(a.yaw_rad, b.yaw_rad);
-  EXPECT_EQ(a.pitch_rad, b.pitch_rad);
-  EXPECT_EQ(OdeBody::solver_messages(), 0u);
-}
-
 TEST(BodyOnTerrain, AWallIsNotEnteredSideways) {
   course::Terrain terrain = block(0.037, 1.0);
   terrain.blocks[0].place = {0.4, 0.3, 0.0};

@@ -115,15 +115,18 @@ TEST(UnevenFloor, TilesDifferAtTheirJointsOnly) {
   EXPECT_LE(joints, 29);
 }
 
-TEST(UnevenFloor, ASeedDrawsTensionPayloadAndBattery) {
-  std::vector<double> left, right, forward, battery;
-  const course::Emulated values = uneven();
+TEST(UnevenFloor, ASeedDrawsTensionPayloadBatteryGyroAndStart) {
+  std::vector<double> left, right, forward, battery, scale, x;
+  course::Emulated values = uneven();
+  values.variation.gyro_scale_sd = values.variation.placed_sd_m = 0.01;
   for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
     const course::Emulated robot = sampled(values, seed);
     left.push_back(robot.body.track_deficit_left);
     right.push_back(robot.body.track_deficit_right);
     forward.push_back(robot.body.com_forward_m);
     battery.push_back(robot.battery.full_v);
+    scale.push_back(robot.imu.gyro_scale_error);
+    x.push_back(placed({.x_m = 1.0}, values, seed).x_m);
   }
   EXPECT_NEAR(moments(left).mean, values.body.track_deficit_left, 0.0003);
   EXPECT_NEAR(moments(left).sd, values.variation.tension_sd, 0.0003);
@@ -131,6 +134,9 @@ TEST(UnevenFloor, ASeedDrawsTensionPayloadAndBattery) {
   EXPECT_NEAR(moments(forward).sd, values.variation.payload_sd_m, 0.0001);
   EXPECT_LE(std::ranges::max(battery), values.battery.full_v);
   EXPECT_LT(std::ranges::min(battery), values.battery.full_v - 0.3);
+  EXPECT_NEAR(moments(scale).sd, 0.01, 0.0005);
+  EXPECT_NEAR(moments(x).mean, 1.0, 0.0006);
+  EXPECT_NEAR(moments(x).sd, 0.01, 0.0005);
 }
 
 TEST(UnevenFloor, ARobotOnAnEvenFloorIsThatOfItsFile) {
