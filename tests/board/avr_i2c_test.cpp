@@ -28,8 +28,7 @@ TEST_P(AvrI2cFault, ABadBusStopsNeitherEncodersNorFramesNorTheFailSafe) {
   rig.forced_mps = 0.0;
   rig.streams = false;
   EXPECT_GE(rig.ms_until_off(205), 0);
-  rig.run(100);
-  rig.run(20);
+  rig.run(120);
   EXPECT_EQ(rig.last().left_counts, rig.left.counts());
   EXPECT_EQ(rig.last().right_counts, rig.right.counts());
 }

@@ -63,7 +63,6 @@ void BoardRig::step() {
                                 [&](const TimedByte& byte) { return byte.at_ns > until; });
   const std::vector<TimedByte> received(to_board_.begin(), due);
   to_board_.erase(to_board_.begin(), due);
-  for (const TimedByte& byte : received) on_byte(true, byte);
   hardware().advance(until, edges_, received);
   now_ns = until;
   collect();
@@ -72,7 +71,6 @@ void BoardRig::step() {
 void BoardRig::collect() {
   for (const TimedByte& byte : hardware().take_sent()) {
     bytes.push_back(byte);
-    on_byte(false, byte);
     const std::optional<wire::Type> type = receive(byte.value);
     if (type == wire::Type::kHello) nonce = hellos.back().boot_nonce;
     if (type == wire::Type::kSample) sample_ns.push_back(byte.at_ns);

@@ -24,8 +24,6 @@ class BoardRig : public test::ReceivedFrames {
   BoardRig& operator=(const BoardRig&) = delete;
   virtual ~BoardRig();
   virtual Board& hardware() = 0;
-  /// Called for each byte that the board sends or receives.
-  virtual void on_byte(bool /*to_board*/, const TimedByte&) {}
 
   /// Puts the bytes on the wire from now on, one every 20 us.
   void send_bytes(const std::vector<std::uint8_t>& bytes);
