@@ -137,7 +137,7 @@ TEST(Drive, ADutyIsNeverMoreThanFull) {
 
 // Right minus left duty, 30 ms after a command that answers a sample 50 ms old. The gyro reads
 // `rate_radps` until the command arrives.
-int turning_duty(float rate_radps, float desired_yaw_rad) {
+int turning_duty(float rate_radps, float desired_yaw_rad, float bias_radps = 0.0f) {
   Rig rig;
   rig.parameters.max_track_mps2 = 20.0f;
   rig.connect();
@@ -154,6 +154,7 @@ int turning_duty(float rate_radps, float desired_yaw_rad) {
   command.yaw_rad = 1.0f;
   command.desired_yaw_rad = 1.0f + desired_yaw_rad;
   command.speed_mps = 0.08f;
+  command.gyro_bias_radps = bias_radps;
   rig.send(command);
   rig.run(30);
   EXPECT_EQ(rig.program.state(), State::kRunning);
@@ -167,6 +168,9 @@ TEST(Drive, YawIsCarriedForwardFromTheAnsweredSample) {
   EXPECT_NEAR(turning_duty(0.5f, 0.02625f), straight, 15);
   EXPECT_GT(turning_duty(0.0f, 0.02625f), straight + 100);
   EXPECT_LT(turning_duty(0.5f, 0.0f), straight - 100);
+  // A bias of 0.5 rad/s is taken off, also for the 25 ms of standstill until the reported duty was
+  // computed: 0.5 * 0.075 s less the 0.02625 rad that the gyro shows.
+  EXPECT_NEAR(turning_duty(0.5f, 0.0f, 0.5f), turning_duty(0.0f, 0.01125f), 15);
 }
 
 TEST(Drive, YawErrorIsClosedByTheGyroBetweenCommands) {
