@@ -5,15 +5,13 @@
 #include <cmath>
 #include <vector>
 
-#include "bridge/step.h"
 #include "bridge/terrain_contacts.h"
 #include "core/arithmetic.h"
 #include "core/error.h"
+#include "step_rig.h"
 
 namespace tp100::bridge {
 namespace {
-
-constexpr HostNs kPeriod = 5 * kNsPerMs;
 
 WorldParameters external(bool owns_pose = false) {
   return {.kind = WorldKind::kUdp, .owns_pose = owns_pose, .timeout_s = 0.1};
@@ -26,13 +24,6 @@ WorldSample answer(HostNs step, double pitch_rad = 0.0) {
   received.has_ground = true;
   received.pitch_rad = pitch_rad;
   return received;
-}
-
-TEST(ExternalWorld, WithoutOneAllIsWell) {
-  ExternalWorld world(WorldParameters{}, Setup::kFlat);
-  EXPECT_TRUE(world.fresh(kNsPerS));
-  EXPECT_FALSE(world.lost(kNsPerS));
-  EXPECT_FALSE(world.ground());
 }
 
 TEST(ExternalWorld, IsFreshWhileItAnswersYoungPoses) {
@@ -51,13 +42,13 @@ TEST(ExternalWorld, AnotherSessionIsAnotherWorld) {
   ExternalWorld world(external(), Setup::kFlat);
   world.take(answer(kNsPerS));
   world.restart(kNsPerS);
-  WorldSample anew = answer(kNsPerS + kPeriod);
+  WorldSample anew = answer(kNsPerS + kStepPeriod);
   anew.session = 2;
   world.take(anew);
-  EXPECT_TRUE(world.fresh(kNsPerS + kPeriod));
-  EXPECT_TRUE(world.lost(kNsPerS + kPeriod));
-  world.restart(kNsPerS + kPeriod);
-  EXPECT_FALSE(world.lost(kNsPerS + kPeriod));
+  EXPECT_TRUE(world.fresh(kNsPerS + kStepPeriod));
+  EXPECT_TRUE(world.lost(kNsPerS + kStepPeriod));
+  world.restart(kNsPerS + kStepPeriod);
+  EXPECT_FALSE(world.lost(kNsPerS + kStepPeriod));
 }
 
 TEST(ExternalWorld, WhoOwnsThePoseMustSayIt) {
@@ -69,15 +60,15 @@ TEST(ExternalWorld, WhoOwnsThePoseMustSayIt) {
 TEST(ExternalWorld, APoseBelongsToTheStepThatItAnswers) {
   ExternalWorld world(external(true), Setup::kFlat);
   world.restart(0);
-  for (int i = 0; i < 100; ++i) world.remember(i * kPeriod, {.x_m = 0.01 * i});
-  WorldSample received = answer(40 * kPeriod);
+  for (int i = 0; i < 100; ++i) world.remember(i * kStepPeriod, {.x_m = 0.01 * i});
+  WorldSample received = answer(40 * kStepPeriod);
   received.has_pose = true;
   received.pose = {.x_m = 0.35, .y_m = 0.1};
   world.take(received);
   ASSERT_TRUE(world.transform());
   EXPECT_NEAR(world.transform()->x_m, -0.05, 1e-12);
   EXPECT_NEAR(world.transform()->y_m, 0.1, 1e-12);
-  world.restart(100 * kPeriod);
+  world.restart(100 * kStepPeriod);
   world.take(received);
   EXPECT_FALSE(world.transform()) << "the sample answers the previous run";
 }
@@ -99,15 +90,15 @@ TEST(ExternalWorld, FilesMustShowTheRobotAtTheStartBeforeTheyAreAccepted) {
   const HostNs began = kNsPerS + 50 * kNsPerMs;
   world.restart(began);
   // The world does not yet show that a run has begun.
-  says(began + kPeriod, {.x_m = 5.0});
-  says(began + 2 * kPeriod, {.x_m = 1.0, .yaw_rad = 1.0});
+  says(began + kStepPeriod, {.x_m = 5.0});
+  says(began + 2 * kStepPeriod, {.x_m = 1.0, .yaw_rad = 1.0});
   EXPECT_FALSE(world.transform());
   EXPECT_TRUE(world.lost(began + 100 * kNsPerMs)) << "the world never showed the start";
-  says(began + 3 * kPeriod, {.x_m = 1.02, .yaw_rad = 0.01});
+  says(began + 3 * kStepPeriod, {.x_m = 1.02, .yaw_rad = 0.01});
   EXPECT_TRUE(world.transform());
   EXPECT_FALSE(world.lost(began + 100 * kNsPerMs));
   // From now on the world owns the pose.
-  says(began + 4 * kPeriod, {.x_m = 1.3});
+  says(began + 4 * kStepPeriod, {.x_m = 1.3});
   EXPECT_NEAR(world.transform()->x_m, 0.3, 1e-12);
 }
 
@@ -163,85 +154,50 @@ TEST(TerrainContacts, AnExternalWorldSaysHowTheVirtualRobotStands) {
   EXPECT_NEAR(there.x_m, pose.x_m * 0.89, 0.002);
 }
 
-/// A step with an external world, and a robot that arms but never moves.
-class WorldStep : public testing::Test {
+/// A step with an external world, and a robot.
+class WorldStep : public StepTest {
  protected:
   WorldStep() {
-    auto course = std::make_shared<course::Course>();
-    course->name = "test";
-    course->path = {course::Line{1.0}};
-    course->fence = {-5, 5, -5, 5};
-    course_ = course;
     parameters_.setup = Setup::kStand;  // on a stand a start needs no gyro bias
     parameters_.world = external();
   }
 
-  const Snapshot& tick(std::vector<OperatorRequest> requests = {}) {
-    now_ += kPeriod;
-    Sample sample;
-    sample.sequence = static_cast<std::uint16_t>(now_ / kPeriod);
-    sample.last_command = sample.sequence;
-    sample.device_us = now_ / kNsPerUs;
-    sample.measured_ns = now_;
-    sample.accel_mps2[2] = 9.81;
-    sample.battery_v = 7.6;
-    sample.state = armed_ ? RobotState::kRunning : RobotState::kDisarmed;
-    ClockState clock;
-    clock.valid = true;
-    if (answers_) received_.assign(1, answer(now_ - kPeriod));
-    for (WorldSample& received : received_) received.stop = stop_;
-    const Outputs& out = step()({.samples = std::span(&sample, 1),
-                                 .requests = requests,
-                                 .world = received_,
-                                 .session = SessionState::kReady,
-                                 .clock = clock,
-                                 .session_number = 1,
-                                 .answer = answer_to_request_},
-                                now_);
-    received_.clear();
+  const Snapshot& tick(const std::vector<OperatorRequest>& requests = {}) {
+    if (!step_) step_.emplace(parameters_, course_);
+    if (answers_) {
+      world_.push_back(answer(now_));
+      world_.back().stop = stop_;
+    }
+    const Outputs& out = StepTest::tick(*step_, robot_, requests);
     request_ = out.request;
-    answer_to_request_ =
-        request_ == RobotRequest::kNone ? RequestAnswer::kNone : RequestAnswer::kAcknowledged;
-    if (request_ == RobotRequest::kArm) armed_ = true;
-    if (request_ == RobotRequest::kDisarm || request_ == RobotRequest::kStop) armed_ = false;
     return out.snapshot;
   }
   RunState ticks(int count) {
     for (int i = 1; i < count; ++i) tick();
     return tick().run_state;
   }
-  Step& step() {
-    if (!step_) step_.emplace(parameters_, course_);
-    return *step_;
-  }
 
-  Parameters parameters_{};
-  std::shared_ptr<const course::Course> course_;
   std::optional<Step> step_;
-  std::vector<WorldSample> received_;
-  HostNs now_ = 0;
-  bool armed_ = false, answers_ = true, stop_ = false;
+  KinematicRobot robot_{parameters_};
+  bool answers_ = true, stop_ = false;
   RobotRequest request_ = RobotRequest::kNone;
-  RequestAnswer answer_to_request_ = RequestAnswer::kNone;
 };
 
-TEST_F(WorldStep, NothingBeginsBeforeTheWorldAnswers) {
-  answers_ = false;
-  tick({OperatorRequest::kStart});
-  EXPECT_EQ(ticks(200), RunState::kArming);
-  EXPECT_FALSE(armed_);
-  answers_ = true;
-  EXPECT_EQ(ticks(20), RunState::kRunning);
-}
-
-TEST_F(WorldStep, AWorldThatComesAfter3SBeginsNothing) {
+TEST_F(WorldStep, NothingBeginsBeforeTheWorldAnswersAndNothingAfter3S) {
   answers_ = false;
   EXPECT_EQ(tick().start_refusal, StartRefusal::kNoWorld);
   tick({OperatorRequest::kStart});
-  EXPECT_EQ(ticks(610), RunState::kIdle);
+  EXPECT_EQ(ticks(200), RunState::kArming);
+  EXPECT_FALSE(robot_.armed);
+  EXPECT_EQ(ticks(410), RunState::kIdle);
   answers_ = true;
-  EXPECT_EQ(ticks(1000), RunState::kIdle);
-  EXPECT_FALSE(armed_);
+  EXPECT_EQ(ticks(1000), RunState::kIdle) << "whoever started may have gone";
+  answers_ = false;
+  ticks(30);
+  tick({OperatorRequest::kStart});
+  EXPECT_EQ(ticks(200), RunState::kArming);
+  answers_ = true;
+  EXPECT_EQ(ticks(20), RunState::kRunning);
 }
 
 TEST_F(WorldStep, ASilentWorldEndsTheRunWithItsCause) {
@@ -250,7 +206,7 @@ TEST_F(WorldStep, ASilentWorldEndsTheRunWithItsCause) {
   answers_ = false;
   EXPECT_EQ(ticks(19), RunState::kRunning);
   EXPECT_EQ(ticks(3), RunState::kAborted);
-  EXPECT_FALSE(armed_);
+  EXPECT_FALSE(robot_.armed);
   EXPECT_EQ(tick().faults, fault_bit(Fault::world_lost));
   answers_ = true;
   EXPECT_EQ(ticks(20), RunState::kAborted) << "nothing moves before the next start";
@@ -277,7 +233,7 @@ TEST_F(WorldStep, ItsStopIsTheOperatorsAndHoldsWhileItSaysSo) {
 TEST_F(WorldStep, ThePoseCannotBeTheWorldsOnRealTerrain) {
   parameters_.world.owns_pose = true;
   parameters_.setup = Setup::kTerrain;
-  EXPECT_THROW(step(), SetupError);
+  EXPECT_THROW(tick(), SetupError);
 }
 
 }  // namespace

@@ -50,29 +50,56 @@ TEST_F(StepTest, AfterACourseMotorsThatComeOnAgainAreStopped) {
   EXPECT_EQ(tick(step, robot).snapshot.faults, fault_bit(Fault::moves_unasked));
 }
 
-TEST_F(StepTest, SaysBeforehandWhyAStartWouldBeRefused) {
-  const auto refusal = [&](const std::function<void(KinematicRobot&)>& oddity) {
+TEST_F(StepTest, SaysBeforehandWhyAStartWouldBeRefusedAndRefusesItForThat) {
+  struct Case {
+    StartRefusal why;
+    std::function<void(KinematicRobot&)> oddity;
+  };
+  const Case cases[] = {
+      {StartRefusal::kTilted, [](KinematicRobot& robot) { robot.upside_down = true; }},
+      {StartRefusal::kNoImu, [](KinematicRobot& robot) { robot.imu_age = 255; }},
+      {StartRefusal::kUnknownFault, [](KinematicRobot& robot) { robot.faults = 1U << 14; }},
+      {StartRefusal::kNoSession, [this](KinematicRobot&) { connected_ = false; }},
+  };
+  for (const Case& each : cases) {
+    SCOPED_TRACE(static_cast<int>(each.why));
     Step step(parameters_, course_);
     KinematicRobot robot(parameters_);
-    oddity(robot);
-    for (int i = 0; i < 6; ++i) tick(step, robot);
-    return tick(step, robot).snapshot.start_refusal;
-  };
-  EXPECT_EQ(refusal([](KinematicRobot&) {}), StartRefusal::kNotStill);
-  EXPECT_EQ(refusal([](KinematicRobot& robot) { robot.upside_down = true; }),
-            StartRefusal::kTilted);
-  EXPECT_EQ(refusal([](KinematicRobot& robot) { robot.imu_age = 255; }), StartRefusal::kNoImu);
-  EXPECT_EQ(refusal([](KinematicRobot& robot) { robot.armed = true; }), StartRefusal::kMotorsOn);
-  EXPECT_EQ(refusal([this](KinematicRobot&) { connected_ = false; }), StartRefusal::kNoSession);
-  connected_ = true;
-  Step step(parameters_, nullptr);
+    run(step, robot, 1.0);
+    EXPECT_EQ(tick(step, robot).snapshot.start_refusal, StartRefusal::kNone);
+    each.oddity(robot);
+    for (int i = 0; i < 20; ++i) tick(step, robot);
+    EXPECT_EQ(tick(step, robot).snapshot.start_refusal, each.why);
+    start(step, robot);
+    StartRefusal refused = StartRefusal::kNone;
+    for (int i = 0; i < 700; ++i) {
+      const Outputs& out = tick(step, robot);
+      ASSERT_EQ(out.request, RobotRequest::kNone);
+      if (out.refused != StartRefusal::kNone) refused = out.refused;
+    }
+    EXPECT_EQ(refused, each.why);
+    robot.upside_down = false;
+    robot.imu_age = 0;
+    robot.faults = 0;
+    connected_ = true;
+    EXPECT_EQ(run(step, robot, 5.0), RunState::kIdle)
+        << "a refused start must not take effect later";
+  }
+}
+
+TEST_F(StepTest, SaysWhatElseStandsAgainstAStart) {
+  Step step(parameters_, course_);
   KinematicRobot robot(parameters_);
-  EXPECT_EQ(tick(step, robot).snapshot.start_refusal, StartRefusal::kNoCourse);
+  EXPECT_EQ(tick(step, robot).snapshot.start_refusal, StartRefusal::kNotStill);
+  robot.armed = true;
+  EXPECT_EQ(tick(step, robot).snapshot.start_refusal, StartRefusal::kMotorsOn);
   Step ready(parameters_, course_);
-  run(ready, robot, 1.0);
-  EXPECT_EQ(tick(ready, robot).snapshot.start_refusal, StartRefusal::kNone);
-  start(ready, robot);
-  EXPECT_EQ(tick(ready, robot).snapshot.start_refusal, StartRefusal::kUnderWay);
+  KinematicRobot other(parameters_);
+  run(ready, other, 1.0);
+  start(ready, other);
+  EXPECT_EQ(tick(ready, other).snapshot.start_refusal, StartRefusal::kUnderWay);
+  Step none(parameters_, nullptr);
+  EXPECT_EQ(tick(none, other).snapshot.start_refusal, StartRefusal::kNoCourse);
 }
 
 // A start may arrive after the course was given up.
@@ -81,34 +108,15 @@ TEST_F(StepTest, AStartWithoutACourseIsRefusedAndMovesNothing) {
   KinematicRobot robot(parameters_);
   run(step, robot, 1.0);
   for (const OperatorRequest request : {OperatorRequest::kStart, OperatorRequest::kGoOn}) {
-    const Outputs& out = tick(step, robot, std::span(&request, 1));
+    const Outputs& out = tick(step, robot, {request});
     EXPECT_EQ(out.refused,
               request == OperatorRequest::kStart ? StartRefusal::kNoCourse : StartRefusal::kNone);
     EXPECT_EQ(run(step, robot, 5.0), RunState::kIdle);
     EXPECT_FALSE(robot.armed);
   }
-  const OperatorRequest drive = OperatorRequest::kDrive;
-  tick(step, robot, std::span(&drive, 1));
+  tick(step, robot, {OperatorRequest::kDrive});
   for (int i = 0; i < 40; ++i) tick(step, robot);
   EXPECT_EQ(tick(step, robot).snapshot.run_state, RunState::kDriving) << "by hand it drives";
-}
-
-TEST_F(StepTest, ARobotThatIsUpsideDownIsNotArmed) {
-  Step step(parameters_, course_);
-  KinematicRobot robot(parameters_);
-  run(step, robot, 1.0);
-  robot.upside_down = true;
-  start(step, robot);
-  StartRefusal refused = StartRefusal::kNone;
-  for (int i = 0; i < 700; ++i) {
-    const Outputs& out = tick(step, robot);
-    ASSERT_EQ(out.request, RobotRequest::kNone);
-    if (out.refused != StartRefusal::kNone) refused = out.refused;
-  }
-  EXPECT_EQ(refused, StartRefusal::kTilted);
-  robot.upside_down = false;
-  EXPECT_EQ(run(step, robot, 10.0), RunState::kIdle)
-      << "a refused start must not take effect later";
 }
 
 TEST_F(StepTest, AnImuThatSaysItIsSilentEndsTheRunUnlessTheGyroDoesNotSteer) {

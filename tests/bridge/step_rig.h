@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "bridge/step.h"
+#include "support/alloc_count.h"
 
 namespace tp100::bridge {
 
@@ -86,23 +87,40 @@ class StepTest : public testing::Test {
     parameters_.model.slip_angle_straight_rad = 0.0;
   }
 
-  /// Runs one period: sample, step, robot.
-  const Outputs& tick(Step& step, KinematicRobot& robot,
-                      std::span<const OperatorRequest> requests = {}) {
-    now_ += kStepPeriod;
-    samples_.assign(1, robot.sample(now_));
+  /// One step at `now_` with these samples, and with what the members hold for the next step.
+  const Outputs& step_with(Step& step, std::span<const Sample> samples,
+                           const std::vector<OperatorRequest>& requests = {},
+                           RequestAnswer answer = RequestAnswer::kNone) {
     ClockState clock;
     clock.valid = true;
-    const Outputs& out =
-        step({.restart = std::exchange(restart_, {}),
-              .samples = connected_ ? std::span<const Sample>(samples_) : std::span<const Sample>(),
-              .requests = requests,
-              .changes = std::exchange(changes_, {}),
-              .session = connected_ ? SessionState::kReady : SessionState::kClosed,
-              .clock = clock,
-              .session_number = session_,
-              .answer = std::exchange(robot.answer, RequestAnswer::kNone)},
-             now_);
+    const test::AllocCount heap;
+    const Outputs& out = step({.restart = restart_,
+                               .samples = connected_ ? samples : std::span<const Sample>(),
+                               .requests = requests,
+                               .camera = camera_,
+                               .world = world_,
+                               .changes = changes_,
+                               .velocities = velocities_,
+                               .session = connected_ ? SessionState::kReady : SessionState::kClosed,
+                               .clock = clock,
+                               .session_number = session_,
+                               .answer = answer},
+                              now_);
+    heap_calls_ += heap.calls();
+    restart_.clear();
+    changes_.clear();
+    camera_.clear();
+    velocities_.clear();
+    world_.clear();
+    return out;
+  }
+  /// Runs one period: sample, step, robot.
+  const Outputs& tick(Step& step, KinematicRobot& robot,
+                      const std::vector<OperatorRequest>& requests = {}) {
+    now_ += kStepPeriod;
+    const Sample sample = robot.sample(now_);
+    const Outputs& out = step_with(step, std::span(&sample, 1), requests,
+                                   std::exchange(robot.answer, RequestAnswer::kNone));
     robot.obey(out);
     return out;
   }
@@ -119,19 +137,20 @@ class StepTest : public testing::Test {
     }
     return state;
   }
-  void start(Step& step, KinematicRobot& robot) {
-    const OperatorRequest request = OperatorRequest::kStart;
-    tick(step, robot, std::span(&request, 1));
-  }
+  void start(Step& step, KinematicRobot& robot) { tick(step, robot, {OperatorRequest::kStart}); }
 
   Parameters parameters_{};
   std::shared_ptr<const course::Course> course_;
-  std::vector<Sample> samples_ = std::vector<Sample>(1);
-  std::span<const ParameterChange> changes_{};  // for the next tick
-  BoundedList<CarriedState, 1> restart_{};      // for the next tick
+  // For the next step.
+  BoundedList<CarriedState, 1> restart_{};
+  std::vector<ParameterChange> changes_;
+  std::vector<CameraSample> camera_;
+  std::vector<VelocityInput> velocities_;
+  std::vector<WorldSample> world_;
   HostNs now_ = 0;
   bool connected_ = true;
   std::uint32_t session_ = 1;
+  std::uint64_t heap_calls_ = 0;  // of the steps
 };
 
 }  // namespace tp100::bridge
