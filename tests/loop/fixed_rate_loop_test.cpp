@@ -109,241 +109,217 @@ bool eventually(Condition condition) {
   return false;
 }
 
-LoopSettings settings() {
+LoopSettings settings(bool robot_paced = false) {
   LoopSettings settings;
   settings.period_ns = 2 * kNsPerMs;
   settings.spin_ns = 0;
+  settings.robot_paced = robot_paced;
   settings.thread.priority = 0;
   return settings;
 }
 
-TEST(FixedRateLoop, StepsWithoutAPort) {
-  Echo echo;
-  FixedRateLoop loop(settings(), echo);
-  loop.start();
-  EXPECT_TRUE(eventually([&] { return echo.steps > 20; }));
-  EXPECT_EQ(echo.openings, 0);
-}
+/// A loop whose client is an Echo, with a port whose far end the test holds.
+class LoopRig {
+ public:
+  explicit LoopRig(const LoopSettings& with = settings()) : loop(with, echo) {}
 
-TEST(FixedRateLoop, ReadsStepsAndWrites) {
-  for (const bool robot_paced : {false, true}) {
-    Echo echo;
-    SocketPair sockets;
-    LoopSettings set = settings();
-    set.robot_paced = robot_paced;
-    FixedRateLoop loop(set, echo);
+  void start() {
     loop.start();
     ASSERT_TRUE(loop.offer({sockets.ends[0], 7}));
-    ASSERT_EQ(::write(sockets.ends[1], "hello", 5), 5);
-    std::string back;
-    EXPECT_TRUE(eventually([&] {
-      char buffer[16];
-      const ssize_t n = ::read(sockets.ends[1], buffer, sizeof buffer);
-      if (n > 0) back.append(buffer, static_cast<std::size_t>(n));
-      return back == "hello";
-    }));
-    EXPECT_EQ(echo.openings, 1);
+  }
+  void end() {
     loop.request_stop();
     loop.join();
-    EXPECT_TRUE(loop.ended());
-    EXPECT_EQ(echo.closings, 1);
-    EXPECT_EQ(echo.done_after_write, echo.steps);
     EXPECT_EQ(echo.after_write_too_early, 0u);
     EXPECT_EQ(echo.after_write_too_late, 0u);
+    const LoopStatistics& counted = loop.statistics();
+    EXPECT_EQ(counted.compute.count(), counted.cycles);
+    EXPECT_LE(counted.overruns, counted.missed) << "each skips at least one";
+    // The cycle that ends the loop is late or on time, too.
+    EXPECT_LE(counted.frame_timeouts, counted.lateness.count());
+    EXPECT_LE(counted.lateness.count(), counted.cycles + 1);
   }
+  void send(std::string_view text) const {
+    ASSERT_EQ(::write(sockets.ends[1], text.data(), text.size()),
+              static_cast<ssize_t>(text.size()));
+  }
+  /// Appends what has come back to `text`; false: nothing has.
+  bool receive(std::string& text) const {
+    char buffer[4096];
+    const ssize_t n = ::read(sockets.ends[1], buffer, sizeof buffer);
+    if (n > 0) text.append(buffer, static_cast<std::size_t>(n));
+    return n > 0;
+  }
+
+  Echo echo;
+  SocketPair sockets;
+  FixedRateLoop loop;
+};
+
+class Paced : public testing::TestWithParam<bool> {};
+INSTANTIATE_TEST_SUITE_P(ByTheRobot, Paced, testing::Bool());
+
+TEST_P(Paced, ReadsStepsAndWrites) {
+  LoopRig rig(settings(GetParam()));
+  rig.start();
+  rig.send("hello");
+  std::string back;
+  EXPECT_TRUE(eventually([&] { return rig.receive(back) && back == "hello"; }));
+  EXPECT_EQ(rig.echo.openings, 1);
+  rig.end();
+  EXPECT_TRUE(rig.loop.ended());
+  EXPECT_EQ(rig.echo.closings, 1);
+  EXPECT_EQ(rig.echo.done_after_write, rig.echo.steps);
 }
 
-TEST(FixedRateLoop, GivesALostPortBackAndTakesTheNext) {
-  for (const bool robot_paced : {false, true}) {
-    Echo echo;
-    SocketPair first;
-    SocketPair second;
-    LoopSettings set = settings();
-    set.robot_paced = robot_paced;
-    FixedRateLoop loop(set, echo);
-    loop.start();
-    ASSERT_TRUE(loop.offer({first.ends[0], 1}));
-    EXPECT_TRUE(eventually([&] { return echo.openings == 1; }));
-    first.close_far();
-    LostPort lost;
-    ASSERT_TRUE(eventually([&] { return loop.take_lost(lost); }));
-    EXPECT_EQ(lost.id, 1u);
-    EXPECT_EQ(lost.end, PortEnd::kHungUp);
-    ASSERT_TRUE(loop.offer({second.ends[0], 2}));
-    EXPECT_TRUE(eventually([&] { return echo.openings == 2; }));
-    echo.hang_up = true;
-    ASSERT_TRUE(eventually([&] { return loop.take_lost(lost); }));
-    EXPECT_EQ(lost.id, 2u);
-    EXPECT_EQ(lost.end, PortEnd::kSilent);
-    loop.request_stop();
-    loop.join();
-    EXPECT_EQ(echo.after_write_too_late, 0u);
-  }
+TEST_P(Paced, GivesALostPortBackAndTakesTheNext) {
+  LoopRig rig(settings(GetParam()));
+  SocketPair second;
+  rig.start();
+  EXPECT_TRUE(eventually([&] { return rig.echo.openings == 1; }));
+  rig.sockets.close_far();
+  LostPort lost;
+  ASSERT_TRUE(eventually([&] { return rig.loop.take_lost(lost); }));
+  EXPECT_EQ(lost.id, 7u);
+  EXPECT_EQ(lost.end, PortEnd::kHungUp);
+  ASSERT_TRUE(rig.loop.offer({second.ends[0], 2}));
+  EXPECT_TRUE(eventually([&] { return rig.echo.openings == 2; }));
+  rig.echo.hang_up = true;
+  ASSERT_TRUE(eventually([&] { return rig.loop.take_lost(lost); }));
+  EXPECT_EQ(lost.id, 2u);
+  EXPECT_EQ(lost.end, PortEnd::kSilent);
+  rig.end();
 }
 
 // Both calls would wait for a kernel worker that runs at ordinary priority.
-TEST(FixedRateLoop, NeitherReadsAnEmptyTerminalNorPollsIt) {
-  for (const bool robot_paced : {false, true}) {
-    for (const bool prompt : {false, true}) {
-      Echo echo;
-      echo.prompt = prompt;
-      PtyPair pty;
-      const int near = ::open(pty.near().c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
-      ASSERT_GE(near, 0);
-      LoopSettings set = settings();
-      set.robot_paced = robot_paced;
-      FixedRateLoop loop(set, echo);
-      watched = near;
-      empty_reads = polls = 0;
-      loop.start();
-      ASSERT_TRUE(loop.offer({near, 1}));
-      std::string back;
-      for (const char* word : {"how", "are", "you"}) {
-        pty.write({reinterpret_cast<const std::uint8_t*>(word), 3});
-        EXPECT_TRUE(eventually([&] {
-          for (const std::uint8_t byte : pty.read()) back += static_cast<char>(byte);
-          return back.ends_with(word);
-        }));
-        const std::uint64_t steps = echo.steps;
-        EXPECT_TRUE(eventually([&] { return echo.steps > steps + 10; }));
-      }
-      EXPECT_EQ(back, "howareyou");
-      EXPECT_EQ(polls, 0);
-      // At most one for each word, where it arrived between its announcement and the read.
-      EXPECT_LE(empty_reads, 3);
-      pty.close();
-      LostPort lost;
-      EXPECT_TRUE(eventually([&] { return loop.take_lost(lost); }));
-      EXPECT_EQ(lost.end, PortEnd::kHungUp);
-      loop.request_stop();
-      loop.join();
-      watched = -1;
-      ::close(near);
+TEST_P(Paced, NeitherReadsAnEmptyTerminalNorPollsIt) {
+  for (const bool prompt : {false, true}) {
+    Echo echo;
+    echo.prompt = prompt;
+    PtyPair pty;
+    const int near = ::open(pty.near().c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+    ASSERT_GE(near, 0);
+    FixedRateLoop loop(settings(GetParam()), echo);
+    watched = near;
+    empty_reads = polls = 0;
+    loop.start();
+    ASSERT_TRUE(loop.offer({near, 1}));
+    std::string back;
+    for (const char* word : {"how", "are", "you"}) {
+      pty.write({reinterpret_cast<const std::uint8_t*>(word), 3});
+      EXPECT_TRUE(eventually([&] {
+        for (const std::uint8_t byte : pty.read()) back += static_cast<char>(byte);
+        return back.ends_with(word);
+      }));
+      const std::uint64_t steps = echo.steps;
+      EXPECT_TRUE(eventually([&] { return echo.steps > steps + 10; }));
     }
+    EXPECT_EQ(back, "howareyou");
+    EXPECT_EQ(polls, 0);
+    // At most one for each word, where it arrived between its announcement and the read.
+    EXPECT_LE(empty_reads, 3);
+    pty.close();
+    LostPort lost;
+    EXPECT_TRUE(eventually([&] { return loop.take_lost(lost); }));
+    EXPECT_EQ(lost.end, PortEnd::kHungUp);
+    loop.request_stop();
+    loop.join();
+    watched = -1;
+    ::close(near);
   }
 }
 
 TEST(FixedRateLoop, DropsOutputThatNobodyTakesAndGoesOnOnceItIsTaken) {
-  Echo echo;
-  SocketPair sockets;
+  LoopRig rig;
   // Fills the socket, so that the loop's next write finds no room.
   char block[4096] = {};
   std::size_t filled = 0;
-  for (ssize_t n = 0; (n = ::write(sockets.ends[0], block, sizeof block)) > 0;)
+  for (ssize_t n = 0; (n = ::write(rig.sockets.ends[0], block, sizeof block)) > 0;)
     filled += static_cast<std::size_t>(n);
-  FixedRateLoop loop(settings(), echo);
-  loop.start();
-  ASSERT_TRUE(loop.offer({sockets.ends[0], 1}));
-  ASSERT_EQ(::write(sockets.ends[1], "x", 1), 1);
-  ASSERT_TRUE(eventually([&] { return echo.drops > 0; }));
-  const std::uint64_t steps = echo.steps;
-  EXPECT_TRUE(eventually([&] { return echo.steps > steps + 10; }))
+  rig.start();
+  rig.send("x");
+  ASSERT_TRUE(eventually([&] { return rig.echo.drops > 0; }));
+  const std::uint64_t steps = rig.echo.steps;
+  EXPECT_TRUE(eventually([&] { return rig.echo.steps > steps + 10; }))
       << "the loop must not wait for the reader";
-  EXPECT_EQ(echo.drops, 1) << "dropped output must not be dropped again";
+  EXPECT_EQ(rig.echo.drops, 1) << "dropped output must not be dropped again";
   std::string taken;
-  const auto take = [&] {
-    const ssize_t n = ::read(sockets.ends[1], block, sizeof block);
-    if (n > 0) taken.append(block, static_cast<std::size_t>(n));
-    return n > 0;
-  };
-  while (take()) {
+  while (rig.receive(taken)) {
   }
   EXPECT_EQ(taken, std::string(filled, '\0'));
   taken.clear();
-  ASSERT_EQ(::write(sockets.ends[1], "y", 1), 1);
-  EXPECT_TRUE(eventually(take));
+  rig.send("y");
+  EXPECT_TRUE(eventually([&] { return rig.receive(taken); }));
   EXPECT_EQ(taken, "y");
   LostPort lost;
-  EXPECT_FALSE(loop.take_lost(lost));
+  EXPECT_FALSE(rig.loop.take_lost(lost));
 }
 
-TEST(FixedRateLoop, WindsUpAndThenEnds) {
-  Echo echo;
-  echo.shut_down_cycles = 5;
-  FixedRateLoop loop(settings(), echo);
-  loop.start();
-  loop.request_stop();
-  loop.join();
-  EXPECT_EQ(echo.shut_downs, 5);
-}
-
-TEST(FixedRateLoop, EndsEvenIfWindingUpNeverSucceeds) {
-  Echo echo;
-  echo.shut_down_cycles = 1'000'000;
-  FixedRateLoop loop(settings(), echo);
-  loop.start();
-  loop.request_stop();
-  EXPECT_TRUE(eventually([&] { return loop.ended(); }));
+TEST(FixedRateLoop, WindsUpBeforeItEndsButNotForever) {
+  for (const int cycles : {5, 1'000'000}) {
+    LoopRig rig;
+    rig.echo.shut_down_cycles = cycles;
+    rig.loop.start();
+    EXPECT_TRUE(eventually([&] { return rig.echo.steps > 5; })) << "it needs no port";
+    rig.loop.request_stop();
+    EXPECT_TRUE(eventually([&] { return rig.loop.ended(); }));
+    rig.loop.join();
+    if (cycles == 5) {
+      EXPECT_EQ(rig.echo.shut_downs, 5);
+    }
+  }
 }
 
 TEST(FixedRateLoop, PacedByTheRobotEverySampleIsAnswered) {
   for (const bool prompt : {false, true}) {
-    Echo echo;
-    echo.prompt = prompt;
-    SocketPair sockets;
-    LoopSettings set = settings();
-    set.robot_paced = true;
-    FixedRateLoop loop(set, echo);
-    loop.start();
-    ASSERT_TRUE(loop.offer({sockets.ends[0], 1}));
+    LoopRig rig(settings(true));
+    rig.echo.prompt = prompt;
+    rig.start();
     for (char sample = 0; sample < 50; ++sample) {
-      ASSERT_EQ(::write(sockets.ends[1], &sample, 1), 1);
-      char back = -1;
-      ASSERT_TRUE(eventually([&] { return ::read(sockets.ends[1], &back, 1) == 1; }));
-      EXPECT_EQ(back, sample);
+      rig.send({&sample, 1});
+      std::string back;
+      ASSERT_TRUE(eventually([&] { return rig.receive(back); }));
+      EXPECT_EQ(back, std::string(1, sample));
       std::this_thread::sleep_for(2ms);
     }
-    loop.request_stop();
-    loop.join();
-    EXPECT_GT(loop.statistics().cycles, loop.statistics().frame_timeouts.load());
-    EXPECT_EQ(loop.statistics().work.count(), echo.steps);
-    EXPECT_EQ(echo.after_write_too_late, 0u);
+    rig.end();
+    EXPECT_GT(rig.loop.statistics().cycles, rig.loop.statistics().frame_timeouts.load());
+    EXPECT_EQ(rig.loop.statistics().work.count(), rig.echo.steps);
   }
 }
 
-TEST(FixedRateLoop, CountsTurnsThatTakeTooLong) {
-  for (const bool robot_paced : {false, true}) {
-    Echo echo;
-    echo.takes_ms = 7;
-    LoopSettings set = settings();
-    set.robot_paced = robot_paced;
-    FixedRateLoop loop(set, echo);
-    loop.start();
-    EXPECT_TRUE(eventually([&] { return loop.statistics().overruns >= 3; }));
-    loop.request_stop();
-    loop.join();
-    EXPECT_GE(loop.statistics().missed, 3 * loop.statistics().overruns);
-  }
+TEST_P(Paced, CountsTurnsThatTakeTooLong) {
+  LoopRig rig(settings(GetParam()));
+  rig.echo.takes_ms = 7;
+  rig.loop.start();
+  EXPECT_TRUE(eventually([&] { return rig.loop.statistics().overruns >= 3; }));
+  rig.end();
+  EXPECT_GE(rig.loop.statistics().missed, 3 * rig.loop.statistics().overruns);
+  EXPECT_EQ(rig.loop.statistics().lateness.count(), rig.loop.statistics().cycles + 1)
+      << "no sample began a cycle";
 }
 
 // The peer sends without pause. The number of cycles and reads must be bounded by the elapsed time.
-TEST(FixedRateLoop, AFloodingPeerDoesNotKeepItBusy) {
-  for (const bool robot_paced : {false, true}) {
-    Echo echo;
-    echo.echo = false;
-    SocketPair sockets;
-    LoopSettings set = settings();
-    set.period_ns = 5 * kNsPerMs;
-    set.robot_paced = robot_paced;
-    FixedRateLoop loop(set, echo);
-    loop.start();
-    ASSERT_TRUE(loop.offer({sockets.ends[0], 1}));
-    std::vector<char> block(65536, 'U');
-    const auto began = std::chrono::steady_clock::now();
-    while (std::chrono::steady_clock::now() - began < 300ms) {
-      if (::write(sockets.ends[1], block.data(), block.size()) < 0)
-        std::this_thread::sleep_for(100us);
-    }
-    loop.request_stop();
-    loop.join();
-    const auto elapsed = std::chrono::steady_clock::now() - began;
-    EXPECT_GT(echo.received_bytes, 0u);
-    EXPECT_LE(echo.largest_read, FixedRateLoop::kReadSize);
-    const auto cycles = static_cast<std::uint64_t>(elapsed / 2500us) + 2;
-    EXPECT_LE(loop.statistics().cycles, cycles);
-    const auto reads = cycles + static_cast<std::uint64_t>(elapsed / 200us) + 2;
-    EXPECT_LE(echo.received_bytes, reads * FixedRateLoop::kReadSize);
+TEST_P(Paced, AFloodingPeerDoesNotKeepItBusy) {
+  LoopSettings set = settings(GetParam());
+  set.period_ns = 5 * kNsPerMs;
+  LoopRig rig(set);
+  rig.echo.echo = false;
+  rig.start();
+  std::vector<char> block(65536, 'U');
+  const auto began = std::chrono::steady_clock::now();
+  while (std::chrono::steady_clock::now() - began < 300ms) {
+    if (::write(rig.sockets.ends[1], block.data(), block.size()) < 0)
+      std::this_thread::sleep_for(100us);
   }
+  rig.end();
+  const auto elapsed = std::chrono::steady_clock::now() - began;
+  EXPECT_GT(rig.echo.received_bytes, 0u);
+  EXPECT_LE(rig.echo.largest_read, FixedRateLoop::kReadSize);
+  const auto cycles = static_cast<std::uint64_t>(elapsed / 2500us) + 2;
+  EXPECT_LE(rig.loop.statistics().cycles, cycles);
+  const auto reads = cycles + static_cast<std::uint64_t>(elapsed / 200us) + 2;
+  EXPECT_LE(rig.echo.received_bytes, reads * FixedRateLoop::kReadSize);
 }
 
 }  // namespace

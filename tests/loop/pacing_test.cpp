@@ -19,32 +19,17 @@
 namespace tp100::loop {
 namespace {
 
-TEST(Schedule, StaysOnItsGridWhateverTheLateness) {
-  Schedule schedule(5, OverrunPolicy::kSkipMissed, 100);
-  EXPECT_EQ(schedule.deadline(), 105);
-  EXPECT_EQ(schedule.advance(107), 0u);
-  EXPECT_EQ(schedule.deadline(), 110);
-  EXPECT_EQ(schedule.advance(110), 0u);
-  EXPECT_EQ(schedule.deadline(), 115);
-}
-
-TEST(Schedule, SkipsMissedTurnsAndKeepsThePhase) {
-  Schedule schedule(5, OverrunPolicy::kSkipMissed, 0);
-  EXPECT_EQ(schedule.advance(23), 3u);
-  EXPECT_EQ(schedule.deadline(), 25);
-}
-
-TEST(Schedule, ShiftsThePhaseIfAskedTo) {
-  Schedule schedule(5, OverrunPolicy::kShiftPhase, 0);
-  EXPECT_EQ(schedule.advance(23), 3u);
-  EXPECT_EQ(schedule.deadline(), 28);
-}
-
-TEST(Schedule, NeverReturnsADeadlineInThePast) {
-  for (HostNs now = 0; now < 40; ++now) {
-    Schedule schedule(5, OverrunPolicy::kSkipMissed, 0);
-    schedule.advance(now);
-    ASSERT_GT(schedule.deadline(), now);
+// A turn every 5: the next deadline is on the grid, or after a shift 5 behind the late turn.
+TEST(Schedule, SkipsMissedTurnsAndKeepsOrShiftsItsPhase) {
+  for (HostNs now = 105; now < 145; ++now) {
+    Schedule keeps(5, OverrunPolicy::kSkipMissed, 100);
+    Schedule shifts(5, OverrunPolicy::kShiftPhase, 100);
+    ASSERT_EQ(keeps.deadline(), 105);
+    const auto missed = static_cast<std::uint64_t>((now - 105) / 5);
+    EXPECT_EQ(keeps.advance(now), missed) << now;
+    EXPECT_EQ(shifts.advance(now), missed) << now;
+    EXPECT_EQ(keeps.deadline(), now / 5 * 5 + 5) << now;
+    EXPECT_EQ(shifts.deadline(), missed == 0 ? 110 : now + 5) << now;
   }
 }
 
