@@ -22,32 +22,26 @@ class MessagesTest : public ::testing::Test {
   StepRecord record_ = example_record();
 };
 
-TEST_F(MessagesTest, TheThreeEstimatesAreNeverMixed) {
-  const Json json = Json::parse(messages_.estimate(record_, std::nullopt));
+TEST_F(MessagesTest, TheEstimatesAreNeverMixedAndTruthCarriesItsAge) {
+  const Truth truth{record_.now_ns - 5 * kNsPerMs, {.x_m = 0.44}};
+  const Json json = Json::parse(messages_.estimate(record_, truth));
   EXPECT_EQ(json["model"]["x_m"], 0.11);
   EXPECT_EQ(json["odometry"]["x_m"], 0.22);
+  EXPECT_EQ(json["odometry"]["yaw_rad"], 0.3);
   EXPECT_EQ(json["fused"]["x_m"], 0.33);
-  EXPECT_FALSE(json.contains("truth"));
-  EXPECT_FALSE(json["fused"].contains("camera_age_us"));
+  EXPECT_EQ(json["truth"]["x_m"], 0.44);
+  EXPECT_EQ(json["truth"]["age_us"], 5000);
   EXPECT_EQ(json["t_s"], 10.0);
 }
 
-TEST_F(MessagesTest, TruthCarriesItsAge) {
-  const Truth truth{record_.now_ns - 5 * kNsPerMs, {.x_m = 0.44}};
-  const Json json = Json::parse(messages_.estimate(record_, truth));
-  EXPECT_EQ(json["truth"]["x_m"], 0.44);
-  EXPECT_EQ(json["truth"]["age_us"], 5000);
-}
-
-TEST_F(MessagesTest, WithoutASampleTheAgeIsUnknown) {
+TEST_F(MessagesTest, WhatIsNotKnownOrNoNumberStaysOut) {
   record_.snapshot.has_sample = false;
-  EXPECT_FALSE(Json::parse(messages_.estimate(record_, std::nullopt)).contains("age_us"));
-}
-
-TEST_F(MessagesTest, NumbersThatAreNoneStayOutOfTheJson) {
   record_.snapshot.estimates[PoseSource::kFused].covariance.xx = -1.0;
   record_.snapshot.estimates[PoseSource::kModel].pose.x_m = std::numeric_limits<double>::infinity();
   const Json json = Json::parse(messages_.estimate(record_, std::nullopt));
+  EXPECT_FALSE(json.contains("age_us"));
+  EXPECT_FALSE(json.contains("truth"));
+  EXPECT_FALSE(json["fused"].contains("camera_age_us"));
   EXPECT_FALSE(json["fused"].contains("sd_x_m"));
   EXPECT_FALSE(json["model"].contains("x_m"));
 }
@@ -55,14 +49,12 @@ TEST_F(MessagesTest, NumbersThatAreNoneStayOutOfTheJson) {
 TEST_F(MessagesTest, CommandedTrackSpeedsAreThoseOfTheStepAndNoneWithoutACommand) {
   record_.snapshot.commanded_left_mps = 0.05;
   record_.snapshot.commanded_right_mps = 0.15;
-  const auto tracks = [&] {
-    return Json::parse(messages_.estimate(record_, std::nullopt))["tracks"];
-  };
-  EXPECT_EQ(tracks()["left_commanded_mps"], 0.05);
-  EXPECT_EQ(tracks()["right_commanded_mps"], 0.15);
-  record_.command_valid = false;
-  EXPECT_FALSE(tracks().contains("left_commanded_mps"));
-  EXPECT_FALSE(tracks().contains("right_commanded_mps"));
+  for (const bool commanded : {true, false}) {
+    record_.command_valid = commanded;
+    const Json tracks = Json::parse(messages_.estimate(record_, std::nullopt))["tracks"];
+    EXPECT_EQ(tracks.value("left_commanded_mps", 0.0), commanded ? 0.05 : 0.0);
+    EXPECT_EQ(tracks.value("right_commanded_mps", 0.0), commanded ? 0.15 : 0.0);
+  }
 }
 
 TEST_F(MessagesTest, EveryEstimateHasItsStandardDeviations) {
@@ -141,6 +133,8 @@ TEST_F(MessagesTest, ThePathOfAnyCourseHasFewPoints) {
 TEST_F(MessagesTest, ACourseTellsItsGeometry) {
   const Json json = Json::parse(messages_.course());
   EXPECT_EQ(json["name"], "example");
+  EXPECT_EQ(json["ramps"][0]["x_m"], 1.0);
+  EXPECT_EQ(json["ramps"][0]["y_m"], 2.0);
   EXPECT_EQ(json["ramps"][0]["heading_rad"], kPi / 2);
   EXPECT_EQ(json["blocks"][0]["depth_m"], 0.1);
   EXPECT_EQ(json["surfaces"][0]["name"], "ice");
@@ -148,14 +142,10 @@ TEST_F(MessagesTest, ACourseTellsItsGeometry) {
   EXPECT_EQ(json["segments"].size(), 3U);
   EXPECT_EQ(json["segments"][1]["kind"], "pivot");
   EXPECT_DOUBLE_EQ(json["segments"][2]["radius_m"].get<double>(), 0.5);
-}
-
-TEST_F(MessagesTest, WithoutACourseTheListsAreEmpty) {
-  const Messages without(RunContext{}, example_clock());
-  const Json json = Json::parse(without.course());
-  EXPECT_EQ(json["name"], "");
-  EXPECT_TRUE(json["path"].empty());
-  EXPECT_FALSE(json.contains("fence"));
+  const Json none = Json::parse(Messages(RunContext{}, example_clock()).course());
+  EXPECT_EQ(none["name"], "");
+  EXPECT_TRUE(none["path"].empty());
+  EXPECT_FALSE(none.contains("fence"));
 }
 
 TEST_F(MessagesTest, TransformsMoveTheRobotInTheCoursesWorld) {

@@ -53,7 +53,12 @@ TEST(PathHistory, ANewRunDeletesTheOldOne) {
 TEST(PathHistory, StaysBoundedOverAnyLength) {
   PathHistory path_history;
   for (int i = 0; i < 30'000; ++i) path_history.add(at(i * 1e-2));
-  EXPECT_LE(points_of(Json::parse(path_history.whole({}, 0))), 3U * (PathHistory::kMaxPoints + 1));
+  const Json whole = Json::parse(path_history.whole({}, 0));
+  EXPECT_LE(points_of(whole), 3U * (PathHistory::kMaxPoints + 1));
+  EXPECT_GE(points_of(whole), 3U * PathHistory::kMaxPoints / 2);
+  const Json& points = whole["entities"][0]["lines"][0]["points"];
+  EXPECT_EQ(points.front()["x"], 0.0) << "it still shows the whole run";
+  EXPECT_NEAR(points.back()["x"].get<double>(), 300.0, 1.0);
 }
 
 TEST(PathHistory, PosesThatAreNoNumbersAddNothing) {
