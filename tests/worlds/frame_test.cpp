@@ -42,35 +42,34 @@ TEST(Frame, PlacesAreTurnedAndScaledAsEachEngineHasThem) {
   expect_near(to_place(Frame::kUnity, place), {0.8, 0.037, 1.2});
 }
 
-TEST(Frame, NoseUpIsANegativePitchInRosAndUnityAndAPositiveOneInUnreal) {
-  const Pose nose_up = leaning(0, -30, 0);
-  EXPECT_LT(to_rpy(Frame::kRos, nose_up)[1], 0.0);
-  expect_near(to_rpy(Frame::kUnreal, nose_up), {0, 30, 0});
-  expect_near(to_rpy(Frame::kUnity, nose_up), {0, -30, 0});
-  expect_quaternion(Frame::kRos, nose_up, {0, -kSin15, 0, kCos15});
-  expect_quaternion(Frame::kUnreal, nose_up, {0, -kSin15, 0, kCos15});
-  expect_quaternion(Frame::kUnity, nose_up, {-kSin15, 0, 0, kCos15});
-}
-
-TEST(Frame, ALeftTurnIsAPositiveYawInRosAlone) {
-  const Pose left = leaning(0, 0, 90);
-  expect_near(to_rpy(Frame::kRos, left), {0, 0, kPi / 2});
-  expect_near(to_rpy(Frame::kUnreal, left), {0, 0, -90});
-  expect_near(to_rpy(Frame::kUnity, left), {0, 0, -90});
-  expect_quaternion(Frame::kRos, left, {0, 0, kHalfRoot, kHalfRoot});
-  expect_quaternion(Frame::kUnreal, left, {0, 0, -kHalfRoot, kHalfRoot});
-  expect_quaternion(Frame::kUnity, left, {0, -kHalfRoot, 0, kHalfRoot});
+// Nose up is a negative pitch in ROS and Unity, a left turn a positive yaw in ROS alone, and the
+// left side up a positive roll in ROS and Unreal.
+TEST(Frame, TurnsHaveTheSignAndUnitOfEachEngine) {
+  struct Case {
+    Frame frame;
+    Pose pose;
+    Vector rpy;
+    Quaternion quaternion;
+  };
+  const Pose nose_up = leaning(0, -30, 0), left = leaning(0, 0, 90), left_up = leaning(30, 0, 0);
+  const double sixth = kPi / 6;
+  const Case cases[] = {
+      {Frame::kRos, nose_up, {0, -sixth, 0}, {0, -kSin15, 0, kCos15}},
+      {Frame::kUnreal, nose_up, {0, 30, 0}, {0, -kSin15, 0, kCos15}},
+      {Frame::kUnity, nose_up, {0, -30, 0}, {-kSin15, 0, 0, kCos15}},
+      {Frame::kRos, left, {0, 0, kPi / 2}, {0, 0, kHalfRoot, kHalfRoot}},
+      {Frame::kUnreal, left, {0, 0, -90}, {0, 0, -kHalfRoot, kHalfRoot}},
+      {Frame::kUnity, left, {0, 0, -90}, {0, -kHalfRoot, 0, kHalfRoot}},
+      {Frame::kRos, left_up, {sixth, 0, 0}, {kSin15, 0, 0, kCos15}},
+      {Frame::kUnreal, left_up, {30, 0, 0}, {-kSin15, 0, 0, kCos15}},
+      {Frame::kUnity, left_up, {-30, 0, 0}, {0, 0, -kSin15, kCos15}},
+  };
+  for (const Case& each : cases) {
+    expect_near(to_rpy(each.frame, each.pose), each.rpy);
+    expect_quaternion(each.frame, each.pose, each.quaternion);
+  }
   expect_near(to_turn(Frame::kUnreal, {0, 0, kPi}), {0, 0, -180});
   expect_near(to_turn(Frame::kUnity, {0, 0, kPi}), {0, -180, 0});
-}
-
-TEST(Frame, TheLeftSideUpIsAPositiveRollInRosAndUnreal) {
-  const Pose left_up = leaning(30, 0, 0);
-  expect_near(to_rpy(Frame::kUnreal, left_up), {30, 0, 0});
-  expect_near(to_rpy(Frame::kUnity, left_up), {-30, 0, 0});
-  expect_quaternion(Frame::kRos, left_up, {kSin15, 0, 0, kCos15});
-  expect_quaternion(Frame::kUnreal, left_up, {-kSin15, 0, 0, kCos15});
-  expect_quaternion(Frame::kUnity, left_up, {0, 0, -kSin15, kCos15});
 }
 
 // The formula is that of FRotator::Quaternion in Unreal's Core.
