@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <vector>
 
-#include "../support/corrupted.h"
 #include "jpeg.h"
 #include "link/camera_intake.h"
 #include "link/camera_message.h"
@@ -44,12 +44,6 @@ TEST(CameraImage, IsWrittenAsDocumented) {
             "\n\xff\xd8");
 }
 
-TEST(CameraImage, TheNameOfItsClockIsWrittenAsUtf8) {
-  ImageMessage message = example("\xff\xd8");
-  message.clock = "h\xc3\xb6r\xff";
-  EXPECT_NE(encode(message).find("\"clock\":\"h\xc3\xb6r\xef\xbf\xbd\""), std::string::npos);
-}
-
 TEST(CameraImage, ComesBackAsItWent) {
   const std::string bytes = datagram();
   EXPECT_TRUE(is_image(bytes));
@@ -63,51 +57,17 @@ TEST(CameraImage, ComesBackAsItWent) {
   EXPECT_EQ(back->jpeg, test::jpeg(64, 48));
 }
 
+// Its keys are those of a detection, which camera_message_test.cpp tries one by one.
 TEST(CameraImage, WhatIsNotOfTheFormatIsRefused) {
+  for (const char* line : {"", "{}", "[]", "null"})
+    EXPECT_FALSE(decode_image(std::string(line) + "\n" + test::jpeg(64, 48))) << line;
   EXPECT_FALSE(decode_image(""));
   EXPECT_FALSE(decode_image("\n"));
-  EXPECT_FALSE(decode_image("{}\n" + test::jpeg(64, 48)));
-  EXPECT_FALSE(decode_image("[]\n" + test::jpeg(64, 48)));
-  EXPECT_FALSE(decode_image("null\n" + test::jpeg(64, 48)));
   EXPECT_FALSE(decode_image(test::jpeg(64, 48)));
-  EXPECT_FALSE(decode_image(image_with("image/1", "image/2")));
+  EXPECT_FALSE(decode_image(image_with("image/1", "camera/1")));
   EXPECT_FALSE(decode_image(image_with("\"stream\"", "\"s\"")));
-  EXPECT_FALSE(decode_image(image_with("412", "-1")));
-  EXPECT_FALSE(decode_image(image_with("412", "4294967296")));
   EXPECT_FALSE(decode_image(image_with("41250", "10000001")));
-  EXPECT_FALSE(decode_image(image_with("9007199254740992", "9007199254740993")));
-  EXPECT_FALSE(decode_image(image_with(std::string(kClock), std::string(65, 'a'))));
-  EXPECT_FALSE(decode_image(image_with("{", "{\"pad\":\"" + std::string(2000, 'x') + "\",")));
   EXPECT_FALSE(decode_image(std::string(900, '[') + "\n" + test::jpeg(64, 48)));
-}
-
-TEST(CameraImage, AnImageThatIsTooLargeForAViewerIsRefused) {
-  EXPECT_TRUE(decode_image(datagram(kMaxImageSide, kMaxImageSide)));
-  EXPECT_FALSE(decode_image(datagram(kMaxImageSide + 1, 48)));
-  EXPECT_FALSE(decode_image(datagram(64, 65535)));
-  EXPECT_FALSE(decode_image(datagram(0, 48)));
-  EXPECT_FALSE(decode_image(datagram(64, 0)));
-  const std::string huge = datagram() + std::string(kMaxImageDatagram, '\0') + "\xff\xd9";
-  EXPECT_FALSE(decode_image(huge));
-}
-
-TEST(CameraImage, ASecondFrameHeaderCannotHideAHugeImage) {
-  std::string bytes = test::jpeg(64, 48);
-  const std::string huge = test::frame_header(65535, 65535);
-  for (const std::size_t at : {std::size_t{2}, bytes.find("\xff\xda")}) {
-    std::string twice = bytes;
-    twice.insert(at, huge);
-    EXPECT_FALSE(decode_image(encode(example(twice)))) << at;
-  }
-}
-
-TEST(CameraImage, ASegmentMayBeEmptyButNotShorterThanItsLength) {
-  const auto with_comment = [](unsigned length) {
-    std::string bytes = test::jpeg(64, 48);
-    return encode(example(bytes.insert(2, "\xff\xfe" + test::word(length))));
-  };
-  EXPECT_TRUE(decode_image(with_comment(2)));
-  EXPECT_FALSE(decode_image(with_comment(1)));
 }
 
 /// A baseline frame header of 64 x 48 pixels with these values.
@@ -121,41 +81,48 @@ bool shows(const std::string& segments) {
   return decode_image(encode(example("\xff\xd8" + segments + "content\xff\xd9"))).has_value();
 }
 
-TEST(CameraImage, FramesThatEveryBrowserShowsAreTaken) {
-  for (const unsigned kind : {0xc0U, 0xc1U, 0xc2U}) EXPECT_TRUE(shows(frame(kind, 8, 3) + kScan));
-  EXPECT_TRUE(shows(frame(0xc0, 8, 1) + kScan));
-  for (const unsigned kind : {0xbfU, 0xc3U, 0xc5U, 0x01U})
-    EXPECT_FALSE(shows(frame(kind, 8, 3) + kScan)) << kind;
-  for (const unsigned precision : {0U, 7U, 9U, 12U, 16U})
-    EXPECT_FALSE(shows(frame(0xc0, precision, 3) + kScan)) << precision;
-  for (const unsigned components : {0U, 2U, 4U, 255U})
-    EXPECT_FALSE(shows(frame(0xc0, 8, components) + kScan)) << components;
-}
-
-TEST(CameraImage, SegmentsOfEveryKindFromTheFirstFrameOnAreSkipped) {
-  const std::string good = frame(0xc2, 8, 3);
-  for (const unsigned kind : {0xc3U, 0xc4U, 0xd8U, 0xdbU, 0xe1U, 0xfeU})
-    EXPECT_TRUE(shows(frame(kind, 0, 0) + good + frame(kind, 0, 0) + kScan)) << kind;
-  EXPECT_FALSE(shows(frame(0xbf, 0, 0) + good + kScan));
-  EXPECT_FALSE(shows("\xfe\xc4" + test::word(2) + good + kScan)) << "it has no marker";
-}
-
-TEST(CameraImage, AFrameBelongsBeforeTheFirstScanAndAScanBehindIt) {
+// A viewer must neither be asked to decode a huge image nor be given what it cannot show.
+TEST(CameraImage, OnlyAJpegThatEveryBrowserShowsIsTaken) {
   const std::string good = frame(0xc0, 8, 3);
-  EXPECT_FALSE(shows(kScan + good));
-  EXPECT_FALSE(shows(good));
-  EXPECT_FALSE(shows(""));
-  EXPECT_FALSE(shows(good + good + kScan));
-  // The scan is not read: its length does not matter.
-  EXPECT_TRUE(shows(good + "\xff\xda" + test::word(60'000)));
-  EXPECT_FALSE(shows(good + "\xff\xfe" + test::word(60'000) + kScan));
-  EXPECT_FALSE(shows(good + "\xff\xda" + test::word(1)));
-}
-
-TEST(CameraImage, AFrameHeaderHasRoomForItsNumberOfComponents) {
-  const std::string header = frame(0xc0, 8, 3, 8).substr(0, 10);
-  EXPECT_TRUE(shows(header + kScan));
-  EXPECT_FALSE(shows(frame(0xc0, 8, 3, 7).substr(0, 9) + kScan));
+  const auto segment = [](unsigned kind, unsigned length) {
+    return "\xff" + std::string(1, static_cast<char>(kind)) + test::word(length);
+  };
+  struct Case {
+    const char* what;
+    bool shown;
+    std::string segments;
+  };
+  std::vector<Case> cases = {
+      {"one component", true, frame(0xc0, 8, 1) + kScan},
+      {"an empty comment", true, segment(0xfe, 2) + good + kScan},
+      {"a segment shorter than its length", false, segment(0xfe, 1) + good + kScan},
+      {"a segment beyond the end", false, good + segment(0xfe, 60'000) + kScan},
+      {"a segment without a marker", false, "\xfe\xc4" + test::word(2) + good + kScan},
+      {"a frame behind the scan", false, kScan + good},
+      {"no scan", false, good},
+      {"nothing", false, ""},
+      {"two frames", false, good + good + kScan},
+      {"a huge frame first", false, test::frame_header(65535, 65535) + good + kScan},
+      {"a huge frame behind", false, good + test::frame_header(65535, 65535) + kScan},
+      {"a scan of any length, which is not read", true, good + segment(0xda, 60'000)},
+      {"a scan shorter than its length", false, good + segment(0xda, 1)},
+      {"a frame up to its components", true, frame(0xc0, 8, 3, 8).substr(0, 10) + kScan},
+      {"a frame without them", false, frame(0xc0, 8, 3, 7).substr(0, 9) + kScan},
+  };
+  for (const unsigned kind : {0xc0U, 0xc1U, 0xc2U})
+    cases.push_back({"baseline, extended, progressive", true, frame(kind, 8, 3) + kScan});
+  for (const unsigned kind : {0xbfU, 0xc3U, 0xc5U, 0x01U})
+    cases.push_back({"another kind of frame", false, frame(kind, 8, 3) + kScan});
+  for (const unsigned precision : {0U, 7U, 9U, 12U, 16U})
+    cases.push_back({"another precision", false, frame(0xc0, precision, 3) + kScan});
+  for (const unsigned components : {0U, 2U, 4U, 255U})
+    cases.push_back({"another number of components", false, frame(0xc0, 8, components) + kScan});
+  for (const unsigned kind : {0xc3U, 0xc4U, 0xd8U, 0xdbU, 0xe1U, 0xfeU}) {
+    const std::string other = frame(kind, 0, 0);
+    cases.push_back({"other segments around it", true, other + good + other + kScan});
+  }
+  cases.push_back({"a segment below the first frame", false, frame(0xbf, 0, 0) + good + kScan});
+  for (const Case& each : cases) EXPECT_EQ(shows(each.segments), each.shown) << each.what;
 }
 
 TEST(CameraImage, BothSidesArePixelsOfOneToTheMost) {
@@ -197,13 +164,6 @@ TEST(CameraImage, ADatagramAndItsLineHaveAGreatestSize) {
   EXPECT_FALSE(decode_image(with_line(kMaxCameraDatagram + 1)));
 }
 
-TEST(CameraImage, EachOfItsKeysIsRequired) {
-  for (const char* key : {"format", "stream", "clock", "sequence", "stamp_us", "age_us"}) {
-    const std::string quoted = "\"" + std::string(key) + "\"";
-    EXPECT_FALSE(decode_image(image_with(quoted, "\"other\""))) << key;
-  }
-}
-
 TEST(CameraImage, ADetectionThatEndsItsLineIsNone) {
   const std::string detection = encode(CameraMessage{.clock = std::string(kClock)}) + "\n";
   // A receiver's buffer may still hold an image behind it.
@@ -221,22 +181,6 @@ TEST(CameraImage, ATruncatedImageIsRefused) {
     EXPECT_FALSE(decode_image(good.substr(0, size))) << size;
 }
 
-TEST(CameraImage, CorruptedDatagramsAreRefusedOrStillInRange) {
-  std::mt19937 random(7);
-  const std::string good = datagram();
-  int taken = 0;
-  for (int i = 0; i < 20'000; ++i) {
-    const std::string bad = test::corrupted(good, i, 5, random);
-    const auto decoded = decode_image(bad);
-    if (!decoded) continue;
-    ++taken;
-    EXPECT_LE(decoded->jpeg.size(), bad.size());
-    EXPECT_LE(decoded->age_us, 10'000'000);
-    EXPECT_GE(decoded->stamp_us, 0);
-  }
-  EXPECT_GT(taken, 0) << "a message with a corrupted digit can still be valid";
-}
-
 constexpr HostNs kInterval = 100 * kNsPerMs;
 
 /// A camera with the clock of the receiver.
@@ -251,19 +195,6 @@ struct Camera {
     return encode(message);
   }
 };
-
-TEST(CameraImage, IsGivenWithTheTimeAtWhichItWasTaken) {
-  CameraIntake intake("here", kNsPerS);
-  Camera camera;
-  const HostNs now = 100 * kNsPerS;
-  const auto image = intake.receive_image(camera.datagram(now - 70 * kNsPerMs), kInterval, now);
-  ASSERT_TRUE(image.has_value());
-  EXPECT_EQ(image->taken_ns, now - 70 * kNsPerMs);
-  EXPECT_EQ(image->jpeg, test::jpeg(64, 48));
-  EXPECT_FALSE(intake.receive_image("rubbish\n\xff", kInterval, now));
-  EXPECT_EQ(intake.counters().malformed, 1U);
-  EXPECT_EQ(intake.counters().accepted, 1U);
-}
 
 TEST(CameraImage, MoreThanWereAskedForAreDropped) {
   CameraIntake intake("here", kNsPerS);
@@ -284,7 +215,10 @@ TEST(CameraImage, ACameraAtTheRateThatIsAskedForLosesNone) {
   std::mt19937 random(3);
   std::uniform_int_distribution<HostNs> jitter(-20 * kNsPerMs, 20 * kNsPerMs);
   HostNs now = 100 * kNsPerS;
-  intake.receive_image(camera.datagram(now), kInterval, now);
+  const auto first = intake.receive_image(camera.datagram(now - kNsPerMs), kInterval, now);
+  ASSERT_TRUE(first.has_value());
+  EXPECT_EQ(first->taken_ns, now - kNsPerMs);
+  EXPECT_EQ(first->jpeg, test::jpeg(64, 48));
   for (int i = 1; i < 300; ++i) {
     now += kInterval;
     intake.receive_image(camera.datagram(now + jitter(random)), kInterval, now + 20 * kNsPerMs);

@@ -2,10 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
 #include <vector>
-
-#include "../support/corrupted.h"
 
 namespace tp100::link {
 namespace {
@@ -78,20 +75,6 @@ TEST(CameraMessage, WhatIsNotOfTheFormatIsRefused) {
   EXPECT_FALSE(decode_camera(std::string(600, '[') + std::string(400, ']')));
 }
 
-TEST(CameraMessage, WhatIsOutOfRangeIsRefused) {
-  for (const char* number : {"1e999", "-1e999", "NaN", "Infinity", "1000.001", "-1e300"})
-    EXPECT_FALSE(decode_camera(changed("1.203411", number))) << number;
-  EXPECT_FALSE(decode_camera(changed("3.141593", "101")));
-  for (const char* number : {"-1", "4294967296", "18446744073709551616", "1e3"})
-    EXPECT_FALSE(decode_camera(changed("412", number))) << number;
-  EXPECT_FALSE(decode_camera(changed("9007199254740992", "9007199254740993")));
-  EXPECT_FALSE(decode_camera(changed("41250", "10000001")));
-  EXPECT_FALSE(decode_camera(changed("6b0c5b2e-0d6f-4a8e-9a5e-4cf2b0c9a111", "")));
-  EXPECT_FALSE(
-      decode_camera(changed("6b0c5b2e-0d6f-4a8e-9a5e-4cf2b0c9a111", std::string(65, 'a'))));
-  EXPECT_FALSE(decode_camera(changed("{", "{\"pad\":\"" + std::string(1024, 'x') + "\",")));
-}
-
 TEST(CameraMessage, EachOfItsKeysIsRequired) {
   for (const char* key : {"format", "stream", "clock", "sequence", "stamp_us", "age_us", "marker",
                           "x_m", "y_m", "yaw_rad"}) {
@@ -114,7 +97,9 @@ TEST(CameraMessage, TheBoundsOfEachKeyBelongToItsRange) {
        {"-1", "9007199254740993", "9223372036854775808", "18446744073709551615"}},
       {"\"age_us\":41250", {"0", "10000000"}, {"-1", "10000001", "20000000"}},
       {"\"marker\":7", {"0", "1000000"}, {"-1", "1000001", "2000000"}},
-      {"\"x_m\":1.203411", {"1000", "-1000.0", "0"}, {"1000.001", "-1000.001", "2000"}},
+      {"\"x_m\":1.203411",
+       {"1000", "-1000.0", "0"},
+       {"1000.001", "-1000.001", "2000", "1e999", "-1e999", "NaN", "Infinity", "-1e300"}},
       {"\"y_m\":-0.41822", {"1000", "-1000.0", "0"}, {"1000.001", "-1000.001", "2000"}},
       {"\"yaw_rad\":3.141593", {"100", "-100.0", "0"}, {"100.001", "-100.001", "200"}},
   };
@@ -133,6 +118,7 @@ TEST(CameraMessage, AClockHasANameOfOneTo64Characters) {
   for (const std::size_t size : {1U, 2U, 64U})
     EXPECT_EQ(decode_camera(changed(clock, std::string(size, 'a')))->clock.size(), size);
   EXPECT_FALSE(decode_camera(changed(clock, std::string(65, 'a'))));
+  EXPECT_FALSE(decode_camera(changed(clock, "")));
   EXPECT_FALSE(decode_camera(changed("\"" + clock + "\"", "5")));
 }
 
@@ -151,23 +137,6 @@ TEST(CameraMessage, PlacesAndAnglesAreRoundedToTheirSixthDigit) {
   EXPECT_DOUBLE_EQ(back->x_m, 1.234567);
   EXPECT_DOUBLE_EQ(back->y_m, -1.234568);
   EXPECT_DOUBLE_EQ(back->yaw_rad, 0.000001);
-}
-
-TEST(CameraMessage, CorruptedDatagramsAreRefusedOrStillInRange) {
-  std::mt19937 random(7);
-  const std::string good = encode(example());
-  int taken = 0;
-  for (int i = 0; i < 20'000; ++i) {
-    const std::string bad = test::corrupted(good, i, 5, random);
-    const auto decoded = decode_camera(bad);
-    if (!decoded) continue;
-    ++taken;
-    EXPECT_LE(std::abs(decoded->x_m), 1000.0);
-    EXPECT_LE(std::abs(decoded->yaw_rad), 100.0);
-    EXPECT_GE(decoded->stamp_us, 0);
-    EXPECT_LE(decoded->age_us, 10'000'000);
-  }
-  EXPECT_GT(taken, 0) << "a message with a corrupted digit can still be valid";
 }
 
 }  // namespace

@@ -48,45 +48,15 @@ TEST_F(Transport, GivesARawNonBlockingCloseOnExecDescriptor) {
   EXPECT_TRUE(port.pseudo_terminal());
   EXPECT_TRUE(::fcntl(port.fd(), F_GETFL) & O_NONBLOCK);
   EXPECT_TRUE(::fcntl(port.fd(), F_GETFD) & FD_CLOEXEC);
-  termios settings{};
-  ASSERT_EQ(::tcgetattr(port.fd(), &settings), 0);
-  EXPECT_EQ(settings.c_cc[VMIN], 1);
-  EXPECT_EQ(settings.c_lflag & (ICANON | ECHO), 0u);
-  EXPECT_EQ(settings.c_cflag & HUPCL, 0u);
   std::uint8_t byte = 0;
   EXPECT_EQ(::read(port.fd(), &byte, 1), -1);
   EXPECT_EQ(errno, EAGAIN);
-}
-
-TEST_F(Transport, PassesEveryByteBothWays) {
-  const Port port = open_port(pty_.near(), {});
-  std::vector<std::uint8_t> all(256);
-  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<std::uint8_t>(i);
-  pty_.write(all);
-  std::vector<std::uint8_t> got(all.size());
-  std::size_t n = 0;
-  for (int tries = 0; n < got.size() && tries < 1000; ++tries) {
-    pollfd wait{port.fd(), POLLIN, 0};
-    ::poll(&wait, 1, 100);
-    const ssize_t more = ::read(port.fd(), got.data() + n, got.size() - n);
-    if (more > 0) n += static_cast<std::size_t>(more);
-  }
-  EXPECT_EQ(got, all);
-  ASSERT_EQ(::write(port.fd(), all.data(), all.size()), static_cast<ssize_t>(all.size()));
-  EXPECT_TRUE(pty_.wait(1000));
-  EXPECT_EQ(pty_.read(), all);
 }
 
 TEST_F(Transport, OpensThroughASymbolicLink) {
   const auto link = folder_.path() / "robot";
   std::filesystem::create_symlink(pty_.near(), link);
   EXPECT_TRUE(open_port(link.string(), {}).is_open());
-}
-
-TEST_F(Transport, OpensAPseudoTerminalWhateverSpeedIsAsked) {
-  PortOptions options;
-  options.baud = 123457;
-  EXPECT_TRUE(open_port(pty_.near(), options).is_open());
 }
 
 TEST_F(Transport, SetsTheSpeedThatIsAskedForOrLeavesIt) {
@@ -114,6 +84,7 @@ TEST_F(Transport, SetsEightBitsOneStopBitAndNoFlowControlWhateverWasSet) {
     before.c_cflag &= ~static_cast<tcflag_t>(CLOCAL | CREAD);
     before.c_cflag ^= hang_up ? 0U : tcflag_t{HUPCL};
     before.c_iflag |= IXON | ICRNL;
+    before.c_lflag |= ICANON | ECHO;
     ::cfsetspeed(&before, B9600);
     before.c_cc[VMIN] = 0;
     before.c_cc[VTIME] = 7;
@@ -128,25 +99,36 @@ TEST_F(Transport, SetsEightBitsOneStopBitAndNoFlowControlWhateverWasSet) {
     EXPECT_EQ((after.c_cflag & HUPCL) != 0, hang_up);
     EXPECT_EQ(::cfgetospeed(&after), speed_t{B500000});
     EXPECT_EQ(after.c_iflag & (IXON | ICRNL), 0U);
+    EXPECT_EQ(after.c_lflag & (ICANON | ECHO), 0U);
     EXPECT_EQ(after.c_oflag & OPOST, 0U);
     EXPECT_EQ(after.c_cc[VMIN], 1);
     EXPECT_EQ(after.c_cc[VTIME], 0);
   }
 }
 
-TEST_F(Transport, BytesFromBeforeTheOpeningAreDropped) {
+TEST_F(Transport, BytesFromBeforeTheOpeningAreDroppedAndAllOthersPass) {
   const std::vector<std::uint8_t> old{1, 2, 3};
   pty_.write(old);
   const Port port = open_port(pty_.near(), {});
   std::uint8_t bytes[8];
   EXPECT_EQ(::read(port.fd(), bytes, sizeof bytes), -1);
-  pty_.write(std::vector<std::uint8_t>{9});
+  // From then on each byte passes as it is, both ways.
+  std::vector<std::uint8_t> all(256), got;
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<std::uint8_t>(i);
+  pty_.write(all);
   pollfd wait{port.fd(), POLLIN, 0};
-  EXPECT_EQ(::poll(&wait, 1, 5000), 1);
-  EXPECT_EQ(::read(port.fd(), bytes, sizeof bytes), 1);
-  EXPECT_EQ(bytes[0], 9);
+  while (got.size() < all.size() && ::poll(&wait, 1, 5000) == 1) {
+    const ssize_t n = ::read(port.fd(), bytes, sizeof bytes);
+    ASSERT_GT(n, 0);
+    got.insert(got.end(), bytes, bytes + n);
+  }
+  EXPECT_EQ(got, all);
+  ASSERT_EQ(::write(port.fd(), all.data(), all.size()), static_cast<ssize_t>(all.size()));
+  EXPECT_TRUE(pty_.wait(1000));
+  EXPECT_EQ(pty_.read(), all);
 }
 
+// A descriptor that is closed twice may be another program's connection by then.
 TEST_F(Transport, APortMovesWithItsDescriptorAndClosesOnce) {
   const auto is_valid = [](int fd) { return ::fcntl(fd, F_GETFD) >= 0; };
   PtyPair other;
@@ -154,21 +136,17 @@ TEST_F(Transport, APortMovesWithItsDescriptorAndClosesOnce) {
   const int fd = port.fd();
   Port moved(std::move(port));
   EXPECT_FALSE(port.is_open());
-  EXPECT_EQ(moved.fd(), fd);
-  EXPECT_EQ(moved.path(), pty_.near());
-  EXPECT_TRUE(moved.pseudo_terminal());
   Port target = open_port(other.near(), {});
   const int replaced = target.fd();
   target = std::move(moved);
   EXPECT_FALSE(is_valid(replaced));
+  Port& same = target;
+  target = std::move(same);
   EXPECT_EQ(target.fd(), fd);
   EXPECT_EQ(target.path(), pty_.near());
   EXPECT_TRUE(target.pseudo_terminal());
-  Port& same = target;
-  target = std::move(same);
   EXPECT_TRUE(is_valid(fd));
   target.close();
-  EXPECT_FALSE(target.is_open());
   EXPECT_FALSE(is_valid(fd));
   const int again = ::fcntl(STDIN_FILENO, F_DUPFD, fd);
   ASSERT_EQ(again, fd);
@@ -176,9 +154,6 @@ TEST_F(Transport, APortMovesWithItsDescriptorAndClosesOnce) {
   target = Port();
   EXPECT_TRUE(is_valid(fd)) << "it is no longer the port's";
   ::close(again);
-  EXPECT_FALSE(Port().is_open());
-  EXPECT_FALSE(Port().pseudo_terminal());
-  EXPECT_TRUE(Port(0, "", true).is_open());
 }
 
 TEST_F(Transport, KnowsAPseudoTerminalByItsNumberOnly) {
@@ -232,6 +207,10 @@ TEST_F(Transport, SaysThatAPortThatItCannotSeeInUseIsBusy) {
               HasSubstr(hidden ? ": port is busy, held by a program of another account or container"
                                : ": port is busy; end that program or choose another port"));
   ::close(holder);
+  {
+    const Port first = open_port(pty_.near(), {});
+    EXPECT_THAT(failure(pty_.near()), HasSubstr("port is busy"));
+  }
   EXPECT_TRUE(open_port(pty_.near(), {}).is_open());
 }
 
@@ -250,14 +229,6 @@ TEST_F(Transport, NoOtherAccountOpensAPortThatIsOpen) {
   EXPECT_EQ(as_nobody(), EBUSY);
   port.close();
   EXPECT_EQ(as_nobody(), 0);
-}
-
-TEST_F(Transport, RefusesASecondClientUntilTheFirstIsGone) {
-  {
-    const Port port = open_port(pty_.near(), {});
-    EXPECT_THAT(failure(pty_.near()), HasSubstr("port is busy"));
-  }
-  EXPECT_TRUE(open_port(pty_.near(), {}).is_open());
 }
 
 TEST_F(Transport, NamesTheProgramThatHoldsAPort) {

@@ -33,15 +33,11 @@ TEST(Udp, WhatIsNoAddressIsAnErrorOfOneLine) {
       EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
     }
   }
-  EXPECT_THROW(resolve({.host = "no.such.host.invalid", .port = 1}), SetupError);
-}
-
-TEST(Udp, AHostsNameHasAtMost253Characters) {
-  const auto with_host = [](std::size_t size) { return "udp:" + std::string(size, 'h') + ":5"; };
-  EXPECT_EQ(parse_udp(with_host(253), "--send").host.size(), 253U);
-  EXPECT_THROW(parse_udp(with_host(254), "--send"), SetupError);
-  for (const char* host : {"a b", "a:b", "a\tb", "a/b", ""})
-    EXPECT_THROW(parse_udp("udp:" + std::string(host) + ":5", "--send"), SetupError) << host;
+  // The name of a host has at most 253 characters.
+  const auto with_host = [](const std::string& host) { return "udp:" + host + ":5"; };
+  EXPECT_EQ(parse_udp(with_host(std::string(253, 'h')), "--send").host.size(), 253U);
+  for (const std::string& host : {std::string(254, 'h'), std::string("a\tb"), std::string("a/b")})
+    EXPECT_THROW(parse_udp(with_host(host), "--send"), SetupError) << host;
 }
 
 TEST(Udp, AWrongAddressIsShownInPrintableCharacters) {
@@ -83,22 +79,15 @@ TEST(Udp, WhereNothingMayBeSentIsAnErrorAtOnce) {
   }
 }
 
-TEST(Udp, ADatagramThatTheSystemDoesNotTakeIsToldAndOneThatItTakesIsSentOnce) {
-  UdpReceiver receiver;
-  UdpSender sender({.port = receiver.port()});
-  EXPECT_FALSE(sender.send(std::string(65'508, 'x')));
-  EXPECT_TRUE(sender.send(""));
-  EXPECT_EQ(receiver.wait(), "");
-  EXPECT_TRUE(sender.send("small"));
-  EXPECT_EQ(receiver.wait(), "small");
-  EXPECT_EQ(receiver.wait(20), "");
-}
-
-TEST(Udp, DatagramsArriveAndAMissingListenerIsNoHarm) {
+TEST(Udp, EachDatagramIsSentOnceWhoeverListensAndOneThatIsTooLongIsTold) {
   auto receiver = std::make_unique<UdpReceiver>();
   UdpSender sender({.port = receiver->port()});
+  EXPECT_FALSE(sender.send(std::string(65'508, 'x')));
+  EXPECT_TRUE(sender.send(""));
+  EXPECT_EQ(receiver->wait(), "");
   EXPECT_TRUE(sender.send("one"));
   EXPECT_EQ(receiver->wait(), "one");
+  EXPECT_EQ(receiver->wait(20), "");
   const std::uint16_t port = receiver->port();
   receiver.reset();
   for (int i = 0; i < 5; ++i) sender.send("into the void");
