@@ -132,6 +132,11 @@ TEST(Session, AHelloThatNoBoardOfOursSendsIsRefusedOnceAndNotSpokenTo) {
     rig.run(1000);
     EXPECT_EQ(rig.session.state(), SessionState::kRefused);
     EXPECT_EQ(rig.count<BadHello>(), 1);
+    for (const SessionEvent& event : rig.events) {
+      const BadHello* bad = as<BadHello>(event);
+      EXPECT_TRUE(bad == nullptr ||
+                  (bad->boot_nonce == (nonce ? 0U : 5U) && bad->state == (nonce ? 0 : 6)));
+    }
     EXPECT_EQ(rig.session.counters().refused, 1u);
     EXPECT_EQ(rig.session.counters().implausible, 0u);
     EXPECT_TRUE(rig.robot.received.types.empty());
