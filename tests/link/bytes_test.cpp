@@ -166,7 +166,7 @@ class PlainQueue {
   bool between_frames_ = false, begins_with_delimiter_ = true;
 };
 
-TEST(OutputQueue, FramesLeaveAsTheyWereQueuedHoweverThePortTakesThem) {
+TEST(OutputQueueTest, FramesLeaveAsTheyWereQueuedHoweverThePortTakesThem) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     SCOPED_TRACE(seed);
     test::Sequence random(seed);
@@ -205,6 +205,17 @@ TEST(OutputQueue, FramesLeaveAsTheyWereQueuedHoweverThePortTakesThem) {
     EXPECT_GT(is.frames_out, 50U);
     EXPECT_GT(is.unwritten, 10U);
   }
+}
+
+TEST(OutputQueueTest, AFrameCutBeforeItsDelimiterCountsOnce) {
+  LinkCounters counters{};
+  OutputQueue<kRoom> queue(counters);
+  const std::size_t frame = queue.push(wire::SyncRequest{1});
+  queue.written(frame);  // with the leading delimiter, this is all but the frame's last byte
+  EXPECT_EQ(counters.frames_out, 0u);
+  queue.pad(3);
+  queue.written(queue.bytes().size());
+  EXPECT_EQ(counters.frames_out, 1u);
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ struct Track {
   std::int32_t board;
 };
 
-TEST(EncoderCount, FollowsTheBoardsCountAtAnySpeedThatATrackCanHaveBeyondItsWrap) {
+TEST(EncoderCount, GoesOnBeyondTheWrapOfTheBoards) {
   const std::int32_t from = std::numeric_limits<std::int32_t>::max() - 3000;
   Track track(kMaxPerS, from);
   test::Sequence random(1);
@@ -102,9 +102,11 @@ TEST(EncoderCount, AnotherRobotsLimitAndAnotherBootsCountBeginAtOnce) {
   EXPECT_TRUE(track.moves(30));
   track.counts.set_limit(1000.0);
   EXPECT_FALSE(track.moves(30));
+  for (int i = 0; i < EncoderCount::kHeldInRow; ++i) track.moves(30);
   track.counts.forget();
   EXPECT_TRUE(track.moves(70'000));
   EXPECT_EQ(track.counts.counts(), track.board);
+  EXPECT_FALSE(track.moves(30)) << "jumps of the boot before do not count";
 }
 
 class Intake : public ::testing::Test {
@@ -254,7 +256,9 @@ TEST_F(Intake, EachNumberIsHandedOnLostRepeatedOrLate) {
   }
 }
 
-TEST_F(Intake, WhatNobodyTakesIsBoundedAndTheOldestIsLost) {
+using SampleLoss = Intake;
+
+TEST_F(SampleLoss, WhatNobodyTakesIsBoundedAndCountsAsLost) {
   constexpr int kMore = 26;
   for (int i = 0; i < static_cast<int>(SampleIntake::kCapacity) + kMore; ++i)
     push_at(2 * i, i * DeviceUs{10'000});  // every second one is lost on its way

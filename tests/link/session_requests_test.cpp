@@ -231,11 +231,12 @@ TEST(SessionRequests, WithoutASessionAnArmAndADisarmAreRefusedAtOnce) {
   }
 }
 
-// Its token belongs to another boot, or nobody may want it any longer; a STOP is wanted always.
-TEST(SessionRequests, AnArmAndADisarmEndWithTheirSessionAndAStopGoesOnInTheNext) {
+// Its token belongs to another boot, or nobody may want it any longer. The same is true of a
+// disarm; a STOP is wanted always, and goes on in the next session.
+TEST(Session, AnArmUnderWayEndsWithItsSession) {
   for (const RobotRequest request :
        {RobotRequest::kArm, RobotRequest::kDisarm, RobotRequest::kStop}) {
-    for (int end = 0; end < 5; ++end) {
+    for (int end = 0; end < 6; ++end) {
       SCOPED_TRACE(10 * static_cast<int>(request) + end);
       SessionRig rig;
       rig.connect();
@@ -246,12 +247,14 @@ TEST(SessionRequests, AnArmAndADisarmEndWithTheirSessionAndAStopGoesOnInTheNext)
       if (end == 0) rig.robot.reboot(rig.now);
       if (end == 1) rig.robot.state = wire::State::kHello;
       if (end == 2) rig.session.use(SessionRig::settings().parameters, rig.now);
-      if (end > 2) rig.session.close(rig.now);
+      const bool closed = end == 3 || end == 4;
+      if (closed) rig.session.close(rig.now);
       if (end == 4) rig.robot.reboot(rig.now);
+      if (end == 5) rig.session.open(rig.now);
       rig.robot.received = {};
       rig.run(end < 2 ? 1 : 0);
       EXPECT_EQ(rig.session.request_pending(), request == RobotRequest::kStop);
-      if (end > 2) rig.session.open(rig.now);
+      if (closed) rig.session.open(rig.now);
       rig.robot.answers_requests = true;
       rig.run(500);
       EXPECT_EQ(rig.session.state(), SessionState::kReady);

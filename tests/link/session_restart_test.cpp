@@ -9,7 +9,7 @@
 namespace tp100::link {
 namespace {
 
-TEST(SessionRestart, UnpluggedInAnyMillisecondItConnectsAgainDisarmed) {
+TEST(Session, UnpluggedInAnyMillisecondItConnectsAgainDisarmed) {
   for (int ms = 1; ms <= 400; ++ms) {
     SessionRig rig;
     rig.commands = true;
@@ -29,7 +29,7 @@ TEST(SessionRestart, UnpluggedInAnyMillisecondItConnectsAgainDisarmed) {
   }
 }
 
-TEST(SessionRestart, ANewBootAndALostHostBeginANewSession) {
+TEST(Session, ANewBootAndALostHostBeginANewSession) {
   for (const bool boot : {true, false}) {
     SessionRig rig;
     rig.connect();
@@ -49,7 +49,7 @@ TEST(SessionRestart, ANewBootAndALostHostBeginANewSession) {
 }
 
 // What else a robot or a bad line sends tells nothing of the robot's state.
-TEST(SessionRestart, OnlySamplesKeepASessionAlive) {
+TEST(Session, OnlySamplesKeepASessionAlive) {
   enum class Sends { kNothing, kClockReplies, kTexts, kNoise };
   for (const Sends sends : {Sends::kNothing, Sends::kClockReplies, Sends::kTexts, Sends::kNoise}) {
     SCOPED_TRACE(static_cast<int>(sends));
@@ -76,7 +76,7 @@ TEST(SessionRestart, OnlySamplesKeepASessionAlive) {
   }
 }
 
-TEST(SessionRestart, ARobotWithWhichNoSessionLastsIsAskedLaterAndLater) {
+TEST(Session, ARobotWithWhichNoSessionLastsIsAskedLaterAndLater) {
   SessionRig rig;
   rig.session.open(rig.now);
   // The robot loses its host after so many samples of the session; then the handshake waits.
@@ -104,7 +104,7 @@ TEST(SessionRestart, ARobotWithWhichNoSessionLastsIsAskedLaterAndLater) {
   }
 }
 
-TEST(SessionRestart, AStreamThatMakesNoSenseLeadsToANewSession) {
+TEST(Session, AStreamThatMakesNoSenseLeadsToANewSession) {
   SessionRig rig;
   rig.connect();
   rig.robot.device_offset_us -= 400'000U;  // its clock went back
@@ -116,7 +116,7 @@ TEST(SessionRestart, AStreamThatMakesNoSenseLeadsToANewSession) {
   EXPECT_EQ(rig.session.session_number(), 2U);
 }
 
-TEST(SessionRestart, APortThatIsOpenedAgainDoesNotContinueAFrame) {
+TEST(Session, APortThatIsOpenedAgainDoesNotContinueAFrame) {
   SessionRig rig;
   rig.session.open(rig.now);
   const std::vector<std::uint8_t> half{0x05, 'x', 'y'};
@@ -128,7 +128,7 @@ TEST(SessionRestart, APortThatIsOpenedAgainDoesNotContinueAFrame) {
 
 // After its next boot the robot's clock is the same as before: only the nonce distinguishes the new
 // counts from a jump.
-TEST(SessionRestart, CountsOfANewBootAreNoJumpOfTheOldOne) {
+TEST(Session, CountsOfANewBootAreNoJumpOfTheOldOne) {
   SessionSettings settings = SessionRig::settings();
   settings.parameters.max_track_mps = 0.1f;
   settings.parameters.counts_per_metre = 11140.0f;
@@ -152,7 +152,7 @@ TEST(SessionRestart, CountsOfANewBootAreNoJumpOfTheOldOne) {
   EXPECT_EQ(rig.session.counters().implausible, 0u);
 }
 
-TEST(SessionRestart, HalfOpenLinkIsNoticedByTheRobotsHello) {
+TEST(Session, HalfOpenLinkIsNoticedByTheRobotsHello) {
   SessionRig rig;
   rig.connect();
   rig.loses_output = true;

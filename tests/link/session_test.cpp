@@ -33,8 +33,7 @@ TEST(Session, StaysSilentUntilTheRobotSpeaksAndWarnsThatNothingIsHeard) {
   SessionRig rig;
   rig.robot.silent = true;
   rig.session.open(rig.now);
-  const std::string banner = "AT+GCAP\r\nboot v1\r\n" + std::string(100, 'U') + '\0';
-  rig.session.receive(std::vector<std::uint8_t>(banner.begin(), banner.end()), rig.now);
+  rig.session.receive(std::vector<std::uint8_t>(100, 'U'), rig.now);
   rig.run(4999);
   EXPECT_EQ(rig.count<Silence>(), 0);
   rig.run(200);
@@ -45,8 +44,18 @@ TEST(Session, StaysSilentUntilTheRobotSpeaksAndWarnsThatNothingIsHeard) {
   rig.robot.silent = false;
   rig.run(400);
   EXPECT_EQ(rig.session.state(), SessionState::kReady);
+}
+
+TEST(Session, CountsForeignBytesBeforeTheFirstFrameOnly) {
+  SessionRig rig;
+  rig.session.open(rig.now);
+  const std::string banner = std::string("AT+GCAP\r\nboot v1\r\n") + '\0';
+  rig.session.receive(std::vector<std::uint8_t>(banner.begin(), banner.end()), rig.now);
+  rig.run(400);
+  rig.session.receive(std::vector<std::uint8_t>{9, 'x', 0}, rig.now);
+  EXPECT_EQ(rig.session.state(), SessionState::kReady);
   EXPECT_EQ(rig.session.counters().foreign_bytes, banner.size());
-  EXPECT_EQ(rig.session.counters().corrupted(), 0u);
+  EXPECT_EQ(rig.session.counters().corrupted(), 1u);
 }
 
 TEST(Session, AsksForAHelloWhenItJoinsInTheMiddle) {
@@ -260,7 +269,7 @@ TEST(Session, ARobotThatRefusesItsParametersIsAskedAgainAsItsReasonAllows) {
   }
 }
 
-TEST(Session, SaysThatARobotAnswersNothingOrTooLateAndGoesOnAsking) {
+TEST(Session, SaysThatARobotAnswersNothingAndGoesOnAsking) {
   enum class Lack { kParameters, kClock, kLateClock };
   for (const Lack lack : {Lack::kParameters, Lack::kClock, Lack::kLateClock}) {
     SCOPED_TRACE(static_cast<int>(lack));

@@ -109,6 +109,22 @@ TEST(SessionCommands, YawsStayInTheRobotsRangeWithTheirDifference) {
   }
 }
 
+TEST(Session, DropsAndCountsWhatThePortDoesNotTake) {
+  SessionRig rig;
+  rig.commands = true;
+  rig.connect();
+  rig.port_takes = false;
+  rig.run(100);
+  const std::uint64_t overflow = rig.session.counters().unwritten;
+  EXPECT_GT(overflow, 50u);
+  rig.session.drop_output();
+  EXPECT_GT(rig.session.counters().unwritten, overflow);
+  rig.port_takes = true;
+  const std::size_t before = rig.robot.received.commands.size();
+  rig.run(5);
+  EXPECT_EQ(rig.robot.received.commands.size(), before + 5);
+}
+
 // After 0.5 s of silence the robot considers the host lost.
 TEST(SessionClock, IsAskedMoreOftenOnlyIfNothingElseIsSent) {
   SessionSettings settings = SessionRig::settings();
@@ -165,7 +181,7 @@ TEST(SessionClock, RequestsAreSpreadOverAMillisecondOfTheWire) {
   EXPECT_LT(*spare.rbegin(), 51u);
 }
 
-TEST(SessionClock, LostAnswersAreAskedForAgain) {
+TEST(Session, LostAnswersToClockRequestsAreAskedForAgain) {
   SessionRig rig;
   rig.robot.answers_sync = false;
   rig.commands = true;
@@ -183,7 +199,7 @@ TEST(SessionClock, LostAnswersAreAskedForAgain) {
   EXPECT_LT(rig.session.clock().uncertainty_us, 1000.0);
 }
 
-TEST(SessionSamples, SequenceTimeAndCountsRunThroughTheirWraps) {
+TEST(SampleWrap, SequenceTimeAndCountsRunThroughTheirWraps) {
   SessionRig rig;
   rig.robot.device_offset_us = 0xFFFFFFFFU - 2'000'000U;
   rig.robot.sequence = 65500;
@@ -200,7 +216,7 @@ TEST(SessionSamples, SequenceTimeAndCountsRunThroughTheirWraps) {
   }
 }
 
-TEST(SessionSamples, AreHandedOnOrCountedWhateverTheLineDoes) {
+TEST(Session, HandsOnOrCountsEachSampleWhateverTheLineDoes) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(seed);
     SessionRig rig;
@@ -229,7 +245,7 @@ TEST(SessionSamples, AreHandedOnOrCountedWhateverTheLineDoes) {
   }
 }
 
-TEST(SessionSamples, AreTheSameHoweverTheBytesAreSplit) {
+TEST(Session, GivesTheSameSamplesHoweverTheBytesAreSplit) {
   SessionRig whole;
   whole.connect();
   for (std::size_t split = 1; split <= wire::kMaxFrame; ++split) {

@@ -19,8 +19,8 @@
 namespace tp100::loop {
 namespace {
 
-// A turn every 5: the next deadline is on the grid, or after a shift 5 behind the late turn.
-TEST(Schedule, SkipsMissedTurnsAndKeepsOrShiftsItsPhase) {
+// A turn every 5: the next deadline is on the grid, or if asked for 5 behind the late turn.
+TEST(Schedule, SkipsMissedTurnsAndKeepsThePhase) {
   for (HostNs now = 105; now < 145; ++now) {
     Schedule keeps(5, OverrunPolicy::kSkipMissed, 100);
     Schedule shifts(5, OverrunPolicy::kShiftPhase, 100);
