@@ -243,12 +243,20 @@ TEST_F(PeerTest, AnotherVersionIsAnsweredOnce) {
 }
 
 TEST_F(PeerTest, AWorldOfAnotherFrameOrAuthorityIsToldSo) {
-  const Json hello = step_until("hello");
-  say({{"v", 1}, {"type", "welcome"}, {"session", hello["session"]}, {"frame", "unreal"}});
-  EXPECT_FALSE(peer_.welcomed());
+  Json answer = {{"v", 1}, {"type", "welcome"}, {"session", step_until("hello")["session"]}};
+  for (const auto& [key, other] : {std::pair{"frame", "unreal"}, {"authority", "world"}}) {
+    Json wrong = answer;
+    wrong[key] = other;
+    say(wrong);
+    EXPECT_FALSE(peer_.welcomed()) << key;
+  }
   const auto reply = peer_.take_reply();
   ASSERT_TRUE(reply);
-  EXPECT_THAT(*reply, HasSubstr("world.frame ros"));
+  EXPECT_THAT(*reply, HasSubstr("world.frame ros and world.authority bridge"));
+  answer["frame"] = "ros";
+  answer["authority"] = "bridge";
+  say(answer);
+  EXPECT_TRUE(peer_.welcomed());
 }
 
 TEST_F(PeerTest, RunsAreCounted) {
