@@ -67,7 +67,7 @@ class FakeControls : public Controls {
     if (wheel.lose(id)) ++drivers_lost;
   }
   messages::DriverFigures driver(HostNs now) override { return wheel.figures(now); }
-  /// Answers at once or, with `slow_disk`, when a test calls `unanswered`.
+  /// Answers at once; with `slow_disk`, when a test calls `unanswered`.
   void record_stop(RecordAnswer answer) override {
     record.active = false;
     if (!slow_disk) return answer("", record);
@@ -126,6 +126,13 @@ class FakeControls : public Controls {
   messages::PortFigures port() override { return {"/dev/ttyACM0", RobotKind::kPhysical, "0.1.0"}; }
   messages::RecordingFigures recording() override { return record; }
   StartConsent start_consent() override { return consent; }
+  /// Number of requests that were passed on, but for those of recordings and of the wheel.
+  std::size_t requests() const {
+    return static_cast<std::size_t>(starts + go_ons + holds + stops + pauses + resumes) +
+           consents.size() + inputs.size() + sets.size() + choices.size() + places.size() +
+           saved.size() + deleted.size() + checked.size() + parameters_saved.size() +
+           restored.size() + managed.size() + examined.size() + watched.size();
+  }
 
   std::atomic<int> starts{0}, go_ons{0}, holds{0}, stops{0}, pauses{0}, resumes{0};
   std::vector<Consent> consents;

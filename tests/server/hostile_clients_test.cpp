@@ -43,22 +43,16 @@ TEST_F(ServerTest, AForeignHostOrOriginIsRefusedForPageAndViewers) {
   settings_.access.origins = {"https://app.example"};
   start();
   const std::string host = "Host: 127.0.0.1:" + port_ + "\r\n";
-  const std::string upgrade =
-      "Connection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\n"
-      "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n"
-      "Sec-WebSocket-Protocol: foxglove.sdk.v1\r\n\r\n";
-  for (const std::string& rest : {std::string("Connection: close\r\n\r\n"), upgrade}) {
-    const auto ask = [&](const std::string& head) {
-      return http_head(port_, "GET / HTTP/1.1\r\n" + head + rest);
-    };
-    const char* good = rest == upgrade ? "101 Switching" : "200 OK";
-    EXPECT_THAT(ask(host), HasSubstr(good));
-    EXPECT_THAT(ask(host + "Origin: http://127.0.0.1:" + port_ + "\r\n"), HasSubstr(good));
-    EXPECT_THAT(ask(host + "Origin: https://app.example\r\n"), HasSubstr(good));
-    EXPECT_THAT(ask(host + "Origin: http://evil.example\r\n"), HasSubstr("403"));
-    EXPECT_THAT(ask(host + "Origin: null\r\n"), HasSubstr("403"));
-    EXPECT_THAT(ask("Host: evil.example\r\n"), HasSubstr("403"));
-    EXPECT_THAT(ask(""), HasSubstr("403"));
+  const std::string viewer = kUpgrade + "Sec-WebSocket-Protocol: foxglove.sdk.v1\r\n";
+  for (const std::string& rest : {std::string(), viewer}) {
+    const char* good = rest == viewer ? "101 Switching" : "200 OK";
+    EXPECT_THAT(head_of("/", host + rest), HasSubstr(good));
+    for (const std::string& own : {"http://127.0.0.1:" + port_, std::string("https://app.example")})
+      EXPECT_THAT(head_of("/", host + "Origin: " + own + "\r\n" + rest), HasSubstr(good));
+    for (const char* foreign : {"http://evil.example", "null"})
+      EXPECT_THAT(head_of("/", host + "Origin: " + foreign + "\r\n" + rest), HasSubstr("403"));
+    EXPECT_THAT(head_of("/", "Host: evil.example\r\n" + rest), HasSubstr("403"));
+    EXPECT_THAT(head_of("/", rest), HasSubstr("403"));
   }
 }
 
@@ -77,8 +71,7 @@ TEST_F(ServerTest, PagesOfOtherDaemonsOfTheMachineWatchAndStopAndDoNothingElse) 
   EXPECT_TRUE(eventually([&] { return controls_.stops == 1; }));
   EXPECT_EQ(controls_.holds, 0);
   // A page from another origin has no reason to request anything else.
-  const std::string get = "GET /api/runs HTTP/1.1\r\nHost: 127.0.0.1\r\n";
-  EXPECT_THAT(http_head(port_, get + origin + "\r\n"), HasSubstr("403"));
+  EXPECT_THAT(head_of("/api/runs", kHost + origin), HasSubstr("403"));
   EXPECT_THROW(WebClient(port_, "127.0.0.1", "Origin: http://127.0.0.1:1\r\n"), std::runtime_error);
   EXPECT_THROW(WebClient(port_, "127.0.0.1", "Origin: http://evil.example:" + port_ + "\r\n"),
                std::runtime_error);
@@ -152,47 +145,37 @@ TEST_F(ServerTest, StrangersCannotTakeThePlacesOfThisMachine) {
 TEST_F(ServerTest, APageOfAnotherSiteCannotLoadWhatItMayNotSee) {
   settings_.runs = [] { return std::string("{}"); };
   start();
-  const auto ask = [&](const std::string& target, const std::string& head) {
-    return http_head(port_, "GET " + target + " HTTP/1.1\r\nHost: 127.0.0.1\r\n" + head +
-                                "Connection: close\r\n\r\n");
-  };
   for (const char* target : {"/", "/healthz", "/api/runs"}) {
-    EXPECT_THAT(ask(target, ""), HasSubstr("200 OK"))
+    EXPECT_THAT(head_of(target, kHost), HasSubstr("200 OK"))
         << "programs other than browsers send no Sec-Fetch-Site";
-    EXPECT_THAT(ask(target, "Sec-Fetch-Site: same-origin\r\n"), HasSubstr("200 OK"));
-    EXPECT_THAT(ask(target, "Sec-Fetch-Site: none\r\n"), HasSubstr("200 OK"));
-    for (const char* site : {"cross-site", "same-site"})
-      EXPECT_THAT(ask(target, std::string("Sec-Fetch-Site: ") + site + "\r\n"),
-                  HasSubstr("403 Forbidden"));
+    for (const auto& [site, answer] :
+         {std::pair("same-origin", "200 OK"), std::pair("none", "200 OK"),
+          std::pair("cross-site", "403 Forbidden"), std::pair("same-site", "403 Forbidden")})
+      EXPECT_THAT(head_of(target, kHost + "Sec-Fetch-Site: " + site + "\r\n"), HasSubstr(answer));
   }
-  const std::string link =
-      "Sec-Fetch-Site: cross-site\r\nSec-Fetch-Mode: navigate\r\nSec-Fetch-Dest: document\r\n";
-  EXPECT_THAT(ask("/", link), HasSubstr("200 OK")) << "a link to the page must work";
-  EXPECT_THAT(ask("/api/runs", link), HasSubstr("403 Forbidden"));
+  const std::string link = kHost +
+                           "Sec-Fetch-Site: cross-site\r\nSec-Fetch-Mode: navigate\r\n"
+                           "Sec-Fetch-Dest: document\r\n";
+  EXPECT_THAT(head_of("/", link), HasSubstr("200 OK")) << "a link to the page must work";
+  EXPECT_THAT(head_of("/api/runs", link), HasSubstr("403 Forbidden"));
 }
 
-TEST_F(ServerTest, AMessageThatIsTooLongEndsTheClientBeforeItIsSent) {
+TEST_F(ServerTest, WhoSendsGarbageOrAMessageThatIsTooLongIsClosed) {
   start();
-  WebClient client = connect();
-  client.write_raw_header(100'000'000);
+  for (const bool frames : {true, false}) {
+    WebClient garbage = connect();
+    EXPECT_TRUE(eventually([&] {
+      if (frames) garbage.write_text("{\"op\":\"garbage\"}");
+      if (!frames) garbage.write_raw(std::string(1000, '\xff'));
+      return garbage.closed();
+    }));
+  }
+  WebClient large = connect();
+  large.write_raw_header(100'000'000);
   EXPECT_TRUE(eventually([&] {
-    client.write_raw(std::string(64 * 1024, 'x'));
-    return client.closed();
-  }));
-}
-
-TEST_F(ServerTest, WhoSendsGarbageIsClosed) {
-  start();
-  WebClient client = connect();
-  EXPECT_TRUE(eventually([&] {
-    client.write_text("{\"op\":\"garbage\"}");
-    return client.closed();
-  }));
-  WebClient broken = connect();
-  EXPECT_TRUE(eventually([&] {
-    broken.write_raw(std::string(1000, '\xff'));
-    return broken.closed();
-  }));
+    large.write_raw(std::string(64 * 1024, 'x'));
+    return large.closed();
+  })) << "it must be closed before all of it is sent";
 }
 
 // Number of bytes that the program holds on the heap.

@@ -77,35 +77,32 @@ TEST(LocalDaemons, AreReadFromTheKernelsTable) {
   EXPECT_THAT(daemons_in(table), ElementsAre(kFirst, kSecond));
 }
 
-TEST(LocalDaemons, HostileNamesAreSkipped) {
-  for (const std::string& name : {std::string("tp100d/"),
-                                  std::string("tp100d/127.0.0.1"),
-                                  std::string("tp100d/127.0.0.1/1"),
-                                  std::string("tp100d/127.0.0.1/1/"),
-                                  std::string("tp100d/127.0.0.1//ab"),
-                                  std::string("tp100d/127.0.0.1/0/ab"),
-                                  std::string("tp100d/127.0.0.1/01/ab"),
-                                  std::string("tp100d/127.0.0.1/65536/ab"),
-                                  std::string("tp100d/127.0.0.1/-1/ab"),
-                                  std::string("tp100d/127.0.0.1/1x/ab"),
-                                  std::string("tp100d/evil.example/1/ab"),
-                                  std::string("tp100d/localhost/1/ab"),
-                                  std::string("tp100d//1/ab"),
-                                  std::string("tp100d/127.0.0.1/1/AB"),
-                                  std::string("tp100d/127.0.0.1/1/ab/c"),
-                                  std::string("tp100d/127.0.0.1/1/<b>"),
-                                  std::string("tp100d/127.0.0.1/1/ab "),
-                                  std::string("tp100d/127.0.0.1/1/a\0b", 22),
-                                  std::string("tp100d/127.0.0.1/1/\"\xff"),
-                                  std::string("tp100d/fe80::1%eth0/1/ab"),
-                                  "tp100d/127.0.0.1/1/" + std::string(33, 'a'),
-                                  "tp100d/" + std::string(100'000, '1') + "/1/ab"})
-    EXPECT_THAT(daemons_in(row(name)), IsEmpty()) << name.substr(0, 60);
+TEST(LocalDaemons, HostileNamesAreSkippedAndAFloodOfNamesIsCut) {
+  for (const std::string& rest : {std::string(),
+                                  std::string("127.0.0.1"),
+                                  std::string("127.0.0.1/1"),
+                                  std::string("127.0.0.1/1/"),
+                                  std::string("127.0.0.1//ab"),
+                                  std::string("127.0.0.1/0/ab"),
+                                  std::string("127.0.0.1/01/ab"),
+                                  std::string("127.0.0.1/65536/ab"),
+                                  std::string("127.0.0.1/-1/ab"),
+                                  std::string("127.0.0.1/1x/ab"),
+                                  std::string("evil.example/1/ab"),
+                                  std::string("localhost/1/ab"),
+                                  std::string("/1/ab"),
+                                  std::string("127.0.0.1/1/AB"),
+                                  std::string("127.0.0.1/1/ab/c"),
+                                  std::string("127.0.0.1/1/<b>"),
+                                  std::string("127.0.0.1/1/ab "),
+                                  std::string("127.0.0.1/1/a\0b", 15),
+                                  std::string("127.0.0.1/1/\"\xff"),
+                                  std::string("fe80::1%eth0/1/ab"),
+                                  "127.0.0.1/1/" + std::string(33, 'a'),
+                                  std::string(100'000, '1') + "/1/ab"})
+    EXPECT_THAT(daemons_in(row("tp100d/" + rest)), IsEmpty()) << rest.substr(0, 60);
   EXPECT_THAT(daemons_in(""), IsEmpty());
   EXPECT_THAT(daemons_in(std::string(1'000, '\n')), IsEmpty());
-}
-
-TEST(LocalDaemons, AFloodOfNamesIsCut) {
   std::string table;
   for (int i = 1; i <= 10'000; ++i) table += row("tp100d/127.0.0.1/" + std::to_string(i) + "/ab");
   EXPECT_EQ(daemons_in(table).size(), 64U);
@@ -131,38 +128,31 @@ TEST(RobotPages, AreAddressesOfPages) {
   }
 }
 
-std::vector<std::string> listed(const LocalDaemon& own, const std::string& host) {
-  std::vector<std::string> urls;
+/// The addresses of the list, in their order; behind that of the page's own daemon a `*`.
+std::string listed(const LocalDaemon& own, const std::string& host) {
+  std::string urls;
   const std::vector<LocalDaemon> found = {
       kFirst, kSecond, {"0.0.0.0", 8767, "ef56"}, {"192.168.0.7", 8768, "0789"}};
   const Json answer = Json::parse(robots_json(own, found, {"http://far/"}, host));
-  for (const Json& one : answer.at("robots")) urls.push_back(one.at("url"));
+  for (const Json& one : answer.at("robots"))
+    urls += std::string(one.at("url")) + (one.contains("own") ? "* " : " ");
   return urls;
 }
 
 TEST(RobotList, LeadsToEachByTheNameOfThePage) {
-  EXPECT_THAT(listed(kFirst, "localhost:8765"),
-              ElementsAre("http://localhost:8765/", "http://localhost:8766/",
-                          "http://localhost:8767/", "http://192.168.0.7:8768/", "http://far/"));
-  EXPECT_THAT(listed(kSecond, "[::1]:8766"),
-              ElementsAre("http://[::1]:8766/", "http://[::1]:8765/", "http://[::1]:8767/",
-                          "http://192.168.0.7:8768/", "http://far/"));
-}
-
-TEST(RobotList, NamesNoLoopbackAddressToOtherMachines) {
-  EXPECT_THAT(listed({"0.0.0.0", 8767, "ef56"}, "lab:8767"),
-              ElementsAre("http://lab:8767/", "http://192.168.0.7:8768/", "http://far/"));
-}
-
-TEST(RobotList, TellsWhichDaemonServesThePage) {
-  const Json robots =
-      Json::parse(robots_json(kFirst, {kFirst, kSecond}, {"http://far/"}, "127.0.0.1:8765"))
-          .at("robots");
-  ASSERT_EQ(robots.size(), 3U);
-  EXPECT_EQ(robots[0],
-            Json::parse(R"({"url":"http://127.0.0.1:8765/","session":"ab12","own":true})"));
-  EXPECT_EQ(robots[1], Json::parse(R"({"url":"http://127.0.0.1:8766/","session":"cd34"})"));
-  EXPECT_EQ(robots[2], Json::parse(R"({"url":"http://far/"})"));
+  EXPECT_EQ(listed(kFirst, "localhost:8765"),
+            "http://localhost:8765/* http://localhost:8766/ http://localhost:8767/ "
+            "http://192.168.0.7:8768/ http://far/ ");
+  EXPECT_EQ(listed(kSecond, "[::1]:8766"),
+            "http://[::1]:8766/* http://[::1]:8765/ http://[::1]:8767/ http://192.168.0.7:8768/ "
+            "http://far/ ");
+  // A loopback address would lead another machine to itself.
+  EXPECT_EQ(listed({"0.0.0.0", 8767, "ef56"}, "lab:8767"),
+            "http://lab:8767/* http://192.168.0.7:8768/ http://far/ ");
+  const Json two = Json::parse(robots_json(kFirst, {kFirst}, {"http://far/"}, "127.0.0.1:8765"));
+  EXPECT_EQ(two.at("robots"),
+            Json::parse(R"([{"url":"http://127.0.0.1:8765/","session":"ab12","own":true},)"
+                        R"({"url":"http://far/"}])"));
 }
 
 TEST(PageOfTheMachine, HasTheSameNameAndThePortOfADaemon) {

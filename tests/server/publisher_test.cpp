@@ -48,6 +48,15 @@ class PublisherTest : public ::testing::Test {
     return out;
   }
 
+  /// The last /state after `seconds` of steps.
+  Json state(double seconds = 1.0) { return run(seconds, messages::Channel::kState).back(); }
+  /// The messages of /state that the next step alone causes.
+  std::vector<Json> next_states() {
+    record_.now_ns += 5 * kNsPerMs;
+    publisher_.take(record_);
+    return take(messages::Channel::kState);
+  }
+
   FakeControls controls_;
   Broker broker_{messages::channel_texts()};
   Publisher publisher_{broker_,
@@ -104,72 +113,63 @@ TEST_F(PublisherTest, SlowChannelsKeepTheirRates) {
   near(messages::Channel::kState, 5.0);
 }
 
-TEST_F(PublisherTest, AChangeOfStateIsToldAtOnce) {
-  run(1.0, messages::Channel::kState);
+TEST_F(PublisherTest, AChangeOfStateOrOfTheMotorsIsToldAtOnce) {
+  state();
   record_.snapshot.run_state = RunState::kAborted;
   record_.snapshot.faults = fault_bit(Fault::tilt);
-  record_.now_ns += 5 * kNsPerMs;
-  publisher_.take(record_);
-  const auto received = take(messages::Channel::kState);
-  ASSERT_EQ(received.size(), 1U);
-  EXPECT_EQ(received[0]["run"], "aborted");
-  EXPECT_EQ(received[0]["faults"][0]["name"], "tilt");
+  const auto aborted = next_states();
+  ASSERT_EQ(aborted.size(), 1U);
+  EXPECT_EQ(aborted[0]["run"], "aborted");
+  EXPECT_EQ(aborted[0]["faults"][0]["name"], "tilt");
+  record_.snapshot.sample.state = RobotState::kDisarmed;
+  record_.snapshot.sample.right_duty = 0.0;
+  EXPECT_EQ(state()["motors_on"], false);
+  record_.snapshot.sample.right_duty = 0.2;
+  const auto moving = next_states();
+  ASSERT_EQ(moving.size(), 1U);
+  EXPECT_EQ(moving[0]["motors_on"], true);
 }
 
 TEST_F(PublisherTest, AStopIsTheDaemonsUntilTheRobotHasLatchedIt) {
   record_.snapshot.faults = fault_bit(Fault::stop_requested);
-  const auto from = [&] { return run(1.0, messages::Channel::kState).back()["faults"][0]["from"]; };
-  EXPECT_EQ(from(), "daemon");
+  EXPECT_EQ(state()["faults"][0]["from"], "daemon");
   record_.snapshot.sample.faults = fault_bit(Fault::stop_requested);
-  EXPECT_EQ(from(), "robot");
+  EXPECT_EQ(state()["faults"][0]["from"], "robot");
   record_.snapshot.has_sample = false;
-  EXPECT_EQ(from(), "daemon");
+  EXPECT_EQ(state()["faults"][0]["from"], "daemon");
 }
 
-TEST_F(PublisherTest, TheRunsClockStandsStillWhenItIsOver) {
-  run(2.0, messages::Channel::kState);
+TEST_F(PublisherTest, TheRunsClockStandsStillWhenItIsOverAndAStartIsOffered) {
+  state(2.0);
   record_.snapshot.run_state = RunState::kFinished;
   record_.snapshot.start_refusal = StartRefusal::kNone;
-  const auto received = run(1.0, messages::Channel::kState);
-  EXPECT_NEAR(received.back()["run_s"].get<double>(), 2.0, 0.02);
-  EXPECT_EQ(received.back()["can"]["start"], true);
-}
-
-TEST_F(PublisherTest, SaysWhyAStartWouldBeRefusedAndThatTheMotorsAreOn) {
-  run(1.0, messages::Channel::kState);
-  record_.snapshot.run_state = RunState::kIdle;
+  const Json over = state();
+  EXPECT_NEAR(over["run_s"].get<double>(), 2.0, 0.02);
+  EXPECT_EQ(over["can"]["start"], true);
   record_.snapshot.start_refusal = StartRefusal::kNotStill;
-  record_.snapshot.sample.state = RobotState::kDisarmed;
-  Json state = run(1.0, messages::Channel::kState).back();
-  EXPECT_EQ(state["can"]["start"], false);
-  EXPECT_EQ(state["why_not_start"], std::string(to_string(StartRefusal::kNotStill)));
-  EXPECT_EQ(state["motors_on"], false);
-  record_.snapshot.sample.right_duty = 0.2;
-  record_.now_ns += 5 * kNsPerMs;
-  publisher_.take(record_);
-  const auto received = take(messages::Channel::kState);
-  ASSERT_EQ(received.size(), 1U) << "a change of the motors must be published at once";
-  EXPECT_EQ(received[0]["motors_on"], true);
+  const Json refused = state();
+  EXPECT_EQ(refused["can"]["start"], false);
+  EXPECT_EQ(refused["why_not_start"], std::string(to_string(StartRefusal::kNotStill)));
 }
 
 TEST_F(PublisherTest, SaysWhoDrivesAndWhetherAnotherMay) {
   record_.snapshot.run_state = RunState::kIdle;
   record_.snapshot.drive_refusal = StartRefusal::kNone;
-  Json state = run(1.0, messages::Channel::kState).back();
-  EXPECT_EQ(state["can"]["drive"], true);
-  EXPECT_FALSE(state.contains("driver"));
+  const Json free = state();
+  EXPECT_EQ(free["can"]["drive"], true);
+  EXPECT_FALSE(free.contains("driver"));
   controls_.wheel.take({"a", "viewer 1"}, record_.now_ns);
   controls_.wheel.take({"b", "viewer 2"}, record_.now_ns);
   record_.snapshot.run_state = RunState::kDriving;
   record_.snapshot.drive_refusal = StartRefusal::kDriven;
-  state = run(0.05, messages::Channel::kState).back();
-  EXPECT_EQ(state["run"], "driving");
-  EXPECT_EQ(state["can"]["drive"], false);
-  EXPECT_EQ(state["why_not_drive"], "viewer 1 drives");
-  EXPECT_EQ(state["driver"], (Json{{"by", "viewer 1"}, {"fresh", true}, {"asked_by", "viewer 2"}}));
-  state = run(0.2, messages::Channel::kState).back();
-  EXPECT_EQ(state["driver"]["fresh"], false);
-  EXPECT_EQ(state["can"]["drive"], true) << "from a driver without fresh input it can be taken";
+  const Json taken = state(0.05);
+  EXPECT_EQ(taken["run"], "driving");
+  EXPECT_EQ(taken["can"]["drive"], false);
+  EXPECT_EQ(taken["why_not_drive"], "viewer 1 drives");
+  EXPECT_EQ(taken["driver"], (Json{{"by", "viewer 1"}, {"fresh", true}, {"asked_by", "viewer 2"}}));
+  const Json left = state(0.2);
+  EXPECT_EQ(left["driver"]["fresh"], false);
+  EXPECT_EQ(left["can"]["drive"], true) << "from a driver without fresh input it can be taken";
 }
 
 TEST_F(PublisherTest, TheLinkHasRatesOfTheLastSecond) {
@@ -214,21 +214,15 @@ TEST_F(PublisherTest, ANewcomerGetsTheWholePathHistory) {
   EXPECT_GE(path_history["entities"][0]["lines"][0]["points"].size(), 99U);
 }
 
-TEST_F(PublisherTest, EventsBecomeLogLines) {
-  publisher_.take(
-      messages::Event{.at_ns = 3 * kNsPerS, .kind = "run", .text = "state: idle -> arming"});
-  EXPECT_EQ(take(messages::Channel::kLog).at(0)["message"], "state: idle -> arming");
-}
-
 TEST_F(PublisherTest, ACheckThatHasThePortAcknowledgesAStop) {
-  run(1.0, messages::Channel::kState);
+  state();
   const HostNs pressed_ns = record_.now_ns;
   controls_.motors_off = pressed_ns - 1;
   publisher_.stop_pressed("viewer 1", pressed_ns);
-  EXPECT_EQ(run(0.1, messages::Channel::kState).back()["stop"]["status"], "pending")
+  EXPECT_EQ(state(0.1)["stop"]["status"], "pending")
       << "the motors were off before the STOP: they may run again";
   controls_.motors_off = pressed_ns + 30 * kNsPerMs;
-  const Json stop = run(0.1, messages::Channel::kState).back()["stop"];
+  const Json stop = state(0.1)["stop"];
   EXPECT_EQ(stop["status"], "acknowledged");
   EXPECT_DOUBLE_EQ(stop["acknowledged_ms"].get<double>(), 30.0);
 }

@@ -58,7 +58,7 @@ class RequestHandlerTest : public ::testing::Test {
  protected:
   RequestHandlerTest() { broker_.add(viewer_); }
 
-  // Everything in the viewer's outbox; data messages are separate from answers.
+  /// Everything in the viewer's outbox; data messages are separate from answers.
   struct Received {
     std::vector<Json> texts;
     std::vector<std::string> binaries;
@@ -102,14 +102,29 @@ class RequestHandlerTest : public ::testing::Test {
                 Permission permission = Permission::kCommand) {
     return call(static_cast<std::uint32_t>(service), payload, permission);
   }
+  /// Why the request is refused; empty: it is not.
+  std::string refused(Service service, const std::string& payload = "{}",
+                      Permission permission = Permission::kCommand) {
+    const Received received = call(service, payload, permission);
+    if (received.texts.empty()) return {};
+    EXPECT_EQ(received.texts[0]["op"], "serviceCallFailure");
+    return received.texts[0]["message"];
+  }
+  /// The answer to a request that is accepted.
+  Json answered(Service service, const std::string& payload = "{}") {
+    const Received received = call(service, payload);
+    EXPECT_EQ(received.binaries.size(), 1U) << payload;
+    return received.binaries.empty() ? Json() : answer_of(received.binaries[0]);
+  }
   void step(const StepRecord& record) {
     publisher_.take(record);
     handler_.tick(record.now_ns);
   }
-  StepRecord ready() const {
+  /// A step of a robot that may be started.
+  static StepRecord ready(RunState state = RunState::kIdle) {
     StepRecord record = messages::example_record();
     record.now_ns = kNow;
-    record.snapshot.run_state = RunState::kIdle;
+    record.snapshot.run_state = state;
     record.snapshot.start_refusal = StartRefusal::kNone;
     return record;
   }

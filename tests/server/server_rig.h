@@ -22,6 +22,11 @@
 namespace tp100::server {
 
 inline constexpr unsigned char kPage[] = "<html>cockpit</html>";
+inline const std::string kHost = "Host: 127.0.0.1\r\n";
+/// Header lines of a viewer, but for the sub-protocol.
+inline const std::string kUpgrade =
+    "Connection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\n"
+    "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n";
 
 class ServerTest : public ::testing::Test {
  protected:
@@ -47,6 +52,14 @@ class ServerTest : public ::testing::Test {
     port_.pop_back();
   }
   WebClient connect() { return WebClient(port_); }
+  /// The whole response to a request of one connection.
+  std::string get(const std::string& target, const std::string& method = "GET") const {
+    return http_get(port_, method + " " + target + " HTTP/1.0\r\nHost: localhost\r\n\r\n");
+  }
+  /// The header of the response to a request with these header lines.
+  std::string head_of(const std::string& target, const std::string& lines) const {
+    return http_head(port_, "GET " + target + " HTTP/1.1\r\n" + lines + "\r\n");
+  }
   void step(int count = 1) {
     for (int i = 0; i < count; ++i) {
       record_.now_ns = record_.snapshot.now_ns = monotonic_now();

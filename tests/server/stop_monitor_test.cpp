@@ -8,25 +8,17 @@ namespace {
 using Status = messages::StopFigures::Status;
 constexpr HostNs kMs = kNsPerMs;
 
-TEST(StopMonitor, TellsHowLongTheRobotTook) {
+TEST(StopMonitor, TellsHowLongTheRobotTookAndAfter200MsThatItHasNotAcknowledged) {
   StopMonitor stop;
   EXPECT_EQ(stop.figures().status, Status::kNone);
-  stop.press("viewer 1", 1000 * kMs);
-  EXPECT_EQ(stop.figures().status, Status::kPending);
-  EXPECT_TRUE(stop.figures().latched);
-  stop.answered(1014 * kMs);
-  EXPECT_EQ(stop.figures().status, Status::kAcknowledged);
-  EXPECT_DOUBLE_EQ(stop.figures().acknowledged_ms, 14.0);
-}
-
-TEST(StopMonitor, SaysNotAcknowledgedAfter200Ms) {
-  StopMonitor stop;
   stop.press("keyboard", 1000 * kMs);
+  // The answer to an earlier STOP.
+  stop.answered(999 * kMs);
   EXPECT_FALSE(stop.tick(1199 * kMs));
   EXPECT_EQ(stop.figures().status, Status::kPending);
   EXPECT_TRUE(stop.tick(1200 * kMs));
   EXPECT_EQ(stop.figures().status, Status::kNotAcknowledged);
-  EXPECT_FALSE(stop.tick(1300 * kMs));
+  EXPECT_FALSE(stop.tick(1300 * kMs)) << "said once";
   // The acknowledgement may still arrive after a reconnect.
   stop.answered(6000 * kMs);
   EXPECT_EQ(stop.figures().status, Status::kAcknowledged);
@@ -41,13 +33,6 @@ TEST(StopMonitor, PressingAgainDoesNotMakeItLookFaster) {
   EXPECT_TRUE(stop.tick(1200 * kMs));
   stop.answered(1300 * kMs);
   EXPECT_DOUBLE_EQ(stop.figures().acknowledged_ms, 300.0);
-}
-
-TEST(StopMonitor, AnAnswerFromBeforeThePressDoesNotCount) {
-  StopMonitor stop;
-  stop.press("viewer 1", 1000 * kMs);
-  stop.answered(999 * kMs);
-  EXPECT_EQ(stop.figures().status, Status::kPending);
 }
 
 TEST(StopMonitor, OnlyAStartEndsTheLatch) {

@@ -1,0 +1,205 @@
+// Requests that set the robot in motion or end its motion: start, pause, STOP, the wheel and the
+// check of the tracks.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "request_rig.h"
+
+namespace tp100::server {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr const char* kFree = R"({"tracks":"free"})";
+
+TEST_F(RequestHandlerTest, StartNeedsARobotThatIsReadyAndIdle) {
+  EXPECT_THAT(refused(Service::kStart), HasSubstr("no robot yet"));
+  StepRecord running = ready(RunState::kRunning);
+  running.snapshot.start_refusal = StartRefusal::kUnderWay;
+  step(running);
+  EXPECT_THAT(refused(Service::kStart), HasSubstr("under way"));
+  step(ready());
+  EXPECT_EQ(answered(Service::kStart), Json::parse(R"({"accepted":true})"));
+  EXPECT_EQ(controls_.starts, 1);
+  EXPECT_EQ(controls_.go_ons, 0);
+}
+
+TEST_F(RequestHandlerTest, AStartGoesOnFromHereOnlyWhereARunEndedEarly) {
+  const char* here = R"({"from":"here"})";
+  StepRecord record = ready();
+  record.snapshot.progress_m = 0.0;
+  step(record);
+  EXPECT_THAT(refused(Service::kStart, here), HasSubstr("no run ended before the end"));
+  record.snapshot.run_state = RunState::kAborted;
+  record.snapshot.progress_m = 0.1;
+  step(record);
+  EXPECT_EQ(refused(Service::kStart, here), "");
+  EXPECT_EQ(controls_.go_ons, 1);
+  EXPECT_EQ(controls_.starts, 0);
+  EXPECT_EQ(refused(Service::kStart, R"({"from":"start"})"), "");
+  EXPECT_EQ(controls_.starts, 1);
+}
+
+TEST_F(RequestHandlerTest, ARunIsPausedAndResumed) {
+  step(ready());
+  EXPECT_EQ(refused(Service::kPause), "no run is under way");
+  StepRecord record = ready(RunState::kRunning);
+  step(record);
+  EXPECT_EQ(refused(Service::kResume), "the run is not paused");
+  EXPECT_EQ(refused(Service::kPause), "");
+  EXPECT_EQ(controls_.pauses, 1);
+  record.snapshot.pause_left_s = 119.0;
+  step(record);
+  // Two people who both press Pause must not set the robot in motion.
+  EXPECT_EQ(answered(Service::kPause), Json::parse(R"({"accepted":true})"));
+  EXPECT_EQ(controls_.resumes, 0);
+  EXPECT_EQ(refused(Service::kResume), "");
+  EXPECT_EQ(controls_.resumes, 1);
+}
+
+// Without it nobody could tell whether the person had seen a STOP, or acted minutes ago.
+TEST_F(RequestHandlerTest, WhatSetsTheRobotInMotionSaysWhatThePersonSaw) {
+  step(ready());
+  controls_.stop();
+  for (const Service service :
+       {Service::kStart, Service::kResume, Service::kDriveTake, Service::kWheelsUpBegin}) {
+    for (const char* bad :
+         {R"({"stops":null})", R"({"stops":1})", R"({"stops":1.5,"t_s":97})",
+          R"({"stops":-1,"t_s":97})", R"({"stops":"1","t_s":97})", R"({"stops":1,"t_s":-1})"})
+      EXPECT_THAT(refused(service, bad), HasSubstr("stops and t_s are needed")) << bad;
+    EXPECT_THAT(refused(service, R"({"stops":1,"t_s":98.1})"), HasSubstr("t_s is later than now"));
+  }
+  EXPECT_TRUE(controls_.consents.empty());
+  call(Service::kStart, R"({"stops":1,"t_s":97})");
+  ASSERT_EQ(controls_.consents.size(), 1U);
+  EXPECT_EQ(controls_.consents[0].stops_seen, 1U);
+  EXPECT_EQ(controls_.consents[0].acted_ns, 99 * kNsPerS);
+  EXPECT_EQ(controls_.consents[0].seen_ns, 99 * kNsPerS);
+  EXPECT_EQ(controls_.consents[0].by.number, viewer_->id());
+  controls_.move_refusal = to_string(ConsentLoss::kStopped);
+  EXPECT_THAT(refused(Service::kStart), HasSubstr("STOP was"));
+}
+
+// Whoever chose so must not find a robot that drives on after its page was closed.
+TEST_F(RequestHandlerTest, ARunThatNoPageWatchesIsStoppedIfThatIsConfigured) {
+  StepRecord record = ready();
+  const auto run_for = [&](HostNs ns, bool watched) {
+    for (const HostNs end = record.now_ns + ns; record.now_ns < end;) {
+      record.now_ns += 100 * kNsPerMs;
+      step(record);
+      if (watched)
+        call(static_cast<std::uint32_t>(Service::kWatch), "{}", Permission::kCommand,
+             record.now_ns);
+    }
+  };
+  for (const bool configured : {false, true}) {
+    messages::RunContext context = messages::example_subject();
+    context.stop_unwatched = configured;
+    publisher_.change_setup(context, {}, record.now_ns);
+    for (const RunState state : {RunState::kRunning, RunState::kDriving, RunState::kArming}) {
+      record.snapshot.run_state = RunState::kIdle;
+      run_for(10 * kNsPerS, false);
+      EXPECT_EQ(controls_.stops, 0);
+      record.snapshot.run_state = state;
+      run_for(10 * kNsPerS, true);
+      run_for(19 * kNsPerS / 10, false);
+      EXPECT_EQ(controls_.stops, 0);
+      run_for(kNsPerS / 5, false);
+      EXPECT_EQ(controls_.stops, configured ? 1 : 0);
+      controls_.stops = 0;
+    }
+  }
+}
+
+TEST_F(RequestHandlerTest, StopIsAnsweredAndToldWhenTheRobotHasAnswered) {
+  send(R"({"op":"subscribe","subscriptions":[{"id":1,"channelId":16}]})");
+  EXPECT_TRUE(call(Service::kStop).binaries.empty());
+  publisher_.stop_answered(kNow + 14 * kNsPerMs, kNow + 15 * kNsPerMs);
+  handler_.tick(kNow + 15 * kNsPerMs);
+  const Received received = take();
+  EXPECT_EQ(answer_of(received.binaries.at(0)),
+            Json::parse(R"({"acknowledged":true,"acknowledged_ms":14.0})"));
+  const Json stop = received.data.back().second["stop"];
+  EXPECT_EQ(stop["status"], "acknowledged");
+  EXPECT_EQ(stop["acknowledged_ms"], 14.0);
+  EXPECT_EQ(stop["by"], "viewer 3");
+  EXPECT_EQ(stop["latched"], true);
+  StepRecord arming = ready(RunState::kArming);
+  arming.now_ns += kNsPerS;
+  step(arming);
+  EXPECT_EQ(take().data.back().second["stop"]["latched"], false);
+}
+
+TEST_F(RequestHandlerTest, StopIsAnsweredAfter200MsWithoutTheRobot) {
+  call(Service::kStop);
+  publisher_.tick(kNow + 199 * kNsPerMs);
+  handler_.tick(kNow + 199 * kNsPerMs);
+  EXPECT_TRUE(take().binaries.empty());
+  publisher_.tick(kNow + 201 * kNsPerMs);
+  handler_.tick(kNow + 201 * kNsPerMs);
+  EXPECT_EQ(answer_of(take().binaries.at(0))["acknowledged"], false);
+}
+
+// The page would say that the robot has not acknowledged a STOP which it has.
+TEST_F(RequestHandlerTest, StopIsAnsweredWhenTheRobotWasFasterThanTheReportOfThePress) {
+  publisher_.stop_answered(kNow + 5 * kNsPerMs, kNow + 5 * kNsPerMs);
+  EXPECT_EQ(answered(Service::kStop),
+            Json::parse(R"({"acknowledged":true,"acknowledged_ms":5.0})"));
+}
+
+TEST_F(RequestHandlerTest, TheWheelIsDrivenByItsTokenUntilItIsReleasedOrItsViewerLeaves) {
+  StepRecord not_still = ready();
+  not_still.snapshot.drive_refusal = StartRefusal::kNotStill;
+  step(not_still);
+  EXPECT_EQ(refused(Service::kDriveTake), to_string(StartRefusal::kNotStill));
+  step(ready());
+  const auto drive = [&](const std::string& token) {
+    return refused(Service::kDrive, R"({"token":")" + token +
+                                        R"(","speed_mps":0.1,"yaw_rate_radps":-0.2,"input_ms":5})");
+  };
+  std::string token = answered(Service::kDriveTake).at("token");
+  EXPECT_EQ(drive(token), "");
+  ASSERT_EQ(controls_.inputs.size(), 1U);
+  EXPECT_EQ(controls_.inputs[0].speed_mps, 0.1);
+  EXPECT_EQ(controls_.inputs[0].yaw_rate_radps, -0.2);
+  EXPECT_NE(drive("other"), "");
+  EXPECT_NE(refused(Service::kDriveRelease, R"({"token":"other"})"), "");
+  EXPECT_EQ(refused(Service::kDriveRelease, R"({"token":")" + token + R"("})"), "");
+  EXPECT_NE(drive(token), "");
+
+  token = answered(Service::kDriveTake).at("token");
+  const Viewer other(
+      77, [] {}, [] {});
+  handler_.leave(other, kNow);
+  EXPECT_EQ(drive(token), "");
+  handler_.leave(*viewer_, kNow);
+  EXPECT_EQ(controls_.drivers_lost, 1);
+  EXPECT_NE(drive(token), "");
+  EXPECT_EQ(controls_.inputs.size(), 2U);
+}
+
+TEST_F(RequestHandlerTest, TracksRunOnlyWhileARobotIsThereAndNothingElseIsUnderWay) {
+  StepRecord lost = ready();
+  lost.snapshot.drive_refusal = StartRefusal::kNoSession;
+  step(lost);
+  EXPECT_EQ(refused(Service::kWheelsUpBegin, kFree), to_string(StartRefusal::kNoSession));
+  step(ready(RunState::kRunning));
+  EXPECT_NE(refused(Service::kWheelsUpBegin, kFree), "");
+  EXPECT_TRUE(controls_.checkers.empty());
+  step(ready());
+  EXPECT_EQ(answered(Service::kWheelsUpBegin, kFree)["token"], "free");
+  EXPECT_EQ(controls_.checkers.size(), 1U);
+  const Json seen =
+      answered(Service::kWheelsUpWatch, R"({"token":"t","input_ms":5,"question":2,"answer":"b"})");
+  EXPECT_EQ(seen["step"], "the left track runs");
+  ASSERT_EQ(controls_.watched.size(), 1U);
+  EXPECT_EQ(controls_.watched[0].token, "t");
+  EXPECT_EQ(controls_.watched[0].input_ms, 5.0);
+  EXPECT_EQ(controls_.watched[0].question, 2U);
+  EXPECT_EQ(controls_.watched[0].answer, "b");
+}
+
+}  // namespace
+}  // namespace tp100::server
