@@ -23,12 +23,7 @@ std::string run(ReportProcess& process, const std::string& script,
   return process.run({"/bin/sh", "-c", script}, limit);
 }
 
-TEST(ReportProcess, SaysNothingOfAProgramThatIsDone) {
-  ReportProcess process;
-  EXPECT_EQ(run(process, "echo out; echo note >&2"), "");
-}
-
-TEST(ReportProcess, KeepsWhatAProgramPrints) {
+TEST(ReportProcess, KeepsWhatAProgramPrintsAndSaysNothingOfOneThatIsDone) {
   ReportProcess process;
   const test::TemporaryFolder folder;
   EXPECT_EQ(process.run({"/bin/sh", "-c", "echo out; echo note >&2"}, 60s, folder.file("out")), "");
@@ -41,6 +36,7 @@ TEST(ReportProcess, SaysWhyAProgramFailed) {
   EXPECT_THAT(run(process, "exit 2"), HasSubstr("status 2"));
   EXPECT_THAT(run(process, "kill -SEGV $$"), HasSubstr("killed"));
   EXPECT_THAT(process.run({"/none/tp100d"}, 60s), HasSubstr("/none/tp100d: cannot be started"));
+  EXPECT_THAT(run(process, "exec sleep 600", 50ms), HasSubstr("not done after"));
   const std::string long_text = run(process, "head -c 100000 /dev/zero | tr '\\0' x >&2; exit 1");
   EXPECT_LT(long_text.size(), 1000U);
 }
@@ -58,11 +54,6 @@ TEST(ReportProcess, RunsAtTheLowestPriorityWithoutOurFiles) {
             "");
   ::close(ours);
   EXPECT_THAT(test::read_bytes(out), ::testing::Not(HasSubstr("ours")));
-}
-
-TEST(ReportProcess, KillsWhatTakesTooLong) {
-  ReportProcess process;
-  EXPECT_THAT(run(process, "exec sleep 600", 50ms), HasSubstr("not done after"));
 }
 
 TEST(ReportProcess, KillsWhatRunsAtItsEndAndRunsNothingAfterwards) {

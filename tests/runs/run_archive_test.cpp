@@ -72,6 +72,22 @@ class RunArchiveTest : public ::testing::Test {
     return asked([&](const auto& answer) { archive().remove(run, answer); });
   }
   bool there(const std::string& path) const { return fs::exists(folder_.file("runs/" + path)); }
+  /// Begins a report of run a; returns its answer once its program runs.
+  std::future<std::string> begin_report(const std::string& rest_of_program) {
+    program("touch " + folder_.file("begun") + "; " + rest_of_program);
+    const auto promise = std::make_shared<std::promise<std::string>>();
+    archive().report(
+        "a", [promise](const std::string& why, const std::string&) { promise->set_value(why); });
+    while (!fs::exists(folder_.file("begun"))) std::this_thread::sleep_for(1ms);
+    return promise->get_future();
+  }
+  /// Everything in the folder of the runs.
+  std::vector<std::string> in_folder() const {
+    std::vector<std::string> names;
+    for (const auto& each : fs::directory_iterator(folder_.file("runs")))
+      names.push_back(each.path().filename());
+    return names;
+  }
 
   test::TemporaryFolder folder_;
   std::string active_;
@@ -155,29 +171,22 @@ TEST_F(RunArchiveTest, TheListIsReadFromTheDiskOnceASecondAndAfterAChange) {
   EXPECT_EQ(count(), before);
 }
 
-TEST_F(RunArchiveTest, AReportIsKeptBesideItsRun) {
-  const Answered answer = report("a");
-  EXPECT_EQ(answer.why, "");
-  EXPECT_EQ(answer.json["url"], "/runs/a/report.html");
-  EXPECT_TRUE(there("a/report.html") && there("a/metrics.json"));
-  for (const auto& each : fs::directory_iterator(folder_.file("runs")))
-    EXPECT_FALSE(each.path().filename().string().starts_with(".")) << each.path();
-}
-
-TEST_F(RunArchiveTest, AComparisonIsNamedAfterTheOtherRun) {
+TEST_F(RunArchiveTest, AReportIsKeptBesideItsRunAndAComparisonIsNamedAfterTheOtherRun) {
   EXPECT_EQ(compare("a", "b").json["url"], "/runs/a/compare-b.html");
   EXPECT_TRUE(there("a/compare-b.html"));
   EXPECT_FALSE(there("a/report.html"));
   EXPECT_THAT(compare("a", "a").why, HasSubstr("two different"));
   EXPECT_THAT(compare("a", "../a").why, HasSubstr("no such run"));
-}
-
-TEST_F(RunArchiveTest, AReportReplacesALinkInsteadOfFollowingIt) {
+  // A link is replaced and not followed.
   write("secret", "secret");
   fs::create_symlink(folder_.file("secret"), folder_.file("runs/a/report.html"));
-  EXPECT_EQ(report("a").why, "");
+  const Answered answer = report("a");
+  EXPECT_EQ(answer.why, "");
+  EXPECT_EQ(answer.json["url"], "/runs/a/report.html");
+  EXPECT_TRUE(there("a/report.html") && there("a/metrics.json"));
   EXPECT_EQ(test::read_bytes(folder_.file("secret")), "secret");
   EXPECT_FALSE(fs::is_symlink(folder_.file("runs/a/report.html")));
+  EXPECT_THAT(in_folder(), ::testing::UnorderedElementsAre("a", "b"));
 }
 
 TEST_F(RunArchiveTest, AFailureIsSaidWithoutAPathAndAnotherReportMayFollow) {
@@ -192,31 +201,21 @@ TEST_F(RunArchiveTest, AFailureIsSaidWithoutAPathAndAnotherReportMayFollow) {
   EXPECT_TRUE(there("a/run.mcap"));
 }
 
-TEST_F(RunArchiveTest, OneReportIsMadeAtATimeAndItsRunIsNotDeleted) {
-  const std::string begun = folder_.file("begun"), go = folder_.file("go");
-  program("touch " + begun + "; while [ ! -e " + go + " ]; do sleep 0.01; done");
-  const auto first = std::make_shared<std::promise<std::string>>();
-  archive().report("a",
-                   [first](const std::string& why, const std::string&) { first->set_value(why); });
-  while (!fs::exists(begun)) std::this_thread::sleep_for(1ms);
+TEST_F(RunArchiveTest, OneReportIsMadeAtATimeAndItsRunIsNotDeletedMeanwhile) {
+  auto first = begin_report("while [ ! -e " + folder_.file("go") + " ]; do sleep 0.01; done");
   EXPECT_THAT(report("b").why, HasSubstr("a report of a is being made"));
   EXPECT_EQ(Json::parse(archive().json())["making"], "a");
   EXPECT_THAT(remove("a").why, HasSubstr("is open"));
   write("go", "");
-  EXPECT_EQ(first->get_future().get(), "");
+  EXPECT_EQ(first.get(), "");
   EXPECT_EQ(Json::parse(archive().json())["making"], "");
   EXPECT_EQ(report("b").why, "");
 }
 
 TEST_F(RunArchiveTest, AReportEndsWithTheDaemon) {
-  const std::string begun = folder_.file("begun");
-  program("touch " + begun + "; exec sleep 600");
-  const auto first = std::make_shared<std::promise<std::string>>();
-  archive().report("a",
-                   [first](const std::string& why, const std::string&) { first->set_value(why); });
-  while (!fs::exists(begun)) std::this_thread::sleep_for(1ms);
+  auto first = begin_report("exec sleep 600");
   archive_.reset();
-  EXPECT_EQ(first->get_future().get(), "the daemon is shutting down");
+  EXPECT_EQ(first.get(), "the daemon is shutting down");
 }
 
 TEST_F(RunArchiveTest, ARobotIsIdentifiedFromRunsAndNothingStaysInTheirFolder) {
@@ -231,10 +230,7 @@ TEST_F(RunArchiveTest, ARobotIsIdentifiedFromRunsAndNothingStaysInTheirFolder) {
   const std::string arguments = answer.json["found"]["arguments"];
   EXPECT_THAT(arguments, HasSubstr("identify --background --json --out"));
   EXPECT_TRUE(arguments.ends_with(folder_.file("runs/a") + " " + folder_.file("runs/b")));
-  std::vector<std::string> left;
-  for (const auto& each : fs::directory_iterator(folder_.file("runs")))
-    left.push_back(each.path().filename());
-  EXPECT_THAT(left, ::testing::UnorderedElementsAre("a", "b"));
+  EXPECT_THAT(in_folder(), ::testing::UnorderedElementsAre("a", "b"));
 
   EXPECT_THAT(identify({"a", "none"}, "").why, HasSubstr("none: no such run"));
   program("echo \"tp100d: $6/run.mcap: no drive\" >&2; exit 2");
