@@ -9,11 +9,13 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-const AccessRules kRules{.hosts = {"robot.lab"}, .origins = {"https://app.foxglove.dev"}};
+const AccessRules kRules{.hosts = {"robot.lab", "Other.Lab"},
+                         .origins = {"https://app.foxglove.dev", "https://HERE.example"}};
 
 TEST(Host, AddressesAndLocalhostAreTaken) {
-  for (const char* host : {"127.0.0.1", "127.0.0.1:8765", "localhost:8765", "LOCALHOST", "[::1]",
-                           "[::1]:8765", "192.168.0.7:8765", "robot.lab", "Robot.Lab:80"})
+  for (const char* host :
+       {"127.0.0.1", "127.0.0.1:8765", "localhost:8765", "LOCALHOST", "[::1]", "[::1]:8765",
+        "192.168.0.7:8765", "robot.lab", "Robot.Lab:80", "other.lab"})
     EXPECT_TRUE(host_allowed(host, kRules)) << host;
 }
 
@@ -30,6 +32,7 @@ TEST(Origin, ThePagesOwnAndTheListedOnesAreTaken) {
   EXPECT_TRUE(origin_allowed("http://127.0.0.1:8765", "127.0.0.1:8765", kRules));
   EXPECT_TRUE(origin_allowed("http://LOCALHOST:8765", "localhost:8765", kRules));
   EXPECT_TRUE(origin_allowed("https://app.foxglove.dev", "127.0.0.1:8765", kRules));
+  EXPECT_TRUE(origin_allowed("https://here.example", "127.0.0.1:8765", kRules));
 }
 
 TEST(Origin, EverybodyElsesIsNot) {

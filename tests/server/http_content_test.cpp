@@ -12,6 +12,7 @@
 #include <fstream>
 
 #include "../support/temporary_folder.h"
+#include "server/access.h"
 #include "text/file_name.h"
 
 namespace tp100::server {
@@ -98,37 +99,16 @@ TEST_F(HttpContent, NothingOutsideOfARunIsServed) {
   fs::create_symlink(folder_.path() / "secret", folder_.path() / "runs/a/link.csv");
   fs::create_directory_symlink(folder_.path(), folder_.path() / "runs/linked");
   ASSERT_EQ(mkfifo((folder_.path() / "runs/a/pipe.csv").c_str(), 0600), 0);
-  for (const char* target : {"/runs/",
-                             "/runs/a",
-                             "/runs/a/",
-                             "/runs/../secret",
-                             "/runs/a/../../secret",
-                             "/runs/a/..",
-                             "/runs/./a/run.mcap",
-                             "/runs/a/link.csv",
-                             "/runs/linked/secret",
-                             "/runs/a/pipe.csv",
-                             "/runs//etc/passwd",
-                             "/runs/a/%2e%2e",
-                             "/runs/a/b/run.mcap",
-                             "/secret",
-                             "//secret",
-                             "",
-                             "x",
-                             "/runs/a/run.mcap%",
-                             "/runs/%zz/run.mcap",
-                             "/runs/a%2F..%2Fb/run.mcap",
-                             "/runs/a%2F%2E%2E/b/run.mcap",
-                             "/runs/%2E%2E/secret",
-                             "/runs/a/%00",
-                             "/runs/a%5Cb/run.mcap",
-                             "/runs/%2e%2e%2fsecret",
-                             "/runs/a%252Fb.zip",
-                             "/runs/none.zip",
-                             "/runs/.zip",
-                             "/runs/...zip",
-                             "/runs/../a.zip"})
+  for (const std::string& target :
+       words("/runs/ /runs/a /runs/a/ /runs/../secret /runs/a/../../secret /runs/a/.. "
+             "/runs/./a/run.mcap /runs/a/link.csv /runs/linked/secret /runs/a/pipe.csv "
+             "/runs//etc/passwd /runs/a/%2e%2e /runs/a/b/run.mcap /secret //secret x "
+             "/runs/a/run.mcap% /runs/%zz/run.mcap /runs/a%2F..%2Fb/run.mcap "
+             "/runs/a%2F%2E%2E/b/run.mcap /runs/%2E%2E/secret /runs/a/%00 /runs/a%5Cb/run.mcap "
+             "/runs/%2e%2e%2fsecret /runs/a%252Fb.zip /runs/none.zip /runs/.zip /runs/...zip "
+             "/runs/../a.zip"))
     EXPECT_EQ(get(target).status, 404U) << target;
+  EXPECT_EQ(get("").status, 404U);
 }
 
 TEST_F(HttpContent, PartsOfAFileAreServedForScrubbing) {
@@ -136,13 +116,12 @@ TEST_F(HttpContent, PartsOfAFileAreServedForScrubbing) {
     const HttpAnswer answer = get("/runs/a/run.mcap", range);
     return std::tuple(answer.status, answer.offset, answer.length);
   };
-  EXPECT_EQ(part(""), std::tuple(200U, 0U, 10U));
-  EXPECT_EQ(part("bytes=2-4"), std::tuple(206U, 2U, 3U));
-  EXPECT_EQ(part("bytes=7-"), std::tuple(206U, 7U, 3U));
-  EXPECT_EQ(part("bytes=7-100"), std::tuple(206U, 7U, 3U));
-  EXPECT_EQ(part("bytes=-4"), std::tuple(206U, 6U, 4U));
-  EXPECT_EQ(part("bytes=-40"), std::tuple(206U, 0U, 10U));
-  for (const char* whole : {"bytes=", "bytes=-", "bytes=4-2", "bytes=1-2,4-5", "lines=1-2",
+  for (const auto& [range, offset, length] :
+       {std::tuple("bytes=2-4", 2U, 3U), std::tuple("bytes=7-", 7U, 3U),
+        std::tuple("bytes=7-100", 7U, 3U), std::tuple("bytes=-4", 6U, 4U),
+        std::tuple("bytes=-40", 0U, 10U)})
+    EXPECT_EQ(part(range), std::tuple(206U, offset, length)) << range;
+  for (const char* whole : {"", "bytes=", "bytes=-", "bytes=4-2", "bytes=1-2,4-5", "lines=1-2",
                             "bytes=a-b", "bytes=99999999999999999999-"})
     EXPECT_EQ(part(whole), std::tuple(200U, 0U, 10U)) << whole;
   for (const char* outside : {"bytes=10-", "bytes=10-20", "bytes=-0"}) {
@@ -197,7 +176,9 @@ TEST_F(HttpContent, OnlyRunsAndTheirFilesNeedTheDiskAlsoUnderAnAddressInDisguise
 
 TEST_F(HttpContent, AReportIsKeptAwayFromTheServer) {
   bool sandboxed = false;
-  for (const auto& [name, value] : get("/runs/b/report.html").headers)
+  const HttpAnswer report = get("/runs/b/report.html");
+  EXPECT_EQ(report.type, "text/html; charset=utf-8");
+  for (const auto& [name, value] : report.headers)
     if (name == "Content-Security-Policy") sandboxed = value.find("sandbox") != std::string::npos;
   EXPECT_TRUE(sandboxed);
 }

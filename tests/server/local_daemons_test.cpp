@@ -78,28 +78,14 @@ TEST(LocalDaemons, AreReadFromTheKernelsTable) {
 }
 
 TEST(LocalDaemons, HostileNamesAreSkippedAndAFloodOfNamesIsCut) {
-  for (const std::string& rest : {std::string(),
-                                  std::string("127.0.0.1"),
-                                  std::string("127.0.0.1/1"),
-                                  std::string("127.0.0.1/1/"),
-                                  std::string("127.0.0.1//ab"),
-                                  std::string("127.0.0.1/0/ab"),
-                                  std::string("127.0.0.1/01/ab"),
-                                  std::string("127.0.0.1/65536/ab"),
-                                  std::string("127.0.0.1/-1/ab"),
-                                  std::string("127.0.0.1/1x/ab"),
-                                  std::string("evil.example/1/ab"),
-                                  std::string("localhost/1/ab"),
-                                  std::string("/1/ab"),
-                                  std::string("127.0.0.1/1/AB"),
-                                  std::string("127.0.0.1/1/ab/c"),
-                                  std::string("127.0.0.1/1/<b>"),
-                                  std::string("127.0.0.1/1/ab "),
-                                  std::string("127.0.0.1/1/a\0b", 15),
-                                  std::string("127.0.0.1/1/\"\xff"),
-                                  std::string("fe80::1%eth0/1/ab"),
-                                  "127.0.0.1/1/" + std::string(33, 'a'),
-                                  std::string(100'000, '1') + "/1/ab"})
+  std::vector<std::string> names = words(
+      "127.0.0.1 127.0.0.1/1 127.0.0.1/1/ 127.0.0.1//ab 127.0.0.1/0/ab 127.0.0.1/01/ab "
+      "127.0.0.1/65536/ab 127.0.0.1/-1/ab 127.0.0.1/1x/ab evil.example/1/ab localhost/1/ab /1/ab "
+      "127.0.0.1/1/AB 127.0.0.1/1/ab/c 127.0.0.1/1/<b> 127.0.0.1/1/\"\xff fe80::1%eth0/1/ab");
+  names.insert(names.end(),
+               {"", "127.0.0.1/1/ab ", std::string("127.0.0.1/1/a\0b", 15),
+                "127.0.0.1/1/" + std::string(33, 'a'), std::string(100'000, '1') + "/1/ab"});
+  for (const std::string& rest : names)
     EXPECT_THAT(daemons_in(row("tp100d/" + rest)), IsEmpty()) << rest.substr(0, 60);
   EXPECT_THAT(daemons_in(""), IsEmpty());
   EXPECT_THAT(daemons_in(std::string(1'000, '\n')), IsEmpty());
@@ -112,12 +98,11 @@ TEST(RobotPages, AreAddressesOfPages) {
   EXPECT_THAT(robot_pages(" http://10.0.0.7:8765, https://lab/ http://[::1]:80"),
               ElementsAre("http://10.0.0.7:8765/", "https://lab/", "http://[::1]:80/"));
   EXPECT_THAT(robot_pages(""), IsEmpty());
-  for (const std::string& bad :
-       {std::string("10.0.0.7:8765"), std::string("http://"), std::string("ftp://lab"),
-        std::string("http://lab/page"), std::string("http://me@lab"), std::string("http://lab:1:2"),
-        std::string("http://lab:port"), std::string("javascript:alert(1)"),
-        std::string("http://lab?x"), std::string("http://lab\"x"),
-        "http://" + std::string(300, 'a')}) {
+  std::vector<std::string> wrong = words(
+      "10.0.0.7:8765 http:// ftp://lab http://lab/page http://me@lab http://lab:1:2 "
+      "http://lab:port javascript:alert(1) http://lab?x http://lab\"x");
+  wrong.push_back("http://" + std::string(300, 'a'));
+  for (const std::string& bad : wrong) {
     try {
       robot_pages("http://good " + bad);
       ADD_FAILURE() << bad;
@@ -157,24 +142,25 @@ TEST(RobotList, LeadsToEachByTheNameOfThePage) {
 
 TEST(PageOfTheMachine, HasTheSameNameAndThePortOfADaemon) {
   const std::vector<LocalDaemon> daemons = {kFirst, {"0.0.0.0", 80, "ef56"}};
-  for (const auto& [origin, host] :
-       {std::pair("http://127.0.0.1:8765", "127.0.0.1:8766"),
-        std::pair("http://LOCALHOST:8765", "localhost:8766"),
-        std::pair("http://[::1]:8765", "[::1]:8766"), std::pair("http://lab", "lab:8766"),
-        std::pair("http://[::1]", "[::1]:8766")})
-    EXPECT_TRUE(is_page_of(daemons, origin, host)) << origin;
-  for (const auto& [origin, host] :
-       {std::pair("http://127.0.0.1:8767", "127.0.0.1:8766"),
-        std::pair("http://127.0.0.1", "127.0.0.2:8766"),
-        std::pair("http://evil.example:8765", "127.0.0.1:8766"),
-        std::pair("http://10.0.0.9:8765", "127.0.0.1:8766"),
-        std::pair("http://127.0.0.1:8765", "10.0.0.7:8766"),
-        std::pair("https://127.0.0.1:8765", "127.0.0.1:8766"),
-        std::pair("http://127.0.0.1:8765x", "127.0.0.1:8766"),
-        std::pair("http://127.0.0.1:8765/", "127.0.0.1:8766"),
-        std::pair("http://127.0.0.1:08765", "127.0.0.1:8766"), std::pair("null", "127.0.0.1:8766"),
-        std::pair("", ""), std::pair("http://", "127.0.0.1:8766"), std::pair("http://:8765", "")})
-    EXPECT_FALSE(is_page_of(daemons, origin, host)) << origin;
+  // Origin and host, in turn.
+  const auto expect = [&](const char* text, bool accepted) {
+    const std::vector<std::string> all = words(text);
+    for (std::size_t i = 0; i + 1 < all.size(); i += 2)
+      EXPECT_EQ(is_page_of(daemons, all[i], all[i + 1]), accepted) << all[i] << " " << all[i + 1];
+  };
+  expect(
+      "http://127.0.0.1:8765 127.0.0.1:8766 http://LOCALHOST:8765 localhost:8766 "
+      "http://[::1]:8765 [::1]:8766 http://lab lab:8766 http://[::1] [::1]:8766",
+      true);
+  expect(
+      "http://127.0.0.1:8767 127.0.0.1:8766 http://127.0.0.1 127.0.0.2:8766 "
+      "http://evil.example:8765 127.0.0.1:8766 http://10.0.0.9:8765 127.0.0.1:8766 "
+      "http://127.0.0.1:8765 10.0.0.7:8766 https://127.0.0.1:8765 127.0.0.1:8766 "
+      "http://127.0.0.1:8765x 127.0.0.1:8766 http://127.0.0.1:8765/ 127.0.0.1:8766 "
+      "http://127.0.0.1:08765 127.0.0.1:8766 null 127.0.0.1:8766 http:// 127.0.0.1:8766",
+      false);
+  EXPECT_FALSE(is_page_of(daemons, "", ""));
+  EXPECT_FALSE(is_page_of(daemons, "http://:8765", ""));
 }
 
 }  // namespace
