@@ -8,10 +8,8 @@
 #include <thread>
 #include <vector>
 
-#include "../server/web_client.h"
 #include "../support/weight.h"
 #include "run_rig.h"
-#include "server/services.h"
 
 namespace tp100::live {
 namespace {
@@ -19,95 +17,50 @@ namespace {
 using ::testing::HasSubstr;
 using namespace std::chrono_literals;
 
-TEST_F(Run, ReconnectsByItselfAndStaysDisarmed) {
+TEST_F(Run, ALostLinkIsWaitedForAndTheRobotStaysDisarmed) {
   options_.course = "1-straight";
-  robot_->plug_in();
-  EXPECT_EQ(run([&] {
-              eventually(driven);
-              robot_->unplug();
-              says_of_itself("\"closed\"");
-              robot_->with([](ScriptedRobot& robot) { robot.received = {}; });
-              robot_->plug_in();
-              commanded_again(160);
-            }),
-            1);
-  EXPECT_TRUE(robot_->with([](ScriptedRobot& robot) { return robot.received.arms.empty(); }));
-  EXPECT_THAT(stats(), HasSubstr("\"reconnects\": 1"));
-  EXPECT_THAT(log_, HasSubstr("link_lost"));
-  EXPECT_THAT(log_, HasSubstr("press Enter to start"));
-}
-
-TEST_F(Run, ARobotThatFallsSilentIsALostLinkAndIsWaitedFor) {
-  options_.course = "1-straight";
-  robot_->plug_in();
-  EXPECT_EQ(
-      run([&] {
-        eventually(driven);
-        robot_->with([](ScriptedRobot& robot) { robot.samples = robot.answers_sync = false; });
-        says_of_itself("\"silences\": 1");
-        robot_->with([](ScriptedRobot& robot) {
-          robot.samples = robot.answers_sync = true;
-          robot.received = {};
-        });
-        eventually(commanded);
-      }),
-      1);
-  EXPECT_TRUE(robot_->with([](ScriptedRobot& robot) { return robot.received.arms.empty(); }));
-  EXPECT_THAT(log_, HasSubstr("link_lost"));
-  EXPECT_THAT(log_, HasSubstr("SIGTERM")) << "it must run until a signal ends it";
-  EXPECT_THAT(log_, HasSubstr("s around link_lost are in " + folder_.file("boxes")));
-}
-
-TEST_F(Run, WithGoALostLinkEndsItToo) {
-  options_.course = "1-straight";
-  options_.go = options_.wait = true;
-  robot_->plug_in();
-  std::thread hand([&] {
-    eventually(driven);
-    robot_->unplug();
-  });
-  EXPECT_EQ(run(), 1);
-  hand.join();
-  EXPECT_THAT(log_, HasSubstr("link_lost"));
-  EXPECT_THAT(stats(), HasSubstr("\"result\": \"aborted\""));
-}
-
-TEST_F(Run, AnswersToClockRequestsAreNoSamples) {
-  options_.course = "1-straight";
-  robot_->plug_in();
-  EXPECT_EQ(
-      run([&] {
-        eventually(driven);
-        robot_->with([](ScriptedRobot& robot) {
-          robot.received = {};
-          robot.samples = false;
-        });
-        eventually([](const ScriptedRobot& robot) { return !robot.received.disarms.empty(); });
-        robot_->with([](ScriptedRobot& robot) {
-          robot.received = {};
-          robot.samples = true;
-        });
-        eventually(commanded);
-      }),
-      1);
-  EXPECT_THAT(log_, HasSubstr("link_lost: the link broke, or no sample arrived for 200 ms"));
-  EXPECT_TRUE(robot_->with([](ScriptedRobot& robot) { return robot.received.arms.empty(); }));
-}
-
-TEST_F(Run, SurvivesManyUnpluggings) {
-  robot_->plug_in();
-  EXPECT_EQ(run([&] {
-              for (int i = 0; i < 5; ++i) {
-                robot_->with([](ScriptedRobot& robot) { robot.received = {}; });
-                if (!eventually(commanded)) return;
-                robot_->unplug();
-                robot_->plug_in();
-              }
-              robot_->with([](ScriptedRobot& robot) { robot.received = {}; });
-              eventually(commanded);
-            }),
-            1);
-  EXPECT_THAT(stats(), HasSubstr("\"reconnects\": 5"));
+  const auto answers = [&](bool samples, bool sync) {
+    robot_->with([&](ScriptedRobot& robot) {
+      robot.samples = samples;
+      robot.answers_sync = sync;
+    });
+  };
+  struct Case {
+    std::function<void()> lose, find;
+    const char* logged;
+  };
+  for (const Case& each : {Case{[&] {
+                                  robot_->unplug();
+                                  says_of_itself("\"closed\"");
+                                },
+                                [&] { robot_->plug_in(); }, "press Enter to start"},
+                           {[&] {
+                              answers(false, false);
+                              says_of_itself("\"silences\": 1");
+                            },
+                            [&] { answers(true, true); }, "s around link_lost are in "},
+                           // Answers to clock requests are no samples.
+                           {[&] {
+                              forget();
+                              answers(false, true);
+                              eventually(disarmed);
+                            },
+                            [&] { answers(true, true); },
+                            "link_lost: the link broke, or no sample arrived for 200 ms"}}) {
+    robot_->plug_in();
+    forget();
+    EXPECT_EQ(run([&] {
+                eventually(driven);
+                each.lose();
+                forget();
+                each.find();
+                after_commands(160);
+              }),
+              1);
+    EXPECT_EQ(arms(), 0U);
+    EXPECT_TRUE(logged("link_lost") && logged(each.logged)) << log_;
+    EXPECT_TRUE(logged("SIGTERM")) << "it must run until a signal ends it: " << log_;
+  }
 }
 
 /// Unplugs a moving robot and starts it again, many times.
@@ -126,39 +79,11 @@ class Unplugging : public Run {
   static constexpr int kSettled = kCycles / 2;
   static constexpr double kMaxMps2 = 0.15, kMaxRadps = 1.5;
 
-  void plug_in() {
-    robot_->with([](ScriptedRobot& robot) { robot.received = {}; });
-    robot_->plug_in();
-  }
-  std::vector<wire::Command> commands() {
-    return robot_->with([](ScriptedRobot& robot) { return robot.received.commands; });
-  }
-  bool armed() {
-    return robot_->with([](ScriptedRobot& robot) { return !robot.received.arms.empty(); });
-  }
-  static bool under_way(const ScriptedRobot& robot) {
-    return commanded(robot) && robot.received.commands.back().speed_mps > 0.02F;
-  }
-  /// Requests a start until the robot moves. A start that comes too early is refused, and a pause
-  /// of the machine ends the run.
-  bool start(server::WebClient& viewer) {
-    const auto off = [](const ScriptedRobot& robot) {
-      return robot.state == wire::State::kDisarmed || robot.state == wire::State::kFaulted;
-    };
-    for (int i = 0; i < 400; ++i) {
-      if (i % 20 == 0 && robot_->with(off)) viewer.call(server::Service::kStart);
-      if (armed() && robot_->with(under_way)) return true;
-      std::this_thread::sleep_for(25ms);
-      viewer.drain();
-    }
-    return false;
-  }
   /// Without a request, the robot must stay as it is.
   void expect_rest(int cycle) {
-    EXPECT_FALSE(armed()) << "cycle " << cycle << ": it armed without a request";
-    EXPECT_GE(robot_->with([](ScriptedRobot& robot) { return robot.state; }),
-              wire::State::kDisarmed);
-    for (const wire::Command& command : commands()) {
+    EXPECT_EQ(arms(), 0U) << "cycle " << cycle << ": it armed without a request";
+    EXPECT_GE(state(), wire::State::kDisarmed);
+    for (const wire::Command& command : received().commands) {
       ASSERT_EQ(command.speed_mps, 0.0F) << "cycle " << cycle;
       ASSERT_EQ(command.yaw_rate_radps, 0.0F) << "cycle " << cycle;
       ASSERT_EQ(command.desired_yaw_rad, command.yaw_rad) << "cycle " << cycle;
@@ -166,7 +91,7 @@ class Unplugging : public Run {
   }
   /// From standstill on, the commanded values grow no faster than the time between commands allows.
   void expect_no_jump(int cycle) {
-    const std::vector<wire::Command> all = commands();
+    const std::vector<wire::Command> all = received().commands;
     for (std::size_t i = 1; i < all.size(); ++i) {
       const double later_s =
           1e-6 * static_cast<std::int32_t>(all[i].expiry_us - all[i - 1].expiry_us);
@@ -192,7 +117,8 @@ class Unplugging : public Run {
     return now;
   }
   void cycle(int number, server::WebClient& viewer) {
-    plug_in();
+    forget();
+    robot_->plug_in();
     ASSERT_TRUE(eventually(commanded)) << "cycle " << number << ": not ready again";
     expect_rest(number);
     ASSERT_TRUE(start(viewer)) << "cycle " << number << ": it does not start again";

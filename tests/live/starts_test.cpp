@@ -1,27 +1,20 @@
 // Starts of a run of `tp100d run` by keyboard and by viewer, with a scripted robot on a pty, all in
 // this process.
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <csignal>
 #include <cstdlib>
-#include <fstream>
-#include <functional>
 #include <memory>
-#include <sstream>
+#include <stdexcept>
 
-#include "../server/web_client.h"
 #include "../support/notify_socket.h"
-#include "../support/temporary_folder.h"
-#include "live_command.h"
-#include "pty_robot.h"
-#include "server/services.h"
+#include "run_rig.h"
 
 namespace tp100::live {
 namespace {
 
 using ::testing::HasSubstr;
-using ::testing::Not;
 using namespace std::chrono_literals;
 
 /// Standard input of this process; the test supplies what is typed.
@@ -52,189 +45,118 @@ class Keyboard {
   int keys_ = -1;
 };
 
-class Starts : public ::testing::Test {
+class Starts : public Run {
  protected:
   // Repetitions per test; --gtest_repeat gives more.
   static constexpr int kRepetitions = 10;
-  // After this many commands, an accepted start would have armed the robot.
-  static constexpr std::size_t kManyCommands = 50;
 
   Starts() {
-    robot_ = std::make_unique<PtyRobot>(folder_.path() / "robot");
-    // Scheduling is ordinary because other tests run on the machine at the same time.
-    std::ofstream(folder_.path() / "config.toml")
-        << "[loop]\npriority = 0\nlock_memory = false\nspin_us = 0\n"
-           "[server]\nlisten = \"127.0.0.1:0\"\n"
-           "[record]\nblack_box_s = 0\n";
-    options_.config = folder_.file("config.toml");
-    options_.port = folder_.file("robot");
+    configure("black_box_s = 0");
     options_.course = "1-straight";
-    options_.stats = folder_.file("stats.json");
     options_.stay = true;
-    options_.duration_s = 300.0;
-  }
-  ~Starts() override { robot_.reset(); }
-
-  void run(const std::function<void()>& script) {
-    const Ended ended = run_beside(options_, script);
-    status_ = ended.status;
-    log_ = ended.log;
   }
   void with_board(wire::BoardType board) {
     robot_->with([&](ScriptedRobot& robot) { robot.board = static_cast<std::uint8_t>(board); });
     robot_->plug_in();
   }
-  std::size_t arms() {
-    return robot_->with([](ScriptedRobot& robot) { return robot.received.arms.size(); });
-  }
-  std::size_t stops() {
-    return robot_->with([](ScriptedRobot& robot) { return robot.received.stops.size(); });
-  }
-  /// Waits until the robot has received `more` further commands. They are sent all the time, armed
-  /// or not.
-  bool after_commands(std::size_t more = kManyCommands) {
-    const auto got = [this] {
-      return robot_->with([](ScriptedRobot& robot) { return robot.received.commands.size(); });
-    };
-    const std::size_t until = got() + more;
-    return soon([&] { return got() >= until; });
-  }
+  std::size_t stops() { return received().stops.size(); }
   bool ready() {
-    return soon([this] {
-      return robot_->with([](ScriptedRobot& robot) { return robot.received.commands.size() > 60; });
-    });
+    return soon([this] { return received().commands.size() > 60; });
   }
-  bool moves() {
-    return robot_->with([](ScriptedRobot& robot) {
-      return !robot.received.commands.empty() && robot.received.commands.back().speed_mps > 0.0F;
-    });
+  static bool moves(const ScriptedRobot& robot) {
+    return !robot.received.commands.empty() && robot.received.commands.back().speed_mps > 0.0F;
+  }
+  bool starts_to_move() {
+    return soon([this] { return robot_->with(moves); });
   }
   /// On a busy machine a run may end by itself; then it is started again.
   bool driving() {
-    return soon([this] { return moves(); }, 5s) || start_again();
-  }
-  bool standing() {
-    return soon([this] {
-      return robot_->with([](ScriptedRobot& robot) {
-        return !robot.received.commands.empty() && robot.received.commands.back().speed_mps == 0.0F;
-      });
-    });
+    return soon([this] { return robot_->with(moves); }, 5s) || start_again();
   }
   bool start_again() {
     for (int tries = 0; tries < 10; ++tries) {
       const std::size_t before = arms();
       keyboard_.type("go\n");
-      if (soon([&] { return arms() > before; }, 2s) && soon([this] { return moves(); }, 3s))
+      if (soon([&] { return arms() > before; }, 2s) &&
+          soon([this] { return robot_->with(moves); }, 3s))
         return true;
     }
     return false;
   }
-  std::string stats() const { return content_of(options_.stats); }
-  std::string page() const { return page_of(options_.stats); }
+  /// Nothing that came before arms the robot.
+  void expect_no_start(std::size_t commands = 50) {
+    const std::size_t before = arms();
+    ASSERT_TRUE(after_commands(commands));
+    EXPECT_EQ(arms(), before);
+  }
 
-  test::TemporaryFolder folder_;
   Keyboard keyboard_;
-  std::unique_ptr<PtyRobot> robot_;
-  app::RunOptions options_;
-  std::string log_;
-  int status_ = -1;
 };
 
 TEST_F(Starts, ASecondEnterStartsNothing) {
   with_board(wire::BoardType::kNative);
   run([&] {
-    for (const auto apart : {50ms, 500ms, 5000ms}) {
-      ASSERT_TRUE(apart == 50ms ? driving() : start_again());
+    ASSERT_TRUE(driving());
+    for (const int apart_ms : {50, 500, 5000, 3, 50, 9, 50, 15, 50, 21, 50, 27}) {
+      SCOPED_TRACE(apart_ms);
       const std::size_t before = arms();
       keyboard_.enter();
-      std::this_thread::sleep_for(apart);
+      std::this_thread::sleep_for(std::chrono::milliseconds(apart_ms));
       keyboard_.enter();
-      ASSERT_TRUE(after_commands(200));
+      ASSERT_TRUE(after_commands(apart_ms < 500 ? 50 : 200));
       ASSERT_EQ(arms(), before) << "a second Enter armed the robot";
+      ASSERT_TRUE(start_again()) << "typing go must start a run";
     }
-    ASSERT_TRUE(start_again()) << "typing go must start a run";
   });
-  EXPECT_THAT(log_, HasSubstr("Enter: STOP"));
-  EXPECT_THAT(log_, HasSubstr("type go and press Enter to start course 1-straight"));
+  EXPECT_TRUE(logged("Enter: STOP")) << log_;
+  EXPECT_TRUE(logged("type go and press Enter to start course 1-straight")) << log_;
 }
 
 TEST_F(Starts, AStopAfterACompletedRunLeavesItsResult) {
-  std::ofstream(folder_.path() / "short.toml")
-      << "speed_mps = 0.1\n[[segment]]\ntype = \"line\"\nlength_m = 0.1\n"
-         "[fence]\nmin_x_m = -1.0\nmax_x_m = 1.0\nmin_y_m = -1.0\nmax_y_m = 1.0\n";
-  options_.course = folder_.file("short.toml");
-  options_.setup = "stand";
+  choose_short_course();
   robot_->with([](ScriptedRobot& robot) { robot.drives = true; });
   with_board(wire::BoardType::kNative);
-  run([&] {
-    const auto completed = [&] {
-      return soon([&] { return stats().find("\"result\": \"completed\"") != std::string::npos; },
-                  10s);
-    };
-    ASSERT_TRUE(driving());
-    // On a busy machine a run may end early.
-    for (int i = 0; i < 5 && !completed(); ++i) ASSERT_TRUE(start_again());
-    const std::size_t before = stops();
-    keyboard_.enter();
-    ASSERT_TRUE(soon([&] { return stops() > before; }));
-    ASSERT_TRUE(after_commands());
-  });
-  EXPECT_THAT(log_, Not(HasSubstr("finished -> aborted")));
-  EXPECT_EQ(status_, 0) << log_;
+  EXPECT_EQ(run([&] {
+              const auto completed = [&] {
+                return soon(
+                    [&] { return stats().find("\"result\": \"completed\"") != std::string::npos; },
+                    10s);
+              };
+              ASSERT_TRUE(driving());
+              // On a busy machine a run may end early.
+              for (int i = 0; i < 5 && !completed(); ++i) ASSERT_TRUE(start_again());
+              const std::size_t before = stops();
+              keyboard_.enter();
+              ASSERT_TRUE(soon([&] { return stops() > before; }));
+              ASSERT_TRUE(after_commands(50));
+            }),
+            0)
+      << log_;
+  EXPECT_FALSE(logged("finished -> aborted")) << log_;
 }
 
-TEST_F(Starts, AgainAndAgainTakeTheWord) {
-  with_board(wire::BoardType::kNative);
-  run([&] {
-    ASSERT_TRUE(driving());
-    for (int i = 0; i < kRepetitions; ++i) {
-      const std::size_t before = arms();
-      keyboard_.enter();
-      std::this_thread::sleep_for(std::chrono::milliseconds(i % 2 == 0 ? 50 : i * 3));
-      keyboard_.enter();
-      ASSERT_TRUE(after_commands());
-      ASSERT_EQ(arms(), before) << "repetition " << i;
-      ASSERT_TRUE(start_again());
-    }
-  });
-}
-
-// The robot ends the run; at that moment the operator presses Enter to stop it.
-TEST_F(Starts, EnterInTheCycleInWhichARunEndsStartsNothing) {
-  with_board(wire::BoardType::kNative);
-  run([&] {
-    ASSERT_TRUE(driving());
-    for (int i = 0; i < kRepetitions; ++i) {
-      const std::size_t before = arms();
-      const auto press = [&] { keyboard_.enter(); };
-      const auto end = [&] {
-        robot_->with([](ScriptedRobot& robot) { robot.state = wire::State::kFaulted; });
-      };
-      if (i % 4 == 3) press();
-      end();
-      std::this_thread::sleep_for(std::chrono::milliseconds(2 * i));
-      if (i % 4 != 3) press();
-      ASSERT_TRUE(after_commands());
-      ASSERT_EQ(arms(), before) << "repetition " << i;
-      ASSERT_TRUE(start_again());
-    }
-  });
-}
-
-TEST_F(Starts, EnterAndTheStopOfThePageAtOnceStartNothing) {
+// The robot ends the run, or somebody presses STOP on the page; at that moment the operator presses
+// Enter to stop it.
+TEST_F(Starts, EnterInTheMomentInWhichARunEndsOrIsStoppedStartsNothing) {
   with_board(wire::BoardType::kNative);
   run([&] {
     ASSERT_TRUE(driving());
     server::WebClient viewer(page());
-    for (int i = 0; i < kRepetitions; ++i) {
+    for (int i = 0; i < 2 * kRepetitions; ++i) {
+      SCOPED_TRACE(i);
       const std::size_t before = arms();
-      if (i % 2 == 0) viewer.call(server::Service::kStop);
-      if (i % 2 != 0) keyboard_.enter();
+      const auto end = [&] {
+        if (i % 2 == 0) return viewer.call(server::Service::kStop);
+        robot_->with([](ScriptedRobot& robot) { robot.state = wire::State::kFaulted; });
+      };
+      const bool enter_first = i % 4 > 1;
+      if (enter_first) keyboard_.enter();
+      if (!enter_first) end();
       std::this_thread::sleep_for(std::chrono::milliseconds(i));
-      if (i % 2 == 0) keyboard_.enter();
-      if (i % 2 != 0) viewer.call(server::Service::kStop);
-      ASSERT_TRUE(after_commands());
-      ASSERT_EQ(arms(), before) << "repetition " << i;
+      if (enter_first) end();
+      if (!enter_first) keyboard_.enter();
+      ASSERT_TRUE(after_commands(50));
+      ASSERT_EQ(arms(), before);
       viewer.drain();
       ASSERT_TRUE(start_again());
     }
@@ -252,10 +174,8 @@ TEST_F(Starts, TheFirstEnterAndTheStopOfThePageAtOnceLeaveNoRun) {
     keyboard_.enter();
     ASSERT_TRUE(after_commands(200));
     ASSERT_TRUE(soon([this] { return stops() > 0; }));
-    const std::size_t before = arms();
     keyboard_.enter();
-    ASSERT_TRUE(after_commands());
-    EXPECT_EQ(arms(), before);
+    expect_no_start();
     ASSERT_TRUE(start_again());
   });
 }
@@ -266,19 +186,17 @@ TEST_F(Starts, EnterStopsADriveByHandWithoutACourse) {
   run([&] {
     ASSERT_TRUE(ready());
     keyboard_.enter();
-    ASSERT_TRUE(after_commands() && arms() == 0);
+    expect_no_start();
     server::WebClient viewer(page());
     viewer.call(server::Service::kDriveTake);
     ASSERT_TRUE(soon([this] { return arms() > 0; }));
-    const std::size_t before = arms();
     keyboard_.enter();
     ASSERT_TRUE(soon([this] { return stops() > 0; }));
     keyboard_.type("go\n");
-    ASSERT_TRUE(after_commands());
-    EXPECT_EQ(arms(), before);
+    expect_no_start();
   });
-  EXPECT_THAT(log_, HasSubstr("Enter: STOP"));
-  EXPECT_THAT(log_, HasSubstr("there is no course; nothing is started"));
+  EXPECT_TRUE(logged("Enter: STOP")) << log_;
+  EXPECT_TRUE(logged("there is no course; nothing is started")) << log_;
 }
 
 TEST_F(Starts, WhatIsTypedAheadStartsNothing) {
@@ -288,57 +206,46 @@ TEST_F(Starts, WhatIsTypedAheadStartsNothing) {
     keyboard_.type("\n\ngo\n\ngo");
     ASSERT_TRUE(ready());
     ASSERT_TRUE(after_commands(100));
-    EXPECT_EQ(arms(), 0u);
+    EXPECT_EQ(arms(), 0U);
     // The incomplete word was discarded, and lines that arrive together do not count as an answer.
     keyboard_.type("\n\n");
     ASSERT_TRUE(after_commands(100));
-    EXPECT_EQ(arms(), 0u);
+    EXPECT_EQ(arms(), 0U);
     keyboard_.enter();
-    ASSERT_TRUE(soon([this] { return moves(); }));
+    ASSERT_TRUE(starts_to_move());
     keyboard_.type("\ngo\n");
-    ASSERT_TRUE(standing());
+    ASSERT_TRUE(eventually([](const ScriptedRobot& robot) { return !moves(robot); }));
     ASSERT_TRUE(after_commands(100));
-    EXPECT_EQ(arms(), 1u);
+    EXPECT_EQ(arms(), 1U);
   });
 }
 
-TEST_F(Starts, AMegasHelloBehindAPtyWaitsForEnter) {
-  with_board(wire::BoardType::kMega2560);
-  run([&] {
-    ASSERT_TRUE(ready());
-    ASSERT_TRUE(after_commands(200));
-    EXPECT_EQ(arms(), 0u);
-    keyboard_.enter();
-    ASSERT_TRUE(soon([this] { return moves(); }));
-  });
-  EXPECT_THAT(log_, HasSubstr("ready; press Enter to start course 1-straight"));
-}
-
-TEST_F(Starts, ABoardThatSimulatesItsRobotIsCalledSoAndWaitsForEnter) {
-  with_board(wire::BoardType::kFakeRobot);
-  run([&] {
-    ASSERT_TRUE(ready());
-    ASSERT_TRUE(after_commands(200));
-    EXPECT_EQ(arms(), 0u);
-    keyboard_.enter();
-    ASSERT_TRUE(soon([this] { return moves(); }));
-  });
-  EXPECT_THAT(log_, HasSubstr("with the robot simulated inside the board"));
-}
-
-TEST_F(Starts, ABoardThatNobodyKnowsWaitsForEnter) {
-  with_board(wire::BoardType::kUnknown);
-  run([&] {
-    ASSERT_TRUE(ready());
-    ASSERT_TRUE(after_commands(200));
-    EXPECT_EQ(arms(), 0u);
-  });
+TEST_F(Starts, ABoardThatIsNoEmulatorWaitsForEnter) {
+  struct Case {
+    wire::BoardType board;
+    const char* logged;
+  };
+  for (const Case& each :
+       {Case{wire::BoardType::kMega2560, "ready; press Enter to start course 1-straight"},
+        {wire::BoardType::kFakeRobot, "with the robot simulated inside the board"},
+        {wire::BoardType::kUnknown, "ready; press Enter"}}) {
+    forget();
+    with_board(each.board);
+    run([&] {
+      ASSERT_TRUE(ready());
+      ASSERT_TRUE(after_commands(200));
+      EXPECT_EQ(arms(), 0U);
+      keyboard_.enter();
+      ASSERT_TRUE(starts_to_move());
+    });
+    EXPECT_TRUE(logged(each.logged)) << log_;
+  }
 }
 
 TEST_F(Starts, AMegasHelloBehindAPtyStartsWithGo) {
   options_.go = true;
   with_board(wire::BoardType::kMega2560);
-  run([&] { ASSERT_TRUE(soon([this] { return moves(); })); });
+  run([&] { ASSERT_TRUE(starts_to_move()); });
 }
 
 TEST_F(Starts, ALaterDriveOfTheSameProgramTakesTheWord) {
@@ -346,10 +253,10 @@ TEST_F(Starts, ALaterDriveOfTheSameProgramTakesTheWord) {
   with_board(wire::BoardType::kMega2560);
   run([&] {
     ASSERT_TRUE(ready());
-    ASSERT_TRUE(after_commands());
+    ASSERT_TRUE(after_commands(50));
     keyboard_.enter();
     ASSERT_TRUE(after_commands(100));
-    EXPECT_EQ(arms(), 0u);
+    EXPECT_EQ(arms(), 0U);
     ASSERT_TRUE(start_again());
   });
 }
@@ -363,9 +270,9 @@ TEST_F(Starts, AServiceNeverStartsByItself) {
     run([&] {
       ASSERT_TRUE(ready());
       ASSERT_TRUE(after_commands(200));
-      EXPECT_EQ(arms(), 0u);
+      EXPECT_EQ(arms(), 0U);
     });
-    robot_->with([](ScriptedRobot& robot) { robot.received = {}; });
+    forget();
     robot_->unplug();
   }
   ::unsetenv("NOTIFY_SOCKET");
@@ -381,18 +288,10 @@ TEST_F(Starts, AStopBeforeTheRobotIsThereIsNotUndoneByStartingByItself) {
     with_board(wire::BoardType::kNative);
     ASSERT_TRUE(ready());
     ASSERT_TRUE(after_commands(200));
-    EXPECT_EQ(arms(), 0u);
+    EXPECT_EQ(arms(), 0U);
     ASSERT_TRUE(start_again());
-  });
-}
-
-TEST_F(Starts, ThePageIsToldThatAStartIsToBeConfirmed) {
-  with_board(wire::BoardType::kNative);
-  run([&] {
-    ASSERT_TRUE(driving());
-    server::WebClient viewer(page());
-    viewer.subscribe(messages::Channel::kState);
-    EXPECT_THAT(viewer.read_until("\"run\":\"running\""), HasSubstr("\"confirm_start\":true"));
+    EXPECT_THAT(viewer.read_until("\"run\":\"running\""), HasSubstr("\"confirm_start\":true"))
+        << "the page must be told that a start is to be confirmed";
   });
 }
 
