@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <memory>
 #include <string>
 #include <thread>
@@ -49,17 +50,26 @@ class SmallPipe {
   std::array<int, 2> ends_{};
 };
 
-TEST(EventLog, LinesComeInOrderAndAllOfThemBeforeItEnds) {
+/// What a reader sees of the log of `write`, who gets it and lets the reader begin.
+std::string seen(const std::function<void(EventLog&, const std::function<void()>&)>& write) {
   SmallPipe pipe;
   std::string output;
-  std::thread reader([&] { output = pipe.read_all(); });
+  std::thread reader;
   {
     EventLog log;
-    for (int i = 0; i < 300; ++i) log.info("line " + std::to_string(i) + ";");
-    log.warn("the last one");
+    write(log, [&] { reader = std::thread([&] { output = pipe.read_all(); }); });
   }
   pipe.restore();
   reader.join();
+  return output;
+}
+
+TEST(EventLog, LinesComeInOrderAndAllOfThemBeforeItEnds) {
+  const std::string output = seen([](EventLog& log, const auto& read) {
+    read();
+    for (int i = 0; i < 300; ++i) log.info("line " + std::to_string(i) + ";");
+    log.warn("the last one");
+  });
   std::size_t at = 0;
   for (int i = 0; i < 300; ++i) {
     at = output.find("line " + std::to_string(i) + ";", at);
@@ -68,39 +78,18 @@ TEST(EventLog, LinesComeInOrderAndAllOfThemBeforeItEnds) {
   EXPECT_THAT(output, HasSubstr("warning the last one"));
 }
 
-TEST(EventLog, WhoDoesNotReadItHoldsUpNobody) {
-  SmallPipe pipe;
-  std::string output;
-  std::thread reader;
-  {
-    EventLog log;
-    for (int i = 0; i < 5000; ++i) log.info("line " + std::to_string(i) + ";");
-    // Reading begins only after all lines are logged: the newest lines must arrive.
-    reader = std::thread([&] { output = pipe.read_all(); });
-  }
-  pipe.restore();
-  reader.join();
-  EXPECT_TRUE(output.ends_with("line 4999;\n")) << output.substr(output.size() - 100);
-  EXPECT_LT(std::count(output.begin(), output.end(), '\n'), 5000)
-      << "the oldest lines must have been dropped";
-}
-
 // A person who reads on must know that something is missing.
-TEST(EventLog, TellsHowManyLinesAreLost) {
-  SmallPipe pipe;
-  std::string output;
-  std::thread reader;
-  {
-    EventLog log;
-    for (int i = 0; i < 5000; ++i) log.info("line");
-    reader = std::thread([&] { output = pipe.read_all(); });
+TEST(EventLog, WhoDoesNotReadItHoldsUpNobodyAndIsToldHowManyOldLinesAreLost) {
+  const std::string output = seen([](EventLog& log, const auto& read) {
+    for (int i = 0; i < 5000; ++i) log.info("line " + std::to_string(i) + ";");
+    read();
     EXPECT_TRUE(log.flush());
     log.tick(0);
     log.tick(0);
-  }
-  pipe.restore();
-  reader.join();
+  });
+  EXPECT_THAT(output, HasSubstr("line 4999;\n")) << "the newest lines must arrive";
   const auto shown = std::count(output.begin(), output.end(), '\n') - 1;
+  EXPECT_LT(shown, 5000) << "the oldest lines must have been dropped";
   EXPECT_THAT(output, HasSubstr(std::to_string(5000 - shown) + " lines of this log are lost"));
 }
 

@@ -106,15 +106,11 @@ TEST_F(LinkMonitorTest, WhatLastsIsSaidEveryTenSecondsWithItsNumber) {
   EXPECT_THAT(second[0].text, HasSubstr("40 corrupted"));
 }
 
-TEST_F(LinkMonitorTest, StepsThatFoundNoRoomAreNoPause) {
+TEST_F(LinkMonitorTest, APauseOfTheLoopIsSpokenOfWithItsLengthButNotStepsThatFoundNoRoom) {
   drive(0.1);
   record_->now_ns += 300 * kNsPerMs;
   record_->step += 60;
   EXPECT_THAT(drive(0.1), SizeIs(0));
-}
-
-TEST_F(LinkMonitorTest, APauseOfTheLoopIsSpokenOfWithItsLength) {
-  drive(0.1);
   record_->now_ns += 300 * kNsPerMs;
   const auto events = drive(0.1);
   ASSERT_THAT(events, SizeIs(1));

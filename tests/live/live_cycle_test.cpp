@@ -82,7 +82,7 @@ TEST(LiveCycle, AStopAndAFirstStartAtOnceEndWithoutARunInEitherOrder) {
   }
 }
 
-TEST(LiveCycle, HandsOutEveryStepOnceAndInOrder) {
+TEST(LiveCycle, HandsOutEveryStepInOrderAndASlowReaderMissesStepsAndNothingElse) {
   LiveRig rig;
   for (std::uint64_t step = 1; step <= 2000; ++step) {
     rig.step();
@@ -91,17 +91,14 @@ TEST(LiveCycle, HandsOutEveryStepOnceAndInOrder) {
     ASSERT_EQ(rig.front(), 0u);
   }
   EXPECT_EQ(rig.cycle.lost_records(), 0u);
-}
-
-TEST(LiveCycle, ASlowReaderCostsRecordsAndNothingElse) {
-  LiveRig rig;
+  const std::size_t commands = rig.robot.received.commands.size();
   for (std::size_t i = 0; i < LiveCycle::kWaitingRecords + 30; ++i) rig.step();
   EXPECT_EQ(rig.cycle.lost_records(), 30u);
-  EXPECT_GT(rig.robot.received.commands.size(), 300u);
-  EXPECT_EQ(rig.front(), 1u);
+  EXPECT_GE(rig.robot.received.commands.size(), commands + LiveCycle::kWaitingRecords);
+  EXPECT_EQ(rig.front(), 2001u);
   while (rig.front() != 0) rig.cycle.release_record();
   rig.step();
-  EXPECT_EQ(rig.front(), LiveCycle::kWaitingRecords + 31);
+  EXPECT_EQ(rig.front(), 2000 + LiveCycle::kWaitingRecords + 31);
 }
 
 TEST(LiveCycle, TheFirstReaderHasAStepBeforeTheOtherOneAndMayMissSome) {
@@ -122,14 +119,21 @@ TEST(LiveCycle, TheFirstReaderHasAStepBeforeTheOtherOneAndMayMissSome) {
   EXPECT_EQ(rig.front(), 0u);
 }
 
+/// A request to change to that course within a second.
+struct CourseChange : SetupRequest {
+  CourseChange(const LiveRig& rig, std::shared_ptr<const course::Course> to) {
+    until_ns = rig.now + kNsPerS;
+    change.step.emplace(bridge::Parameters{}, std::move(to));
+  }
+};
+
 TEST(LiveCycle, AChangeOfTheCourseNeitherLocksNorAllocates) {
   LiveRig rig(line());
   rig.steps(400);
   for (int i = 0; i < 4; ++i) {
     // A sanitizer makes system calls when it meets a type for the first time.
     rig.watched = i > 0;
-    SetupRequest request{.until_ns = rig.now + kNsPerS};
-    request.change.step.emplace(bridge::Parameters{}, line());
+    CourseChange request(rig, line());
     request.change.parameters = bridge::session_settings({}).parameters;
     rig.cycle.change_setup(request);
     rig.steps(300);
@@ -145,8 +149,7 @@ TEST(LiveCycle, AChangeOfTheCourseNeitherLocksNorAllocates) {
 TEST(LiveCycle, AChangeIsReturnedBeforeTheRecordOfItsFirstStep) {
   LiveRig rig(line());
   rig.steps(400);
-  SetupRequest request{.until_ns = rig.now + kNsPerS};
-  request.change.step.emplace(bridge::Parameters{}, line());
+  CourseChange request(rig, line());
   rig.cycle.change_setup(request);
   rig.step();
   ASSERT_EQ(rig.cycle.setup_done(), &request);
@@ -160,8 +163,7 @@ TEST(LiveCycle, AChangeIsReturnedBeforeTheRecordOfItsFirstStep) {
 TEST(LiveCycle, AStartBeforeAChangeBeginsTheOldCourseAndTheChangeIsNotMade) {
   LiveRig rig(line());
   rig.steps(400);
-  SetupRequest request{.until_ns = rig.now + kNsPerS};
-  request.change.step.emplace(bridge::Parameters{}, nullptr);
+  CourseChange request(rig, nullptr);
   rig.start();
   rig.cycle.change_setup(request);
   rig.steps(100);
@@ -188,8 +190,7 @@ TEST(LiveCycle, AChangeIsGivenUpIfTheRobotDoesNotComeToRest) {
 TEST(LiveCycle, AfterAChangeOfTheCourseNothingStartsByItself) {
   LiveRig rig;
   rig.steps(400);
-  SetupRequest request{.until_ns = rig.now + kNsPerS};
-  request.change.step.emplace(bridge::Parameters{}, line());
+  CourseChange request(rig, line());
   rig.cycle.change_setup(request);
   rig.steps(100);
   ASSERT_TRUE(request.made);

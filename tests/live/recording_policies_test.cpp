@@ -5,12 +5,9 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <future>
 #include <memory>
 
 #include "../support/temporary_folder.h"
-#include "app/commands.h"
 #include "record/recording.h"
 
 namespace tp100::live {
@@ -51,6 +48,12 @@ class BlackBoxTest : public testing::Test {
   void finish() {
     box().finish();
     EXPECT_TRUE(recording().finish(std::chrono::steady_clock::time_point::max()));
+  }
+  /// Half a second without a fault, then 1.5 s with it.
+  void fail() {
+    drive(0.5);
+    drive(1.5, fault_bit(Fault::link_lost));
+    recording().finish(std::chrono::steady_clock::time_point::max());
   }
   void drive(double seconds, FaultMask faults = 0) {
     for (int i = 0; i < static_cast<int>(seconds * 200.0); ++i) {
@@ -109,57 +112,34 @@ TEST_F(BlackBoxTest, HoldsTheSecondsBeforeAFaultAndOneAfterIt) {
   EXPECT_THAT(box().take_note(), IsEmpty());
 }
 
-TEST_F(BlackBoxTest, WithoutAFaultNothingIsWritten) {
+TEST_F(BlackBoxTest, AFaultThatStaysIsWrittenOnceAndNoFaultNotAtAll) {
   drive(10.0);
-  finish();
   EXPECT_THAT(written(), IsEmpty());
-}
-
-TEST_F(BlackBoxTest, AFaultThatStaysIsWrittenOnce) {
-  drive(1.0);
   drive(20.0, fault_bit(Fault::battery_low));
   finish();
   EXPECT_THAT(written(), SizeIs(1));
 }
 
-TEST_F(BlackBoxTest, EveryNewFaultIsWrittenAndTheOldestGo) {
-  const auto fail = [this] {
-    drive(0.5);
-    drive(1.5, fault_bit(Fault::link_lost));
-    recording().finish(std::chrono::steady_clock::time_point::max());
-  };
+TEST_F(BlackBoxTest, EveryNewFaultIsWrittenAndTheOldestGoButForTheOneThatSomebodyNoted) {
   fail();
+  const std::string noted = written().at(0);
+  test::write_bytes(fs::path(noted).parent_path() / "run.toml", "name = \"look here\"\n");
   fail();
   const std::vector<std::string> first = written();
   for (std::size_t i = 0; i < BlackBox::kMaxFiles; ++i) fail();
   finish();
-  EXPECT_THAT(written(), SizeIs(BlackBox::kMaxFiles));
-  for (const std::string& file : first) EXPECT_FALSE(fs::exists(file)) << file;
-}
-
-TEST_F(BlackBoxTest, OneThatSomebodyNotedStays) {
-  const auto fail = [this] {
-    drive(0.5);
-    drive(1.5, fault_bit(Fault::link_lost));
-    recording().finish(std::chrono::steady_clock::time_point::max());
-  };
-  fail();
-  const std::string noted = written().at(0);
-  std::ofstream(fs::path(noted).parent_path() / "run.toml") << "name = \"look here\"\n";
-  for (std::size_t i = 0; i < BlackBox::kMaxFiles + 1; ++i) fail();
-  finish();
   EXPECT_THAT(written(), SizeIs(BlackBox::kMaxFiles + 1));
-  EXPECT_TRUE(fs::exists(noted));
+  for (const std::string& file : first) EXPECT_EQ(fs::exists(file), file == noted) << file;
 }
 
 TEST_F(BlackBoxTest, ARecordingMakesRoomForItselfAndSaysSo) {
   run_.configuration.record.directory = folder_.file("runs");
   run_.configuration.record.quota_mb = 1;
-  for (const char* name : {"old", "noted"}) {
-    fs::create_directories(folder_.file("runs/") + name);
-    std::ofstream(folder_.file("runs/") + name + "/run.mcap") << std::string(900'000, 'x');
+  for (const std::string name : {"runs/old", "runs/noted"}) {
+    fs::create_directories(folder_.file(name));
+    test::write_bytes(folder_.file(name + "/run.mcap"), std::string(900'000, 'x'));
   }
-  std::ofstream(folder_.file("runs/noted/run.toml")) << "keep = true\n";
+  test::write_bytes(folder_.file("runs/noted/run.toml"), "keep = true\n");
   drive(0.1);
   recording().begin();
   EXPECT_FALSE(fs::exists(folder_.file("runs/old")));
@@ -174,22 +154,20 @@ TEST_F(BlackBoxTest, ARecordingMakesRoomForItselfAndSaysSo) {
 
 // A cable that comes and goes would fill the disk over the weeks; the runs of a person must stay.
 TEST_F(BlackBoxTest, BlackBoxesOfEarlierStartsMakeRoomAndNothingElseDoes) {
-  const auto leave = [this](const std::string& name, std::uintmax_t bytes, const char* note = "") {
-    const fs::path run = fs::path(folder_.path()) / "boxes" / name;
+  const auto leave = [this](const std::string& name, std::uintmax_t bytes) {
+    const fs::path run = folder_.path() / "boxes" / name;
     fs::create_directories(run);
-    std::ofstream(run / "run.mcap") << "x";
+    test::write_bytes(run / "run.mcap", "x");
     fs::resize_file(run / "run.mcap", bytes);
-    if (*note != '\0') std::ofstream(run / "run.toml") << note;
     return run;
   };
-  run_.configuration.record.black_box_directory = folder_.file("boxes");
   const fs::path old = leave("20260101-000000-black-box-link_lost", 300'000'000),
-                 noted = leave("20260102-000000-black-box-heading", 150'000'000, "keep = true\n"),
+                 noted = leave("20260102-000000-black-box-heading", 150'000'000),
                  run = leave("20260103-000000-1-straight", 400'000'000),
                  newer = leave("20260104-000000-black-box-cross_track", 100'000'000);
+  test::write_bytes(noted / "run.toml", "keep = true\n");
   fs::last_write_time(old / "run.mcap", fs::file_time_type::clock::now() - std::chrono::hours(9));
-  drive(0.5);
-  drive(1.5, fault_bit(Fault::link_lost));
+  fail();
   finish();
   EXPECT_FALSE(fs::exists(old));
   EXPECT_TRUE(fs::exists(noted) && fs::exists(run) && fs::exists(newer));
@@ -228,46 +206,17 @@ TEST_F(BlackBoxTest, ARecordingThatRunsHasItAlready) {
 
 TEST_F(BlackBoxTest, OfNoSecondsKeepsNothing) {
   run_.configuration.record.black_box_s = 0.0;
-  drive(1.0);
-  drive(2.0, fault_bit(Fault::link_lost));
+  fail();
   finish();
   EXPECT_THAT(written(), IsEmpty());
 }
 
 TEST_F(BlackBoxTest, AFolderThatCannotBeMadeIsSaid) {
-  std::ofstream(folder_.file("file")) << "in the way";
+  test::write_bytes(folder_.file("file"), "in the way");
   run_.configuration.record.black_box_directory = folder_.file("file") + "/boxes";
-  drive(1.0);
-  drive(2.0, fault_bit(Fault::link_lost));
+  fail();
   finish();
   EXPECT_THAT(box().take_note(), HasSubstr("black box of link_lost is not written"));
-}
-
-TEST_F(BlackBoxTest, AReportIsMadeOfIt) {
-  drive(1.0);
-  recording().on_message(messages::Channel::kEvent, 900'000'000,
-                         R"({"level":"warn","text":"a knock"})");
-  drive(2.0, fault_bit(Fault::link_lost));
-  finish();
-  ASSERT_THAT(written(), SizeIs(1));
-  const std::size_t steps = contents(written()[0]).steps.size();
-  app::ReportOptions options;
-  options.runs = {written()[0]};
-  options.out = folder_.file("report");
-  testing::internal::CaptureStdout();
-  EXPECT_EQ(app::run_report(options), 0);
-  const std::string output = testing::internal::GetCapturedStdout();
-  EXPECT_THAT(output, HasSubstr(folder_.file("report/report.html")));
-  const std::string page = test::read_bytes(folder_.file("report/report.html"));
-  EXPECT_THAT(page, HasSubstr("<dt>course</dt><dd>1-curve</dd>"));
-  EXPECT_THAT(page, HasSubstr("<dt>set-up</dt><dd>flat</dd>"));
-  EXPECT_THAT(page, HasSubstr("black-box-link_lost"));
-  EXPECT_THAT(page, HasSubstr(std::to_string(steps) + ", 0 missing"));
-  EXPECT_THAT(page, HasSubstr("a knock"));
-  EXPECT_THAT(page, HasSubstr("</html>"));
-  const std::string metrics = test::read_bytes(folder_.file("report/metrics.json"));
-  EXPECT_THAT(metrics, HasSubstr("\"steps\": " + std::to_string(steps)));
-  EXPECT_THAT(metrics, HasSubstr("\"rate_hz\": 200.0"));
 }
 
 TEST(BlackBoxDirectory, IsWhatWasSetElseWhereRecordingsAreElseTheUsers) {

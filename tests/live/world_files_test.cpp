@@ -98,6 +98,9 @@ TEST_F(Files, AChangedFileIsReadAndABadOneIsCountedAndChangesNothing) {
   EXPECT_TRUE(eventually([&] { return files_->counters().rejected >= 1; }));
   EXPECT_EQ(pitch(), -0.25);
   EXPECT_NE(files_->take_note(), "");
+  // Without a line's end it may be half written, and is read twice.
+  world_writes("-0.75");
+  EXPECT_TRUE(eventually([&] { return pitch() == -0.75; }));
   world_writes("P=-0.5 Y=0 R=0\n");
   EXPECT_TRUE(eventually([&] { return pitch() == -0.5; }));
   const std::uint64_t read = files_->counters().read;
@@ -108,12 +111,6 @@ TEST_F(Files, AChangedFileIsReadAndABadOneIsCountedAndChangesNothing) {
     ASSERT_TRUE(eventually([&] { return files_->counters().written > written; }));
   }
   EXPECT_EQ(files_->counters().read, read) << "an unchanged file was read again";
-}
-
-TEST_F(Files, WithoutALinesEndItIsReadTwice) {
-  open();
-  world_writes("-0.75");
-  EXPECT_TRUE(eventually([&] { return pitch() == -0.75; }));
 }
 
 TEST_F(Files, BadSettingsAreErrorsAtTheStart) {
