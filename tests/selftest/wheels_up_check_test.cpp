@@ -33,13 +33,9 @@ TEST(PortHandover, IsGivenOnceItWasAskedForAndUntilItsEnd) {
   handover.end();
   EXPECT_FALSE(handover.given());
   EXPECT_FALSE(handover.give("/dev/a"));
-}
-
-TEST(PortHandover, IsNotGivenToACheckThatWaitsNoLonger) {
-  PortHandover handover;
   handover.ask();
   EXPECT_EQ(handover.wait(1ms), std::nullopt);
-  EXPECT_FALSE(handover.give("/dev/a"));
+  EXPECT_FALSE(handover.give("/dev/a")) << "nobody waits any longer";
 }
 
 class WheelsUpCheckTest : public ::testing::Test {
