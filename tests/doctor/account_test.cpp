@@ -17,6 +17,7 @@
 namespace tp100::doctor {
 namespace {
 
+using test::expect_finding;
 using test::FakeSystem;
 using test::kDevice;
 using ::testing::HasSubstr;
@@ -34,49 +35,31 @@ class Permission : public testing::Test {
                                   "\nusers:x:99992:alice\n");
   }
   gid_t gid() const { return fake_.system().device(kDevice)->gid; }
-  /// The finding for an account to which the kernel denies access.
-  Finding look(const Account& account) const {
-    const Findings findings = permission_findings(fake_.system(), kDevice, account, false);
-    return findings.size() == 1 ? findings[0] : Finding{Severity::kError, "not one", "", ""};
+  /// The only finding for an account to which the kernel denies access.
+  Findings look(const Account& account) const {
+    Findings findings = permission_findings(fake_.system(), kDevice, account, false);
+    EXPECT_EQ(findings.size(), 1U);
+    return findings;
   }
   Account alice() const { return {"alice", {gid() + 1}}; }
 
   FakeSystem fake_;
 };
 
-TEST_F(Permission, IsRefusedToOthers) {
-  const Finding refused = look(alice());
-  EXPECT_EQ(refused.severity, Severity::kError);
-  EXPECT_EQ(refused.name, "permission");
-  EXPECT_THAT(refused.seen, HasSubstr("alice is not in group dialout"));
-  EXPECT_THAT(refused.fix, HasSubstr("sudo adduser alice dialout"));
-}
-
-TEST_F(Permission, OfAGroupThatTheSessionDoesNotKnowYetNeedsANewSession) {
+TEST_F(Permission, ThatIsMissingIsAnErrorThatSaysHowToGetIt) {
+  expect_finding(look(alice()), "permission", Severity::kError, "alice is not in group dialout",
+                 "sudo adduser alice dialout");
+  // Alice is in the group, but her session began before.
   write_group("bob,alice");
-  const Finding stale = look(alice());
-  EXPECT_EQ(stale.severity, Severity::kError);
-  EXPECT_EQ(stale.name, "group");
-  EXPECT_THAT(stale.fix, HasSubstr("log out and in again"));
-  EXPECT_THAT(stale.fix, HasSubstr("newgrp dialout"));
-}
-
-TEST_F(Permission, ThatNoGroupHasIsNotMendedByAGroup) {
-  fake_.mode(kDevice, 0600);
-  const Finding closed = look(alice());
-  EXPECT_EQ(closed.severity, Severity::kError);
-  EXPECT_EQ(closed.name, "permission");
-  EXPECT_THAT(closed.seen, HasSubstr("mode 0600"));
-  EXPECT_THAT(closed.fix, HasSubstr("plug it in again"));
-}
-
-TEST_F(Permission, ThatTheGroupSeemsToHaveIsAQuestionOfTheAccessList) {
+  expect_finding(look(alice()), "group", Severity::kError, "", "log out and in again");
+  expect_finding(look(alice()), "group", Severity::kError, "", "newgrp dialout");
+  // The session has the group, too: an access list forbids it.
   Account account = alice();
   account.groups.push_back(gid());
-  const Finding listed = look(account);
-  EXPECT_EQ(listed.severity, Severity::kError);
-  EXPECT_EQ(listed.name, "permission");
-  EXPECT_THAT(listed.fix, HasSubstr("getfacl /dev/ttyACM0"));
+  expect_finding(look(account), "permission", Severity::kError, "", "getfacl /dev/ttyACM0");
+  // The group itself has no permission.
+  fake_.mode(kDevice, 0600);
+  expect_finding(look(alice()), "permission", Severity::kError, "mode 0600", "plug it in again");
 }
 
 /// Lets `user` and the owner read and write `file`, as udev's "uaccess" does for the user at the

@@ -1,6 +1,8 @@
 #pragma once
 // A folder that imitates the root of a Linux system with a robot attached.
 
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 #include <sys/stat.h>
 
 #include <filesystem>
@@ -65,6 +67,18 @@ inline doctor::Finding find(const doctor::Findings& findings, const std::string&
     if (finding.name == name) return finding;
   }
   return {doctor::Severity::kOk, "none", "", ""};
+}
+
+/// Expects the finding with that name, whose texts contain `seen` and `fix`.
+inline void expect_finding(const doctor::Findings& findings, const std::string& name,
+                           doctor::Severity severity, const std::string& seen = "",
+                           const std::string& fix = "") {
+  SCOPED_TRACE("finding " + name);
+  const doctor::Finding found = find(findings, name);
+  EXPECT_EQ(found.name, name);
+  EXPECT_EQ(found.severity, severity);
+  EXPECT_THAT(found.seen, ::testing::HasSubstr(seen));
+  EXPECT_THAT(found.fix, ::testing::HasSubstr(fix));
 }
 
 }  // namespace tp100::test

@@ -9,10 +9,10 @@
 namespace tp100::doctor {
 namespace {
 
+using test::expect_finding;
 using test::FakeSystem;
 using test::find;
 using test::kDevice;
-using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 class Port : public testing::Test {
@@ -45,61 +45,40 @@ TEST_F(Port, IsFoundBehindALink) {
   EXPECT_EQ(port.info.serial, "7583");
 }
 
-TEST_F(Port, IsMissingIfNothingIsPluggedIn) {
-  const ChosenPort port = choose_port(fake_.system(), "auto", {});
-  EXPECT_EQ(port.device, "");
-  EXPECT_EQ(find(port.findings, "device").severity, Severity::kError);
-  EXPECT_THAT(find(port.findings, "device").fix, HasSubstr("plug the robot in"));
-}
-
-TEST_F(Port, IsMissingIfItsNameLeadsToAFolder) {
-  const ChosenPort port = choose_port(fake_.system(), "/dev", {FakeSystem::mega()});
-  EXPECT_EQ(port.device, "");
-  EXPECT_THAT(find(port.findings, "device").seen, HasSubstr("/dev: no port, but a folder"));
-}
-
-TEST_F(Port, IsMissingIfItsNameLeadsNowhere) {
-  const ChosenPort port = choose_port(fake_.system(), "/dev/ttyACM7", {FakeSystem::mega()});
-  EXPECT_EQ(port.device, "");
-  EXPECT_EQ(find(port.findings, "device").severity, Severity::kError);
-  EXPECT_THAT(find(port.findings, "device").seen, HasSubstr("/dev/ttyACM7: no such port"));
+TEST_F(Port, ThatIsMissingSaysWhy) {
+  const auto expect_none = [&](const std::string& name, const std::vector<link::PortInfo>& there,
+                               const std::string& seen, const std::string& fix) {
+    const ChosenPort port = choose_port(fake_.system(), name, there);
+    EXPECT_EQ(port.device, "");
+    expect_finding(port.findings, "device", Severity::kError, seen, fix);
+  };
+  const link::PortInfo mega = FakeSystem::mega();
+  expect_none("auto", {}, "", "plug the robot in");
+  expect_none("/dev", {mega}, "/dev: no port, but a folder", "");
+  expect_none("/dev/ttyACM7", {mega}, "/dev/ttyACM7: no such port", "");
+  expect_none("auto", {mega, FakeSystem::mega("/dev/ttyACM1")}, "",
+              "name it with --port or link.port");
+  fake_.process("999999999", "octoprint");
+  fake_.opens("999999999", kDevice);
+  expect_none("auto", {mega}, "auto skips /dev/ttyACM0: held open by octoprint (pid 999999999)",
+              "name it with --port");
 }
 
 TEST_F(Port, WithoutAStableNameIsNoted) {
-  const ChosenPort port = choose_port(fake_.system(), "auto", {FakeSystem::mega()});
-  EXPECT_EQ(find(port.findings, "by-id").severity, Severity::kNote);
-  EXPECT_THAT(find(port.findings, "by-id").fix, HasSubstr("link.port"));
+  expect_finding(choose_port(fake_.system(), "auto", {FakeSystem::mega()}).findings, "by-id",
+                 Severity::kNote, "", "link.port");
+  fake_.write("/dev/robot", "");
+  const ChosenPort unknown = choose_port(fake_.system(), "/dev/robot", {});
+  EXPECT_FALSE(unknown.pseudo_terminal);
+  expect_finding(unknown.findings, "by-id", Severity::kNote);
 }
 
-TEST_F(Port, OneOfSeveralMustBeNamed) {
+// The other board was plugged in while the daemon had the robot's port.
+TEST_F(Port, OneOfSeveralIsBestNamedByItsStableName) {
   fake_.link("/dev/serial/by-id/usb-Arduino-7583", "../../ttyACM0");
   const std::vector<link::PortInfo> two = {FakeSystem::mega(), FakeSystem::mega("/dev/ttyACM1")};
-  const ChosenPort none = choose_port(fake_.system(), "auto", two);
-  EXPECT_EQ(find(none.findings, "device").severity, Severity::kError);
-  EXPECT_THAT(find(none.findings, "device").fix, HasSubstr("name it with --port or link.port"));
-  // The other one was plugged in while the daemon had the robot's port.
-  const ChosenPort port = choose_port(fake_.system(), "auto", two, kDevice);
-  EXPECT_EQ(find(port.findings, "by-id").severity, Severity::kWarning);
-  EXPECT_THAT(find(port.findings, "by-id").fix,
-              HasSubstr("link.port = \"/dev/serial/by-id/usb-Arduino-7583\""));
-}
-
-TEST_F(Port, ThatIsNamedAnyhowIsStillAPort) {
-  fake_.write("/dev/robot", "");
-  const ChosenPort port = choose_port(fake_.system(), "/dev/robot", {});
-  EXPECT_FALSE(port.pseudo_terminal);
-  EXPECT_EQ(find(port.findings, "by-id").severity, Severity::kNote);
-}
-
-TEST_F(Port, ThatAutoPassesOverSaysWhy) {
-  fake_.process("999999999", "octoprint");
-  fake_.opens("999999999", kDevice);
-  const ChosenPort port = choose_port(fake_.system(), "auto", {FakeSystem::mega()});
-  EXPECT_EQ(port.device, "");
-  EXPECT_EQ(find(port.findings, "device").severity, Severity::kError);
-  EXPECT_EQ(find(port.findings, "device").seen,
-            "auto skips /dev/ttyACM0: held open by octoprint (pid 999999999)");
-  EXPECT_THAT(find(port.findings, "device").fix, HasSubstr("name it with --port"));
+  expect_finding(choose_port(fake_.system(), "auto", two, kDevice).findings, "by-id",
+                 Severity::kWarning, "", "link.port = \"/dev/serial/by-id/usb-Arduino-7583\"");
 }
 
 TEST_F(Port, ThatIsAPseudoTerminalHasNoStableName) {
@@ -107,17 +86,15 @@ TEST_F(Port, ThatIsAPseudoTerminalHasNoStableName) {
   const ChosenPort port = choose_port(System(), pty.near(), {});
   EXPECT_TRUE(port.pseudo_terminal);
   EXPECT_EQ(port.findings.size(), 1U);
-  EXPECT_EQ(find(port.findings, "device").severity, Severity::kOk);
+  expect_finding(port.findings, "device", Severity::kOk);
 }
 
 TEST_F(Port, ThatIsHeldNamesItsHolder) {
-  EXPECT_EQ(find(holder_findings(fake_.system(), kDevice), "holder").severity, Severity::kOk);
+  expect_finding(holder_findings(fake_.system(), kDevice), "holder", Severity::kOk);
   fake_.process("999999999", "minicom");
   fake_.opens("999999999", kDevice);
-  const Finding held = find(holder_findings(fake_.system(), kDevice), "holder");
-  EXPECT_EQ(held.severity, Severity::kError);
-  EXPECT_EQ(held.seen, "/dev/ttyACM0: held open by minicom (pid 999999999)");
-  EXPECT_THAT(held.fix, HasSubstr("end that program"));
+  expect_finding(holder_findings(fake_.system(), kDevice), "holder", Severity::kError,
+                 "/dev/ttyACM0: held open by minicom (pid 999999999)", "end that program");
 }
 
 TEST_F(Port, ThatAnotherAccountMayHoldIsNotCalledFree) {
@@ -131,61 +108,47 @@ TEST_F(Port, ThatAnotherAccountMayHoldIsNotCalledFree) {
             "/dev/ttyACM0: no other program of this account has it open");
 }
 
-TEST_F(Port, IsProbedByAModemManagerThatRuns) {
-  const auto finding = [&] {
-    return find(modem_manager_findings(fake_.system(), kDevice, FakeSystem::mega()),
-                "modem-manager");
+TEST_F(Port, IsProbedByAModemManagerThatRunsUnlessUdevToldIt) {
+  const auto findings = [&](const link::PortInfo& info = FakeSystem::mega()) {
+    return modem_manager_findings(fake_.system(), kDevice, info);
   };
-  EXPECT_EQ(finding().severity, Severity::kOk);
+  expect_finding(findings(), "modem-manager", Severity::kOk);
   fake_.process("41", "ModemManager");
-  EXPECT_EQ(finding().severity, Severity::kWarning);
-  EXPECT_THAT(finding().fix, HasSubstr("ATTRS{idVendor}==\"2341\", ATTRS{idProduct}==\"0042\""));
-  EXPECT_THAT(finding().fix, HasSubstr("ENV{ID_MM_PORT_IGNORE}=\"1\""));
-  const Finding unknown =
-      find(modem_manager_findings(fake_.system(), kDevice, {}), "modem-manager");
-  EXPECT_EQ(unknown.severity, Severity::kWarning);
-  EXPECT_THAT(unknown.fix, HasSubstr("systemctl disable --now ModemManager"));
-}
-
-TEST_F(Port, IsLeftAloneByAModemManagerThatUdevTold) {
-  fake_.process("41", "ModemManager");
+  const std::string rule = "ATTRS{idVendor}==\"2341\", ATTRS{idProduct}==\"0042\"";
+  expect_finding(findings(), "modem-manager", Severity::kWarning, "", rule);
+  expect_finding(findings(), "modem-manager", Severity::kWarning, "",
+                 "ENV{ID_MM_PORT_IGNORE}=\"1\"");
+  expect_finding(findings({}), "modem-manager", Severity::kWarning, "",
+                 "systemctl disable --now ModemManager");
   fake_.write("/run/udev/data/c189:3", "E:ID_VENDOR_ID=2341\nE:ID_MM_DEVICE_IGNORE=1\n");
-  EXPECT_EQ(
-      find(modem_manager_findings(fake_.system(), kDevice, FakeSystem::mega()), "modem-manager")
-          .severity,
-      Severity::kOk);
+  expect_finding(findings(), "modem-manager", Severity::kOk);
 }
 
 TEST_F(Port, MayBePutToSleep) {
-  const auto finding = [&] {
-    return find(usb_findings(fake_.system(), kDevice, FakeSystem::mega()), "autosuspend");
-  };
   const std::string file = FakeSystem::kUsb + "/power/control";
   fake_.write(file, "on\n");
-  EXPECT_EQ(finding().severity, Severity::kOk);
+  expect_finding(usb_findings(fake_.system(), kDevice, FakeSystem::mega()), "autosuspend",
+                 Severity::kOk);
   fake_.write(file, "auto\n");
-  EXPECT_EQ(finding().severity, Severity::kWarning);
-  EXPECT_EQ(finding().fix, "echo on | sudo tee " + file);
+  expect_finding(usb_findings(fake_.system(), kDevice, FakeSystem::mega()), "autosuspend",
+                 Severity::kWarning, "", "echo on | sudo tee " + file);
 }
 
 TEST_F(Port, MayKeepBytesBack) {
-  fake_.write(FakeSystem::kUsb + "/1-1:1.0/latency_timer", "16\n");
+  const std::string file = FakeSystem::kUsb + "/1-1:1.0/latency_timer";
   fake_.link(FakeSystem::kUsb + "/1-1:1.0/tty/ttyACM0/device", "../..");
-  const auto finding = [&] {
-    return find(usb_findings(fake_.system(), kDevice, FakeSystem::mega()), "latency-timer");
-  };
-  EXPECT_EQ(finding().severity, Severity::kWarning);
-  EXPECT_THAT(finding().seen, HasSubstr("16 ms"));
-  EXPECT_EQ(finding().fix, "echo 1 | sudo tee /sys/class/tty/ttyACM0/device/latency_timer");
-  fake_.write(FakeSystem::kUsb + "/1-1:1.0/latency_timer", "1\n");
-  EXPECT_EQ(finding().severity, Severity::kOk);
+  fake_.write(file, "16\n");
+  expect_finding(usb_findings(fake_.system(), kDevice, FakeSystem::mega()), "latency-timer",
+                 Severity::kWarning, "16 ms",
+                 "echo 1 | sudo tee /sys/class/tty/ttyACM0/device/latency_timer");
+  fake_.write(file, "1\n");
+  expect_finding(usb_findings(fake_.system(), kDevice, FakeSystem::mega()), "latency-timer",
+                 Severity::kOk);
 }
 
 TEST_F(Port, BehindACh340IsNoted) {
   const link::PortInfo clone{kDevice, 0x1a86, 0x7523, "", "", ""};
-  const Finding bridge = find(usb_findings(fake_.system(), kDevice, clone), "bridge");
-  EXPECT_EQ(bridge.severity, Severity::kNote);
-  EXPECT_THAT(bridge.seen, HasSubstr("CH340"));
+  expect_finding(usb_findings(fake_.system(), kDevice, clone), "bridge", Severity::kNote, "CH340");
   EXPECT_THAT(usb_findings(fake_.system(), kDevice, FakeSystem::mega()), IsEmpty());
 }
 
