@@ -9,8 +9,6 @@
 #include <array>
 #include <csignal>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -20,19 +18,12 @@
 namespace tp100::test {
 namespace {
 
-/// Contents of a file of the process folder, such as the command line or the status.
-std::string of_process(const std::filesystem::path& folder, const std::string& file) {
-  std::ostringstream text;
-  text << std::ifstream(folder / file).rdbuf();
-  return text.str();
-}
-
 /// The child of `parent` whose command line contains `word`; -1 if there is none.
 pid_t child_of(pid_t parent, const std::string& word) {
   const std::string parents_line = "PPid:\t" + std::to_string(parent) + "\n";
   for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
-    if (of_process(entry.path(), "status").find(parents_line) != std::string::npos &&
-        of_process(entry.path(), "cmdline").find(word) != std::string::npos)
+    if (read_bytes(entry.path() / "status").find(parents_line) != std::string::npos &&
+        read_bytes(entry.path() / "cmdline").find(word) != std::string::npos)
       return std::stoi(entry.path().filename());
   }
   return -1;

@@ -39,10 +39,8 @@ std::string firmware_version() {
 class FlashEmulatedMega : public testing::Test {
  protected:
   std::string port() const { return folder_.file("tp100"); }
-  Finished flash(std::vector<std::string> more = {}) const {
-    std::vector<std::string> arguments{kFlash, "--build", build_path(), "--port", port()};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return run(arguments);
+  Finished flash(const Words& more = {}) const {
+    return run(joined({kFlash, "--build", build_path(), "--port", port()}, more));
   }
   Finished hello(const std::string& timeout_s) const {
     return run({"tp100d", "ports", "--hello", port(), "--timeout", timeout_s});
@@ -51,8 +49,7 @@ class FlashEmulatedMega : public testing::Test {
 };
 
 TEST_F(FlashEmulatedMega, ABlankBoardSaysHelloOnlyOnceItIsFlashed) {
-  Process robot({"tp100-sim", "robot", "--board", "avr", "--blank", "--link", port()});
-  ASSERT_TRUE(robot.wait_for("linked from")) << robot.output();
+  const auto robot = start_robot(port(), {"--board", "avr", "--blank"});
   EXPECT_EQ(hello("2").status, 1);
 
   const Finished flashed = flash();
@@ -67,8 +64,7 @@ TEST_F(FlashEmulatedMega, ABlankBoardSaysHelloOnlyOnceItIsFlashed) {
 }
 
 TEST_F(FlashEmulatedMega, AnImageReplacesTheRunningOneAndSilenceIsReported) {
-  Process robot({"tp100-sim", "robot", "--board", "avr", "--link", port()});
-  ASSERT_TRUE(robot.wait_for("linked from")) << robot.output();
+  const auto robot = start_robot(port(), {"--board", "avr"});
   EXPECT_EQ(hello("10").status, 0);
 
   // The image is a single rjmp to itself.
@@ -90,12 +86,11 @@ TEST_F(FlashEmulatedMega, OnlyAnEmulatedChipCanBeBlank) {
 }
 
 TEST_F(FlashEmulatedMega, ADryRunWritesNothing) {
-  Process robot({"tp100-sim", "robot", "--board", "avr", "--blank", "--link", port()});
-  ASSERT_TRUE(robot.wait_for("linked from")) << robot.output();
+  const auto robot = start_robot(port(), {"--board", "avr", "--blank"});
   const Finished dry = flash({"--dry-run"});
   EXPECT_EQ(dry.status, 0) << dry.output;
   EXPECT_THAT(dry.output, HasSubstr("avrdude -q -c wiring -p m2560 -P " + port()));
-  EXPECT_THAT(robot.output(), Not(HasSubstr("port opened")));
+  EXPECT_THAT(robot->output(), Not(HasSubstr("port opened")));
 }
 
 /// A board with nothing attached, flashed with the image that simulates the robot inside, and a
@@ -103,7 +98,6 @@ TEST_F(FlashEmulatedMega, ADryRunWritesNothing) {
 class BareMega : public FlashEmulatedMega {
  protected:
   void SetUp() override {
-    ASSERT_TRUE(robot_.wait_for("linked from")) << robot_.output();
     const Finished flashed = flash({"--hex", build_path("firmware/tp100_fake.hex")});
     ASSERT_EQ(flashed.status, 0) << flashed.output;
     EXPECT_THAT(flashed.output, HasSubstr("FAKE_ROBOT"));
@@ -134,7 +128,7 @@ class BareMega : public FlashEmulatedMega {
     return eventually([&] { return figure(stats(), "progress_m") > 0.05; });
   }
 
-  Process robot_{{"tp100-sim", "robot", "--board", "avr", "--blank", "--link", port()}};
+  std::unique_ptr<Process> robot_ = start_robot(port(), {"--board", "avr", "--blank"});
   std::optional<Process> daemon_;
   int keyboard_ = -1;
 };
@@ -153,20 +147,20 @@ TEST_F(BareMega, DrivesACourseToItsEndOnceEnterIsPressed) {
 
 TEST_F(BareMega, EnterStopsItAndPullingTheCableEndsTheRun) {
   type("\n");
-  ASSERT_TRUE(robot_.wait_for("motors on")) << robot_.output();
+  ASSERT_TRUE(robot_->wait_for("motors on")) << robot_->output();
   ASSERT_TRUE(drives()) << daemon_->output();
   type("\n");
   ASSERT_TRUE(daemon_->wait_for("STOP")) << daemon_->output();
-  EXPECT_TRUE(robot_.wait_for("motors off")) << robot_.output();
+  EXPECT_TRUE(robot_->wait_for("motors off")) << robot_->output();
   ASSERT_TRUE(daemon_->wait_for("type go and press Enter to start")) << daemon_->output();
 
   fs::remove(stats());
   type("go\n");
-  ASSERT_TRUE(robot_.wait_for("motors on")) << robot_.output();
+  ASSERT_TRUE(robot_->wait_for("motors on")) << robot_->output();
   ASSERT_TRUE(drives()) << daemon_->output();
   // The cable feeds the board, too. The link that it leaves may become another test's.
   fs::remove(port());
-  robot_.signal(SIGKILL);
+  robot_->signal(SIGKILL);
   ASSERT_TRUE(daemon_->wait_for("no such port; plug the robot in")) << daemon_->output();
   EXPECT_THAT(daemon_->output(), HasSubstr("error link_lost: "));
   EXPECT_THAT(daemon_->output(), HasSubstr("port is gone"));
@@ -196,13 +190,11 @@ class FlashOf : public testing::Test {
     }
     program("bin/tp100d", text + "END\n");
   }
-  Finished flash(std::vector<std::string> more, const std::string& path = {}) const {
-    std::vector<std::string> arguments{
-        "/usr/bin/env",
-        "PATH=" + (path.empty() ? folder_.path().string() + ":/usr/bin:/bin" : path), kFlash,
-        "--build", folder_.path().string()};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return run(arguments);
+  Finished flash(const Words& more, const std::string& path = {}) const {
+    const std::string folder = folder_.path().string();
+    return run(joined({"/usr/bin/env", "PATH=" + (path.empty() ? folder + ":/usr/bin:/bin" : path),
+                       kFlash, "--build", folder},
+                      more));
   }
   void expect_refused(const std::vector<std::string>& arguments,
                       const std::vector<std::string>& says, const std::string& path = {}) const {
@@ -214,11 +206,8 @@ class FlashOf : public testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(FlashOf, NothingSaysToPlugTheBoardIn) {
+TEST_F(FlashOf, NoBoardOrSeveralAreNotChosenFrom) {
   expect_refused({}, {"no board found", "plug the Mega in", "--port"});
-}
-
-TEST_F(FlashOf, SeveralBoardsNamesThemAndAsks) {
   list({"/dev/ttyACM0", "/dev/ttyACM1"});
   expect_refused({}, {"/dev/ttyACM0 /dev/ttyACM1", "--port"});
 }

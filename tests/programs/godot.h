@@ -31,9 +31,8 @@ class Screen {
   }
   const std::string& name() const { return name_; }
   /// Mouse and keyboard input, as arguments of xdotool.
-  void input(std::vector<std::string> words) const {
-    words.insert(words.begin(), {"/usr/bin/env", "DISPLAY=" + name_, "xdotool"});
-    const Finished done = run(words);
+  void input(const Words& words) const {
+    const Finished done = run(joined({"/usr/bin/env", "DISPLAY=" + name_, "xdotool"}, words));
     EXPECT_EQ(done.status, 0) << done.output;
   }
 
@@ -68,19 +67,13 @@ class Engine {
   bool says(const std::string& text) { return process_.wait_for(text); }
 
  private:
-  static std::vector<std::string> command(const std::string& course, const std::string& listen,
-                                          const Screen* screen, int robots,
-                                          const std::string& robot) {
-    std::vector<std::string> words{"/usr/bin/env"};
+  static Words command(const std::string& course, const std::string& listen, const Screen* screen,
+                       int robots, const std::string& robot) {
+    Words words{"/usr/bin/env"};
     if (screen) words.push_back("DISPLAY=" + screen->name());
-    words.insert(words.end(),
-                 {source_path("scripts/godot"), "--course", course, "--listen", listen});
-    for (int i = 0; i < robots; ++i) words.insert(words.end(), {"--robot", robot});
-    if (screen)
-      words.insert(words.end(), {"--camera", "top"});
-    else
-      words.push_back("--headless");
-    return words;
+    words = joined(words, {source_path("scripts/godot"), "--course", course, "--listen", listen});
+    for (int i = 0; i < robots; ++i) words = joined(words, {"--robot", robot});
+    return joined(words, screen ? Words{"--camera", "top"} : Words{"--headless"});
   }
 
   Process process_;
@@ -98,20 +91,21 @@ class Godot : public testing::Test {
     std::ofstream(path) << "[world]\n" << world;
     return path;
   }
-  /// Drives in lockstep in the engine and returns the figures; `name`: folder for the run's poses.
+  /// Drives in lockstep in the engine and returns the figures; `name`: folder for the run's poses,
+  /// `more`: further arguments.
   nlohmann::json drive(const Engine& engine, const std::string& course,
                        const std::string& authority, const std::string& name = "run",
-                       std::size_t robot = 0, const std::string& kind = "end-loaded") {
-    const Finished driven =
-        run({"tp100-sim", "course", course, "--json", "--robot", kind, "--world",
-             "udp:" + engine.address(robot), "--config",
-             config("authority = \"" + authority + "\"\n", name), "--out", folder_.file(name)});
+                       std::size_t robot = 0, const Words& more = {}) {
+    const Finished driven = run(
+        joined({"tp100-sim", "course", course, "--json", "--world", "udp:" + engine.address(robot),
+                "--config", config("authority = \"" + authority + "\"\n", name), "--out",
+                folder_.file(name)},
+               more));
     auto figures = nlohmann::json::parse(driven.output, nullptr, false);
     return figures.is_object() ? figures : nlohmann::json::object();
   }
   std::string poses(const std::string& name) const {
-    std::ifstream file(folder_.file(name + "/3-end-loaded-1.csv"));
-    return {std::istreambuf_iterator<char>(file), {}};
+    return read_bytes(folder_.file(name + "/3-end-loaded-1.csv"));
   }
   TemporaryFolder folder_;
 };

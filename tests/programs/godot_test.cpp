@@ -80,7 +80,7 @@ TEST_F(GodotBody, GoesAsFarAsTheRobotOnItsFloor) {
 // emulated robot's 20.6 cm: 0.9 rad in a half circle.
 TEST_F(GodotBody, TurnsWithTheLoadThatItsTracksCarry) {
   const Engine engine("1-curve", "127.0.0.1:0", nullptr, 1, "uniform");
-  drive(engine, "1-curve", "world", "run", 0, "uniform");
+  drive(engine, "1-curve", "world", "run", 0, {"--robot", "uniform"});
   const Ends at = ends("1-curve-uniform-1");
   EXPECT_NEAR(std::abs(at.world_yaw_rad), M_PI, 0.1);
   EXPECT_LT(std::abs(std::remainder(at.truth_yaw_rad - at.world_yaw_rad, 2.0 * M_PI)), 0.35);
@@ -143,12 +143,7 @@ class GodotWindow : public Godot {
   static constexpr const char* kEnd[] = {"480", "73"};
 
   nlohmann::json course(const std::string& record) {
-    const Finished driven =
-        run({"tp100-sim", "course", "1-straight", "--json", "--world", "udp:" + engine_.address(),
-             "--config", config("authority = \"world\"\n"), "--record", folder_.file(record)});
-    auto figures = nlohmann::json::parse(driven.output, nullptr, false);
-    EXPECT_TRUE(figures.is_object()) << driven.output;
-    return figures.is_object() ? figures : nlohmann::json::object();
+    return drive(engine_, "1-straight", "world", record, 0, {"--record", folder_.file(record)});
   }
   void expect_replayed(const std::string& record) {
     const Finished replayed =

@@ -1,12 +1,11 @@
-// No result of any program is written over a file that it reads.
+// No result of any program is written over a file that it reads: the drives of an afternoon, or
+// their measurements, would be replaced by what was made of them.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <functional>
 #include <string>
-#include <vector>
 
 #include "process.h"
 #include "support/paths.h"
@@ -21,55 +20,50 @@ class OutOverIn : public ::testing::Test {
  protected:
   /// A recorded drive of 10 cm, its samples as CSV, and a robot and a configuration of one's own.
   OutOverIn() {
-    write_bytes(at("short.toml"),
-                "speed_mps = 0.1\n[[segment]]\ntype = \"line\"\nlength_m = 0.1\n[fence]\n"
-                "min_x_m = -1\nmax_x_m = 1\nmin_y_m = -1\nmax_y_m = 1\n");
     fs::copy_file(source_path("config/robots/uniform.toml"), at("mine.toml"));
     write_bytes(at("c.toml"), "robot = \"" + at("mine.toml") + "\"\n");
     const Finished drive =
-        test::run({"tp100-sim", "course", at("short.toml"), "--robot", at("mine.toml"), "--seed",
-                   "1", "--out", at("csv"), "--record", at("runs")});
+        run({"tp100-sim", "course", short_course(folder_, 0.1), "--robot", at("mine.toml"),
+             "--seed", "1", "--out", at("csv"), "--record", at("runs")});
     EXPECT_EQ(drive.status, 0) << drive.output;
     run_ = fs::directory_iterator(at("runs"))->path().string();
     recording_ = run_ + "/run.mcap";
     samples_ = at("csv/short-mine-1-samples.csv");
     write_bytes(at("steady.csv"), "t_s,left_mps,right_mps\n0,0.1,0.1\n1,0.1,0.1\n");
     write_bytes(at("measured.csv"), "run,distance_m,turned_deg\n1,0.1,0\n");
+    write_bytes(at("cut.mcap"), read_bytes(recording_).substr(0, fs::file_size(recording_) / 2));
   }
   std::string at(const std::string& name) const { return folder_.file(name); }
-  /// Runs the program with the result at `input`, and at other names of that file.
-  void expect_kept(const std::string& input,
-                   const std::function<std::vector<std::string>(const std::string&)>& arguments) {
-    ASSERT_TRUE(fs::exists(input)) << input;
+  /// Runs a command that reads `input` and would write to a file of it.
+  static void expect_refused(const Words& command, const std::string& input) {
+    SCOPED_TRACE(::testing::PrintToString(command));
     const std::string before = read_bytes(input);
-    const std::string link = at("link"), hard = fs::path(input).parent_path() / "hard";
-    fs::create_symlink(input, link);
-    fs::create_hard_link(input, hard);
-    for (const std::string& out : {input,
-                                   fs::path(input).parent_path().string() + "/../" +
-                                       fs::path(input).parent_path().filename().string() + "/" +
-                                       fs::path(input).filename().string(),
-                                   link, hard}) {
-      const Finished finished = test::run(arguments(out));
-      EXPECT_EQ(finished.status, 2) << out << ": " << finished.output;
-      EXPECT_THAT(finished.output, HasSubstr("this file is read")) << out;
-      EXPECT_EQ(read_bytes(input), before) << out;
-    }
+    const Finished finished = run(command);
+    EXPECT_EQ(finished.status, 2) << finished.output;
+    EXPECT_THAT(finished.output, HasSubstr("this file is read"));
+    EXPECT_EQ(read_bytes(input), before);
+  }
+  /// Runs the command with the result at `input`, and at other names of that file.
+  void expect_kept(const std::string& input, const Words& command) {
+    ASSERT_TRUE(fs::exists(input)) << input;
+    const fs::path path = input, folder = path.parent_path();
+    const fs::path link = at("link"), hard = folder / "hard";
+    fs::create_symlink(path, link);
+    fs::create_hard_link(path, hard);
+    for (const fs::path& out :
+         {path, folder / ".." / folder.filename() / path.filename(), link, hard})
+      expect_refused(joined(command, {"--out", out.string()}), input);
     fs::remove(link);
     fs::remove(hard);
   }
-  /// The program writes a file of that name into a folder of its choice, where its input has it.
-  void expect_kept_in_folder(const std::string& name,
-                             const std::function<std::vector<std::string>(
-                                 const std::string& input, const std::string& folder)>& arguments) {
-    const fs::path folder = at("results");
+  /// The command reads the recording `name` in a folder of results, and would write a file of that
+  /// name into it.
+  void expect_kept_in_folder(const std::string& name, const std::string& command,
+                             const std::string& option, const Words& more = {}) {
+    const std::string folder = at("results"), input = folder + "/" + name;
     fs::create_directory(folder);
-    fs::copy_file(recording_, folder / name);
-    const std::string before = read_bytes((folder / name).string());
-    const Finished finished = test::run(arguments((folder / name).string(), folder.string()));
-    EXPECT_EQ(finished.status, 2) << name << ": " << finished.output;
-    EXPECT_THAT(finished.output, HasSubstr("this file is read")) << name;
-    EXPECT_EQ(read_bytes((folder / name).string()), before) << name;
+    fs::copy_file(recording_, input);
+    expect_refused(joined(joined({"tp100d", command, input}, more), {option, folder}), input);
     fs::remove_all(folder);
   }
 
@@ -77,63 +71,36 @@ class OutOverIn : public ::testing::Test {
   std::string run_, recording_, samples_;
 };
 
-// The drives of an afternoon, or their measurements, would be replaced by what was made of them.
 TEST_F(OutOverIn, NoInputIsLost) {
-  expect_kept(recording_, [&](const std::string& out) {
-    return std::vector<std::string>{"tp100d", "replay", recording_, "--out", out};
-  });
-  expect_kept(recording_, [&](const std::string& out) {
-    return std::vector<std::string>{"tp100d", "replay", run_, "--out", out};
-  });
-  expect_kept(at("steady.csv"), [&](const std::string& out) {
-    return std::vector<std::string>{"tp100d", "replay", at("steady.csv"), "--out", out};
-  });
+  expect_kept(recording_, {"tp100d", "replay", recording_});
+  expect_kept(recording_, {"tp100d", "replay", run_});
+  expect_kept(at("steady.csv"), {"tp100d", "replay", at("steady.csv")});
   for (const char* read : {"c.toml", "mine.toml"})
-    expect_kept(at(read), [&](const std::string& out) {
-      return std::vector<std::string>{
-          "tp100d", "replay", at("steady.csv"), "--config", at("c.toml"), "--out", out};
-    });
+    expect_kept(at(read), {"tp100d", "replay", at("steady.csv"), "--config", at("c.toml")});
   for (const std::string& read : {samples_, at("measured.csv"), at("c.toml"), at("mine.toml")})
-    expect_kept(read, [&](const std::string& out) {
-      return std::vector<std::string>{
-          "tp100d",   "identify",   samples_, "--measured", at("measured.csv"),
-          "--config", at("c.toml"), "--out",  out};
-    });
-  expect_kept(at("mine.toml"), [&](const std::string& out) {
-    return std::vector<std::string>{"tp100d", "identify", "--drive", "--robot", at("mine.toml"),
-                                    "--port", at("none"), "--out",   out};
-  });
-  const std::string cut = at("cut.mcap");
-  write_bytes(cut, read_bytes(recording_).substr(0, fs::file_size(recording_) / 2));
-  expect_kept(cut, [&](const std::string& out) {
-    return std::vector<std::string>{"tp100d", "recover", cut, "--out", out};
-  });
+    expect_kept(read, {"tp100d", "identify", samples_, "--measured", at("measured.csv"), "--config",
+                       at("c.toml")});
+  expect_kept(at("mine.toml"),
+              {"tp100d", "identify", "--drive", "--robot", at("mine.toml"), "--port", at("none")});
+  expect_kept(at("cut.mcap"), {"tp100d", "recover", at("cut.mcap")});
 }
 
 TEST_F(OutOverIn, NoInputIsLostInAFolderOfResults) {
   for (const char* name : {"samples.csv", "poses.csv", "odometry.tum", "fused.tum"})
-    expect_kept_in_folder(name, [](const std::string& in, const std::string& folder) {
-      return std::vector<std::string>{"tp100d", "export", in, "--out", folder};
-    });
-  expect_kept_in_folder("results_0.mcap", [](const std::string& in, const std::string& folder) {
-    return std::vector<std::string>{"tp100d", "export", in, "--ros2", folder};
-  });
+    expect_kept_in_folder(name, "export", "--out");
+  expect_kept_in_folder("results_0.mcap", "export", "--ros2");
   for (const char* name : {"report.html", "metrics.json"})
-    expect_kept_in_folder(name, [](const std::string& in, const std::string& folder) {
-      return std::vector<std::string>{"tp100d", "report", in, "--out", folder};
-    });
+    expect_kept_in_folder(name, "report", "--out");
   for (const char* name : {"compare.html", "compare.json"})
-    expect_kept_in_folder(name, [&](const std::string& in, const std::string& folder) {
-      return std::vector<std::string>{"tp100d", "compare", in, recording_, "--out", folder};
-    });
+    expect_kept_in_folder(name, "compare", "--out", {recording_});
 }
 
-// A result may be made again, and an input whose name is like that of a result does no harm.
+// A result may be made again.
 TEST_F(OutOverIn, AResultIsReplaced) {
   for (int i = 0; i < 2; ++i) {
-    EXPECT_EQ(test::run({"tp100d", "replay", recording_, "--out", at("poses.csv")}).status, 0);
-    EXPECT_EQ(test::run({"tp100d", "report", run_}).status, 0);
-    EXPECT_EQ(test::run({"tp100d", "export", run_}).status, 0);
+    EXPECT_EQ(run({"tp100d", "replay", recording_, "--out", at("poses.csv")}).status, 0);
+    EXPECT_EQ(run({"tp100d", "report", run_}).status, 0);
+    EXPECT_EQ(run({"tp100d", "export", run_}).status, 0);
   }
 }
 

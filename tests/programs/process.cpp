@@ -11,7 +11,6 @@
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
-#include <sstream>
 #include <stdexcept>
 #include <thread>
 
@@ -83,7 +82,8 @@ bool Process::wait_for(const std::string& text) {
 
 void Process::signal(int number) {
   signalled_ = true;
-  kill(pid_, number);
+  // A pid of -1 would mean every process.
+  if (pid_ > 0) kill(pid_, number);
 }
 
 bool Process::asks_to_start_again() const {
@@ -117,10 +117,21 @@ const std::string& Process::output() {
   return output_;
 }
 
+Words joined(Words first, const Words& more) {
+  first.insert(first.end(), more.begin(), more.end());
+  return first;
+}
+
 Finished run(std::vector<std::string> arguments) {
   Process process(std::move(arguments));
   const int status = process.wait();
   return {status, process.output()};
+}
+
+std::unique_ptr<Process> start_robot(const std::string& link, const Words& more) {
+  auto robot = std::make_unique<Process>(joined({"tp100-sim", "robot", "--link", link}, more));
+  if (!robot->wait_for("linked from")) throw std::runtime_error("no robot: " + robot->output());
+  return robot;
 }
 
 bool eventually(const std::function<bool()>& condition) {
@@ -133,11 +144,9 @@ bool eventually(const std::function<bool()>& condition) {
 }
 
 double figure(const std::string& stats, const std::string& name) {
-  std::stringstream text;
-  text << std::ifstream(stats).rdbuf();
-  const std::string key = "\"" + name + "\": ";
-  const std::size_t at = text.str().find(key);
-  return at == std::string::npos ? -1.0 : std::stod(text.str().substr(at + key.size()));
+  const std::string text = read_bytes(stats), key = "\"" + name + "\": ";
+  const std::size_t at = text.find(key);
+  return at == std::string::npos ? -1.0 : std::stod(text.substr(at + key.size()));
 }
 
 bool goes_on(const std::string& stats) {

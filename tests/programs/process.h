@@ -5,12 +5,16 @@
 
 #include <chrono>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "../support/temporary_folder.h"
 
 namespace tp100::test {
+
+using Words = std::vector<std::string>;
+Words joined(Words first, const Words& more);
 
 /// One of the project's programs. The destructor kills it if it still runs; so does the end of the
 /// thread that made it, for any reason.
@@ -27,7 +31,7 @@ class Process {
   /// false if the program ends or a minute passes before.
   bool wait_for(const std::string& text);
   pid_t pid() const { return pid_; }
-  /// Sends a signal.
+  /// Sends a signal, unless the program has ended.
   void signal(int number);
   /// Waits for the end. Returns the exit status, 128 + signal if the program was killed, or -1
   /// after two minutes. A daemon whose run was aborted asks a person to start again: unless a
@@ -54,6 +58,9 @@ struct Finished {
   std::string output;
 };
 Finished run(std::vector<std::string> arguments);
+
+/// Starts `tp100-sim robot` with the arguments `more`; returns when its port is there, at `link`.
+std::unique_ptr<Process> start_robot(const std::string& link, const Words& more = {});
 
 /// Waits until `condition` holds. Returns false after a minute.
 bool eventually(const std::function<bool()>& condition);

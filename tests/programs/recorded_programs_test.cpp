@@ -10,7 +10,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "app/replay.h"
+#include "core/error.h"
 #include "process.h"
 #include "record/recording.h"
 #include "support/paths.h"
@@ -22,22 +22,20 @@ using record::Recording;
 using testing::HasSubstr;
 using Json = nlohmann::json;
 
-app::Replayed replayed(const Recording& recording) {
-  const config::RunSetup run = config::parse_run(app::recorded_files(recording));
-  return app::replay_steps(recording, run.parameters, run.course, true, [](const StepRecord&) {});
-}
-
 class RecordedPrograms : public testing::Test {
  protected:
-  RecordedPrograms() {
-    std::ofstream(folder_.file("tp100.toml")) << "[loop]\npriority = 0\nlock_memory = false\n";
+  RecordedPrograms() { configure(""); }
+  void configure(const std::string& record) const {
+    test::write_bytes(folder_.file("tp100.toml"),
+                      "[loop]\npriority = 0\nlock_memory = false\n[record]\n" + record);
   }
   /// Without a course, the run continues even when a busy machine delays its cycles.
-  std::vector<std::string> daemon(const std::vector<std::string>& more = {}) const {
-    std::vector<std::string> arguments = {"tp100d", "run",  "--config", folder_.file("tp100.toml"),
-                                          "--port", port(), "--record", records()};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return arguments;
+  test::Words daemon(const test::Words& more = {}) const {
+    return test::joined({"tp100d", "run", "--config", folder_.file("tp100.toml"), "--port", port()},
+                        more);
+  }
+  test::Words recording_daemon(const test::Words& more = {}) const {
+    return test::joined(daemon({"--record", records()}), more);
   }
   std::string port() const { return folder_.file("tp100"); }
   std::string records() const { return folder_.file("records"); }
@@ -56,6 +54,12 @@ class RecordedPrograms : public testing::Test {
     }
     return steps;
   }
+  void expect_replayed(const std::string& file) const {
+    const test::Finished replay = test::run({"tp100d", "replay", file, "--out", folder_.file("p")});
+    EXPECT_EQ(replay.status, 0) << replay.output;
+    EXPECT_THAT(replay.output, HasSubstr("every pose and command as recorded, bit for bit"));
+    EXPECT_GT(test::lines(test::read_bytes(folder_.file("p"))), 10u);
+  }
   test::TemporaryFolder folder_;
 };
 
@@ -67,11 +71,9 @@ TEST_F(RecordedPrograms, RecordedDrivesAreIdentifiedAgainstTheirOwnRobot) {
     return records() + "/calibrate-spin-left-" + robot + "-1";
   };
   const std::string worn = drive("worn");
-  const std::vector<std::string> ask = {"tp100d", "identify",    "--out", folder_.file("new.toml"),
-                                        "--json", "--background"};
-  const auto identify = [&](std::vector<std::string> more) {
-    more.insert(more.begin(), ask.begin(), ask.end());
-    return test::run(more);
+  const auto identify = [&](const test::Words& more) {
+    return test::run(test::joined(
+        {"tp100d", "identify", "--out", folder_.file("new.toml"), "--json", "--background"}, more));
   };
   const test::Finished found = identify({worn});
   ASSERT_EQ(found.status, 0) << found.output;
@@ -87,41 +89,16 @@ TEST_F(RecordedPrograms, RecordedDrivesAreIdentifiedAgainstTheirOwnRobot) {
   EXPECT_EQ(identify({worn, other, "--robot", "end-loaded"}).status, 0);
 }
 
-TEST_F(RecordedPrograms, ALiveRunReplaysBitForBitAndIsExported) {
-  test::Process robot({"tp100-sim", "robot", "--link", port(), "--course", "1-curve"});
-  ASSERT_TRUE(robot.wait_for("linked from"));
-  test::Process bridge(daemon({"--course", "1-curve", "--duration", "6"}));
-  bridge.wait();
-  EXPECT_THAT(bridge.output(), HasSubstr("recording to " + file()));
-  // On a busy machine the run may be aborted soon afterwards.
-  EXPECT_THAT(bridge.output(), HasSubstr("state: idle -> arming"));
-
-  const test::Finished replay = test::run({"tp100d", "replay", file(), "--out", folder_.file("p")});
-  EXPECT_EQ(replay.status, 0) << replay.output;
-  EXPECT_THAT(replay.output, HasSubstr("every pose and command as recorded, bit for bit"));
-  EXPECT_GT(test::lines(test::read_bytes(folder_.file("p"))), 10u);
-
-  const std::string out = folder_.file("out");
-  std::filesystem::create_directory(out);
-  EXPECT_EQ(test::run({"tp100d", "export", file(), "--out", out}).status, 0);
-  for (const char* name : {"samples.csv", "poses.csv", "model.tum", "odometry.tum", "fused.tum"})
-    EXPECT_GT(test::lines(test::read_bytes(out + "/" + name)), 10u) << name;
-  EXPECT_FALSE(std::filesystem::exists(out + "/truth.tum")) << "a live run has no ground truth";
-}
-
-TEST_F(RecordedPrograms, ALiveRunHoldsWhatHappened) {
-  std::ofstream(folder_.file("short.toml"))
-      << "description = \"short\"\nspeed_mps = 0.1\n[[segment]]\ntype = \"line\"\nlength_m = 0.3\n"
-         "[fence]\nmin_x_m = -1.0\nmax_x_m = 1.0\nmin_y_m = -1.0\nmax_y_m = 1.0\n";
-  test::Process robot({"tp100-sim", "robot", "--link", port()});
-  ASSERT_TRUE(robot.wait_for("linked from"));
+TEST_F(RecordedPrograms, ALiveRunHoldsWhatHappenedReplaysBitForBitAndIsExported) {
+  const auto robot = test::start_robot(port());
   // The run is recorded without any viewer.
-  test::Process bridge(
-      daemon({"--course", folder_.file("short.toml"), "--listen", "off", "--duration", "30"}));
+  test::Process bridge(recording_daemon(
+      {"--course", test::short_course(folder_, 0.3), "--listen", "off", "--duration", "30"}));
   // On a busy machine commands may arrive too late; then the run is aborted, and the recording says
   // so.
   const std::string end =
       bridge.wait() == 0 ? "state: running -> finished" : "state: running -> aborted";
+  EXPECT_THAT(bridge.output(), HasSubstr("recording to " + file()));
   EXPECT_THAT(bridge.output(), testing::Not(HasSubstr("page:")));
 
   std::map<std::string, int> counts;
@@ -151,33 +128,35 @@ TEST_F(RecordedPrograms, ALiveRunHoldsWhatHappened) {
       test::read_bytes((std::filesystem::path(file()).parent_path() / "report.html").string());
   EXPECT_THAT(page, HasSubstr("hello from an emulated board"));
   EXPECT_THAT(page, HasSubstr("run: running -&gt; " + end.substr(end.rfind(' ') + 1)));
+
+  expect_replayed(file());
+  const std::string out = folder_.file("out");
+  std::filesystem::create_directory(out);
+  EXPECT_EQ(test::run({"tp100d", "export", file(), "--out", out}).status, 0);
+  for (const char* name : {"samples.csv", "poses.csv", "model.tum", "odometry.tum", "fused.tum"})
+    EXPECT_GT(test::lines(test::read_bytes(out + "/" + name)), 10u) << name;
+  EXPECT_FALSE(std::filesystem::exists(out + "/truth.tum")) << "a live run has no ground truth";
 }
 
 TEST_F(RecordedPrograms, ABlackBoxReplaysBitForBit) {
-  std::ofstream(folder_.file("tp100.toml"), std::ios::app)
-      << "[record]\nblack_box_s = 3\nblack_box_directory = \"" << records() << "\"\n";
-  test::Process robot({"tp100-sim", "robot", "--link", port(), "--course", "1-curve"});
-  ASSERT_TRUE(robot.wait_for("linked from"));
-  test::Process bridge({"tp100d", "run", "--config", folder_.file("tp100.toml"), "--port", port(),
-                        "--course", "1-curve", "--duration", "12"});
+  configure("black_box_s = 3\nblack_box_directory = \"" + records() + "\"\n");
+  const auto robot = test::start_robot(port(), {"--course", "1-curve"});
+  test::Process bridge(daemon({"--course", "1-curve", "--duration", "12"}));
   // A busy machine may end the run by itself; then this fault is the one that is recorded.
   EXPECT_TRUE(bridge.wait_for("arming -> running"));
   std::this_thread::sleep_for(std::chrono::seconds(3));
   // The killed robot leaves its link, whose pseudo-terminal may become another test's.
   std::filesystem::remove(port());
-  robot.signal(SIGKILL);
+  robot->signal(SIGKILL);
   bridge.wait();
   EXPECT_THAT(bridge.output(), HasSubstr("black box: "));
   EXPECT_THAT(bridge.output(), HasSubstr(file()));
-  const test::Finished replay = test::run({"tp100d", "replay", file(), "--out", folder_.file("p")});
-  EXPECT_EQ(replay.status, 0) << replay.output;
-  EXPECT_THAT(replay.output, HasSubstr("every pose and command as recorded, bit for bit"));
+  expect_replayed(file());
 }
 
 TEST_F(RecordedPrograms, AKilledRunIsReadableAndRecoverMakesItWhole) {
-  test::Process robot({"tp100-sim", "robot", "--link", port()});
-  ASSERT_TRUE(robot.wait_for("linked from"));
-  test::Process bridge(daemon());
+  const auto robot = test::start_robot(port());
+  test::Process bridge(recording_daemon());
   ASSERT_TRUE(bridge.wait_for("state: syncing -> ready")) << bridge.output();
   // Waits until two seconds of the run are in the file.
   for (int i = 0; i < 600 && steps_in(file()) < 400; ++i)
@@ -209,21 +188,17 @@ TEST_F(RecordedPrograms, AKilledRunIsReadableAndRecoverMakesItWhole) {
   const std::string saved = std::filesystem::path(file()).parent_path() / "run-recovered.mcap";
   const Recording whole(saved);
   EXPECT_TRUE(whole.whole());
-  const app::Replayed replay = replayed(whole);
-  EXPECT_EQ(replay.steps, steps);
-  EXPECT_FALSE(replay.differs_at);
+  EXPECT_EQ(steps_in(saved), steps);
+  expect_replayed(saved);
   EXPECT_THAT(test::run({"tp100d", "recover", saved}).output, HasSubstr("nothing to recover"));
 }
 
 TEST_F(RecordedPrograms, ARunGoesOnWhenTheDiskIsFull) {
-  test::Process robot({"tp100-sim", "robot", "--link", port()});
-  ASSERT_TRUE(robot.wait_for("linked from"));
+  const auto robot = test::start_robot(port());
   // The limit is 600 blocks of 512 bytes.
-  std::string command = "ulimit -f 600; exec \"$0\" \"$@\"";
-  std::vector<std::string> arguments = {"/bin/sh", "-c", command, build_path("bin/tp100d")};
-  const std::vector<std::string> run = daemon({"--duration", "10"});
-  arguments.insert(arguments.end(), run.begin() + 1, run.end());
-  test::Process bridge(arguments);
+  test::Process bridge(
+      test::joined({"/bin/sh", "-c", "ulimit -f 600; exec \"$0/$@\"", build_path("bin")},
+                   recording_daemon({"--duration", "10"})));
   EXPECT_EQ(bridge.wait(), 1) << bridge.output();
   EXPECT_THAT(bridge.output(),
               HasSubstr("recording stopped, the disk is full; the file is complete"));
@@ -232,25 +207,8 @@ TEST_F(RecordedPrograms, ARunGoesOnWhenTheDiskIsFull) {
 }
 
 TEST_F(RecordedPrograms, ARunThatNeverBeganLeavesNothing) {
-  EXPECT_EQ(test::run(daemon()).status, 2);
+  EXPECT_EQ(test::run(recording_daemon()).status, 2);
   EXPECT_TRUE(std::filesystem::is_empty(records()));
-}
-
-TEST(RecordedErrors, AreOneLineEach) {
-  const test::TemporaryFolder folder;
-  std::ofstream(folder.file("text.mcap")) << "\x89MCAP0\r\n and then nonsense";
-  for (const std::vector<std::string>& arguments :
-       {std::vector<std::string>{"tp100d", "replay", folder.file("text.mcap"), "--out", "x"},
-        {"tp100d", "export", folder.file("none")},
-        {"tp100d", "export", folder.path().string()},
-        {"tp100d", "recover", folder.file("none")},
-        {"tp100d", "report", folder.file("text.mcap")},
-        {"tp100d", "compare", folder.file("text.mcap")},
-        {"tp100-sim", "course", "1-straight", "--record", "/proc/none"}}) {
-    const test::Finished ended = test::run(arguments);
-    EXPECT_EQ(ended.status, 2) << ended.output;
-    EXPECT_EQ(test::lines(ended.output), 1u) << ended.output;
-  }
 }
 
 }  // namespace

@@ -63,11 +63,8 @@ class Caller {
 
 class WheelsUpFromThePage : public testing::Test {
  protected:
-  void start(const std::vector<std::string>& robot = {}) {
-    std::vector<std::string> arguments = {"tp100-sim", "robot", "--link", port()};
-    arguments.insert(arguments.end(), robot.begin(), robot.end());
-    robot_ = std::make_unique<Process>(arguments);
-    ASSERT_TRUE(robot_->wait_for("linked from")) << robot_->output();
+  void start(const Words& robot = {}) {
+    robot_ = start_robot(port(), robot);
     daemon_ = std::make_unique<Process>(
         std::vector<std::string>{"tp100d", "run", "--port", port(), "--stay", "--wait", "--listen",
                                  "127.0.0.1:0", "--setup", "stand"});
