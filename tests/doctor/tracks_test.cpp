@@ -68,8 +68,14 @@ TEST(Tracks, EveryDefectNamesWhatMendsIt) {
         const TrackDrive driven = drive(side, it.own_m, it.other_m, it.seen);
         const TrackDrive good = drive(other, kDistanceM, 0.0, kAsAsked);
         const bool left = side == Side::kLeft;
+        // Only the keys of the driven track, and the one that swaps both, are in question.
+        const Wiring wiring = {.invert_left_motor = set == left,
+                               .invert_right_motor = set != left,
+                               .invert_left_encoder = set == left,
+                               .invert_right_encoder = set != left,
+                               .swap_tracks = set};
         const Findings findings =
-            track_findings(left ? driven : good, left ? good : driven, {set, set, set, set, set});
+            track_findings(left ? driven : good, left ? good : driven, wiring);
         EXPECT_EQ(find(findings, (left ? "right" : "left") + std::string("-track")).severity,
                   Severity::kOk);
         const Finding found = find(findings, name + "-track");
