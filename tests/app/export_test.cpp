@@ -65,14 +65,29 @@ class Export : public testing::Test {
 };
 
 using Value = std::function<double(const Snapshot&)>;
+using PoseOf = std::function<Pose(const Snapshot&)>;
+
+PoseOf estimate(PoseSource source) {
+  return [source](const Snapshot& s) { return s.estimates[source].pose; };
+}
+
+const std::map<std::string, PoseOf> kEstimates = {{"model", estimate(PoseSource::kModel)},
+                                                  {"odometry", estimate(PoseSource::kOdometry)},
+                                                  {"fused", estimate(PoseSource::kFused)}};
 
 std::map<std::string, Value> columns_of_poses() {
-  std::map<std::string, Value> columns;
-  const std::map<std::string, std::function<Pose(const Snapshot&)>> poses = {
-      {"model", [](const Snapshot& s) { return s.estimates[PoseSource::kModel].pose; }},
-      {"odometry", [](const Snapshot& s) { return s.estimates[PoseSource::kOdometry].pose; }},
-      {"fused", [](const Snapshot& s) { return s.estimates[PoseSource::kFused].pose; }},
-      {"world", [](const Snapshot& s) { return s.world; }}};
+  std::map<std::string, Value> columns = {
+      {"left_mps", [](const Snapshot& s) { return s.left_mps; }},
+      {"right_mps", [](const Snapshot& s) { return s.right_mps; }},
+      {"slip_left", [](const Snapshot& s) { return s.slip_left; }},
+      {"slip_right", [](const Snapshot& s) { return s.slip_right; }},
+      {"cross_track_m", [](const Snapshot& s) { return s.cross_track_m; }},
+      {"heading_error_rad", [](const Snapshot& s) { return s.heading_error_rad; }},
+      {"progress_m", [](const Snapshot& s) { return s.progress_m; }},
+      {"desired_yaw_rad", [](const Snapshot& s) { return s.command.desired_yaw_rad; }},
+      {"speed_mps", [](const Snapshot& s) { return s.command.speed_mps; }}};
+  std::map<std::string, PoseOf> poses = kEstimates;
+  poses["world"] = [](const Snapshot& s) { return s.world; };
   const std::map<std::string, double Pose::*> values = {{"x_m", &Pose::x_m},
                                                         {"y_m", &Pose::y_m},
                                                         {"z_m", &Pose::z_m},
@@ -84,15 +99,6 @@ std::map<std::string, Value> columns_of_poses() {
       columns[name + "_" + key] = [of = pose, member = value](const Snapshot& s) {
         return of(s).*member;
       };
-  columns["left_mps"] = [](const Snapshot& s) { return s.left_mps; };
-  columns["right_mps"] = [](const Snapshot& s) { return s.right_mps; };
-  columns["slip_left"] = [](const Snapshot& s) { return s.slip_left; };
-  columns["slip_right"] = [](const Snapshot& s) { return s.slip_right; };
-  columns["cross_track_m"] = [](const Snapshot& s) { return s.cross_track_m; };
-  columns["heading_error_rad"] = [](const Snapshot& s) { return s.heading_error_rad; };
-  columns["progress_m"] = [](const Snapshot& s) { return s.progress_m; };
-  columns["desired_yaw_rad"] = [](const Snapshot& s) { return s.command.desired_yaw_rad; };
-  columns["speed_mps"] = [](const Snapshot& s) { return s.command.speed_mps; };
   return columns;
 }
 
@@ -125,12 +131,8 @@ TEST_F(Export, EveryColumnOfSamplesHoldsWhatItsNameSays) {
 
 // Each line is `time x y z qx qy qz qw`.
 TEST_F(Export, EveryTrajectoryHoldsThePoseOfItsName) {
-  const std::map<std::string, std::function<Pose(const Snapshot&)>> files = {
-      {"model.tum", [](const Snapshot& s) { return s.estimates[PoseSource::kModel].pose; }},
-      {"odometry.tum", [](const Snapshot& s) { return s.estimates[PoseSource::kOdometry].pose; }},
-      {"fused.tum", [](const Snapshot& s) { return s.estimates[PoseSource::kFused].pose; }}};
-  for (const auto& [name, pose_of] : files) {
-    std::istringstream lines(text(name.c_str()));
+  for (const auto& [name, pose_of] : kEstimates) {
+    std::istringstream lines(text((name + ".tum").c_str()));
     double t_s, x, y, z, qx, qy, qz, qw;
     int count = 0;
     for (; lines >> t_s >> x >> y >> z >> qx >> qy >> qz >> qw; ++count) {
@@ -190,12 +192,14 @@ TEST(ExportImages, WritesEachImageWithItsTime) {
     EXPECT_EQ(test::read_bytes(out + "/image-00000" + std::to_string(i + 1) + ".jpg"), jpegs[i]);
 }
 
-TEST(ExportImages, ARecordingWithoutImagesIsSaid) {
+TEST(ExportImages, TheMissingImagesAreNamedWithTheWayToGetThem) {
   const test::TemporaryFolder folder;
-  record_run(folder.file("run.mcap"));
-  EXPECT_THROW(
-      run_export({.runs = {folder.file("run.mcap")}, .images = folder.file("images"), .out = {}}),
-      SetupError);
+  const std::string run = folder.file("run.mcap");
+  record_run(run);
+  EXPECT_THAT(
+      [&] { run_export({.runs = {run}, .images = folder.file("images"), .out = {}}); },
+      testing::ThrowsMessage<SetupError>(
+          run + ": has no images; run tp100-camera with an [image] section in its view file"));
 }
 
 }  // namespace

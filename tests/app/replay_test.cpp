@@ -214,34 +214,22 @@ TEST(Replay, KnowsItsModelsByName) {
   }
 }
 
-class ReplayFiles : public testing::Test {
- protected:
-  std::string file(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_.path() / name, std::ios::binary) << text;
-    return folder_.file(name);
-  }
-  test::TemporaryFolder folder_;
-};
-
-TEST_F(ReplayFiles, WriteOneRowPerInputRow) {
-  const std::string in = file("in.csv", constant(0.1, 0.12, 0.005, 10));
-  const std::string out = folder_.file("out.csv");
-  EXPECT_EQ(run_replay({in, out, "", "paper"}), 0);
-  std::ifstream result(out);
-  std::ostringstream text;
-  text << result.rdbuf();
-  EXPECT_EQ(text.str(), replay_csv(constant(0.1, 0.12, 0.005, 10), "", kPaperModel, {}));
-}
-
-TEST_F(ReplayFiles, LeaveNothingBehindOnFailure) {
-  const std::string out = folder_.file("out.csv");
+TEST(ReplayFiles, HaveOneRowPerInputRowAndLeaveNothingBehindOnFailure) {
+  const test::TemporaryFolder folder;
+  const auto file = [&](const std::string& name, const std::string& text) {
+    test::write_bytes(folder.file(name), text);
+    return folder.file(name);
+  };
+  const std::string out = folder.file("out.csv"), steady = constant(0.1, 0.12, 0.005, 10);
+  const std::string good = file("good.csv", steady);
   const std::string bad = file("in.csv", "t_s,left_mps,right_mps\n0,1,1\n1,1");
   EXPECT_THROW(run_replay({bad, out, "", ""}), SetupError);
-  EXPECT_THROW(run_replay({folder_.file("none"), out, "", ""}), SetupError);
-  const std::string good = file("good.csv", constant(0.1, 0.1, 0.1, 3));
-  EXPECT_THROW(run_replay({good, (folder_.path() / "no" / "out").string(), "", ""}), SetupError);
+  EXPECT_THROW(run_replay({folder.file("none"), out, "", ""}), SetupError);
+  EXPECT_THROW(run_replay({good, folder.file("no/out"), "", ""}), SetupError);
   EXPECT_THROW(run_replay({good, out, file("c.toml", "robt = 1"), ""}), SetupError);
-  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_.path()), {}), 3);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 3);
+  EXPECT_EQ(run_replay({good, out, "", "paper"}), 0);
+  EXPECT_EQ(test::read_bytes(out), replay_csv(steady, "", kPaperModel, {}));
 }
 
 }  // namespace
