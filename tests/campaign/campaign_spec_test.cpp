@@ -49,19 +49,22 @@ TEST(CampaignSpec, ListsAreCrossed) {
   EXPECT_EQ(plan(of, 1).options.robot, "uniform");
 }
 
-TEST(CampaignSpec, TheBodyIsAChoice) {
-  const CampaignSpec of =
-      spec("runs = 2\ncourse = \"1-curve\"\nbody = { list = [\"ode\", \"shear\"] }");
-  EXPECT_EQ(load(plan(of, 0).options).robot.emulated.contact_law, course::ContactLaw::kOde);
-  EXPECT_EQ(load(plan(of, 1).options).robot.emulated.contact_law, course::ContactLaw::kShear);
-  EXPECT_EQ(plan(of, 1).sampled.at(0).first, "body");
-}
-
-TEST(CampaignSpec, TheFloorIsAChoice) {
-  const CampaignSpec of =
-      spec("runs = 2\ncourse = \"1-curve\"\nfloor = { list = [\"even\", \"uneven\"] }");
-  EXPECT_EQ(load(plan(of, 0).options).robot.emulated.floor, course::Floor::kEven);
-  EXPECT_EQ(load(plan(of, 1).options).robot.emulated.floor, course::Floor::kUneven);
+TEST(CampaignSpec, BodyAndFloorAreChoices) {
+  const CampaignSpec of = spec(
+      "runs = 4\ncourse = \"1-curve\"\nbody = { list = [\"ode\", \"shear\"] }\n"
+      "floor = { list = [\"even\", \"uneven\"] }");
+  std::set<std::pair<course::ContactLaw, course::Floor>> seen;
+  for (std::uint64_t index = 0; index < of.runs; ++index) {
+    const PlannedRun run = plan(of, index);
+    EXPECT_EQ(run.sampled.at(0).first, "body");
+    const auto& emulated = load(run.options).robot.emulated;
+    EXPECT_EQ(emulated.contact_law == course::ContactLaw::kOde,
+              std::get<std::string>(run.sampled.at(0).second) == "ode");
+    EXPECT_EQ(emulated.floor == course::Floor::kEven,
+              std::get<std::string>(run.sampled.at(1).second) == "even");
+    seen.emplace(emulated.contact_law, emulated.floor);
+  }
+  EXPECT_EQ(seen.size(), 4u);
 }
 
 TEST(CampaignSpec, ValuesReachConfigurationAndRobot) {
@@ -84,13 +87,10 @@ TEST(CampaignSpec, ValuesReachConfigurationAndRobot) {
 TEST(CampaignSpec, WhatNobodyKnowsIsNamed) {
   const CampaignSpec of =
       spec("runs = 1\ncourse = \"3\"\n[robot_values]\nemulated.body.fricton = 0.5");
-  try {
-    load(plan(of, 0).options);
-    FAIL();
-  } catch (const SetupError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("end-loaded.toml with other values"));
-    EXPECT_THAT(error.what(), HasSubstr("did you mean 'emulated.body.friction'?"));
-  }
+  EXPECT_THAT([&] { load(plan(of, 0).options); },
+              testing::ThrowsMessage<SetupError>(
+                  testing::AllOf(HasSubstr("end-loaded.toml with other values"),
+                                 HasSubstr("did you mean 'emulated.body.friction'?"))));
 }
 
 TEST(CampaignSpec, NonsenseIsRefusedWithItsPlace) {
