@@ -28,13 +28,9 @@ inline Decal held(const cv::Mat& bits, double width_m, const Vec3& middle, doubl
   const double cy = std::cos(tilt_y), sy = std::sin(tilt_y);
   const Vec3 right = {cy, sx * sy, -cx * sy}, down = {0.0, -cx, -sx};
   const double ct = std::cos(turn), st = std::sin(turn);
-  Decal decal{.bits = bits};
-  for (std::size_t i = 0; i < 3; ++i) {
-    decal.across_m[i] = width_m * (ct * right[i] + st * down[i]);
-    decal.down_m[i] = height_m * (-st * right[i] + ct * down[i]);
-    decal.corner_m[i] = middle[i] - decal.across_m[i] / 2 - decal.down_m[i] / 2;
-  }
-  return decal;
+  const Vec3 across = width_m * (ct * right + st * down);
+  const Vec3 descent = height_m * (ct * down - st * right);
+  return {bits, middle - 0.5 * (across + descent), across, descent};
 }
 
 }  // namespace tp100::test

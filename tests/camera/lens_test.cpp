@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 
 #include "../programs/process.h"
 #include "core/error.h"
@@ -19,7 +18,7 @@ using ::testing::HasSubstr;
 class LensFile : public testing::Test {
  protected:
   std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_.file(name), std::ios::binary) << text;
+    write_bytes(folder_.file(name), text);
     return folder_.file(name);
   }
   std::string problem(const std::string& name, const std::string& text) const {

@@ -60,25 +60,21 @@ TEST(Observer, FindsTheRobotToAMillimetreAllOverTheFloor) {
   EXPECT_LT(errors.yaw_max_rad, 0.6 * kRadPerDeg);
 }
 
-TEST(Observer, StraightDownTheRobotIsFoundAsWell) {
+// Also from straight above, and with pixels of four points as a person reads them off an image.
+TEST(Observer, FindsTheRobotWithoutTiltAndByPixelsThatWereReadOff) {
   Scene scene = corner_scene(SceneCamera{}, 2);
-  const Errors errors = errors_over_the_floor(scene, corner_view(), 8);
-  EXPECT_EQ(errors.found, 8);
-  EXPECT_LT(errors.place_max_m, 0.002);
-}
-
-TEST(Observer, PixelsReadOffAnImageServeAsFloorPoints) {
-  Scene scene = corner_scene();
   camera::View view = corner_view();
+  const Errors straight = errors_over_the_floor(scene, view, 8);
+  EXPECT_EQ(straight.found, 8);
+  EXPECT_LT(straight.place_max_m, 0.002);
   for (const camera::FloorMarker& marker : view.floor_markers) {
     const auto pixel = scene.camera().pixel({marker.world_m.x, marker.world_m.y, 0.0});
-    // The pixels are rounded, as a person reads them.
     view.floor_points.push_back({{std::round(pixel[0]), std::round(pixel[1])}, marker.world_m});
   }
   view.floor_markers.clear();
-  const Errors errors = errors_over_the_floor(scene, view, 8);
-  EXPECT_EQ(errors.found, 8);
-  EXPECT_LT(errors.place_max_m, 0.003);
+  const Errors read_off = errors_over_the_floor(scene, view, 8);
+  EXPECT_EQ(read_off.found, 8);
+  EXPECT_LT(read_off.place_max_m, 0.003);
 }
 
 TEST(Observer, BlurNoiseAndMotionCostLessThanTwoMillimetres) {
@@ -131,7 +127,7 @@ TEST(Observer, FollowsADriveAndLosesNothing) {
   }
 }
 
-TEST(Observer, SaysNothingWithoutTheMarker) {
+TEST(Observer, SaysNothingWithoutTheMarkerOrTheFloor) {
   Scene scene = corner_scene();
   Observer observer(lens_of(scene.camera()), corner_view());
   EXPECT_FALSE(observer.look(scene.empty_floor({})).has_value());
@@ -140,29 +136,24 @@ TEST(Observer, SaysNothingWithoutTheMarker) {
   // The marker was seen before and is now covered: the last place must not be reported.
   EXPECT_TRUE(observer.look(scene.image({.x_m = 0.1})).has_value());
   EXPECT_FALSE(observer.look(scene.empty_floor({})).has_value());
+
+  Scene bare(tilted_camera(), 1);
+  bare.carry(marker_bits(0), 0.10, 0.06);
+  Observer lost(lens_of(bare.camera()), corner_view());
+  EXPECT_FALSE(lost.look(bare.image({})).has_value());
+  EXPECT_NE(lost.floor().problem(), "");
 }
 
-TEST(Observer, SaysNothingWithoutAFloor) {
-  Scene scene(tilted_camera(), 1);
-  scene.carry(marker_bits(0), 0.10, 0.06);
-  Observer observer(lens_of(scene.camera()), corner_view());
-  EXPECT_FALSE(observer.look(scene.image({})).has_value());
-  EXPECT_NE(observer.floor().problem(), "");
-}
-
-TEST(Observer, AMarkerOfAnotherSizeIsNotOurs) {
-  Scene scene = corner_scene();
-  scene.carry(marker_bits(0), 0.16, 0.06);
-  EXPECT_FALSE(Observer(lens_of(scene.camera()), corner_view()).look(scene.image({})).has_value());
-}
-
-TEST(Observer, OfTwoWithItsIdTheOneOfTheRightSizeCounts) {
-  Scene scene = corner_scene();
-  scene.lay(marker_bits(0), 0.12, -0.6, 0.3, 1.0);
+TEST(Observer, OnlyTheMarkerOfTheRightSizeIsOurs) {
+  Scene two = corner_scene();
+  two.lay(marker_bits(0), 0.12, -0.6, 0.3, 1.0);
   const Pose truth{.x_m = 0.5, .y_m = 0.1};
-  const auto found = Observer(lens_of(scene.camera()), corner_view()).look(scene.image(truth));
+  const auto found = Observer(lens_of(two.camera()), corner_view()).look(two.image(truth));
   ASSERT_TRUE(found.has_value());
   EXPECT_LT(place_error(*found, truth), 0.002);
+  Scene large = corner_scene();
+  large.carry(marker_bits(0), 0.16, 0.06);
+  EXPECT_FALSE(Observer(lens_of(large.camera()), corner_view()).look(large.image({})).has_value());
 }
 
 TEST(Observer, AnotherImageSizeIsAnError) {

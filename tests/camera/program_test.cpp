@@ -59,10 +59,38 @@ class CameraProgram : public testing::Test {
       times << name << ',' << i / kFps << '\n';
     }
   }
-  Finished watch(const std::string& source, std::vector<std::string> more = {}) const {
-    std::vector<std::string> arguments = {program(), source, "--view", view()};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return run(arguments);
+  Finished watch(const std::string& source, const Words& more = {}) const {
+    return run(joined({program(), source, "--view", view()}, more));
+  }
+  /// Expects ten poses of the drive in the TUM file.
+  void expect_drive(const std::string& tum, double place_m, double yaw_rad) const {
+    std::istringstream file(read_bytes(tum));
+    int rows = 0;
+    for (std::string row; std::getline(file, row);) {
+      if (row.starts_with("#")) continue;
+      std::istringstream fields(row);
+      double t_s, x, y, z, qx, qy, qz, qw;
+      ASSERT_TRUE(fields >> t_s >> x >> y >> z >> qx >> qy >> qz >> qw) << row;
+      const Pose truth = drive(t_s);
+      EXPECT_LT(std::hypot(x - truth.x_m, y - truth.y_m), place_m) << row;
+      EXPECT_NEAR(wrap_angle(2.0 * std::atan2(qz, qw) - truth.yaw_rad), 0.0, yaw_rad);
+      EXPECT_NEAR(qz * qz + qw * qw, 1.0, 1e-6);
+      ++rows;
+    }
+    EXPECT_EQ(rows, 10);
+  }
+  static void write_all(int fd, const std::string& bytes) {
+    for (std::size_t at = 0; at < bytes.size();) {
+      const ssize_t written = ::write(fd, bytes.data() + at, bytes.size() - at);
+      ASSERT_GT(written, 0);
+      at += static_cast<std::size_t>(written);
+    }
+  }
+  /// The next datagram with a pose. Those with images are left out.
+  static std::optional<link::CameraMessage> next_pose(UdpReceiver& receiver, int patience_ms) {
+    std::string datagram = receiver.wait(patience_ms);
+    while (link::is_image(datagram)) datagram = receiver.wait(patience_ms);
+    return link::decode_camera(datagram);
   }
   void expect_error(const Finished& finished, const std::string& text) const {
     EXPECT_EQ(finished.status, 2) << finished.output;
@@ -80,51 +108,36 @@ TEST_F(CameraProgram, WritesTheDriveAsATumFile) {
   EXPECT_EQ(finished.status, 0) << finished.output;
   EXPECT_THAT(finished.output, HasSubstr("images 10, dropped 2"));
   EXPECT_THAT(finished.output, HasSubstr("seen in 10"));
-  std::ifstream file(tum);
-  std::string row;
-  int rows = 0;
-  while (std::getline(file, row)) {
-    if (row.starts_with("#")) continue;
-    std::istringstream fields(row);
-    double t_s, x, y, z, qx, qy, qz, qw;
-    ASSERT_TRUE(fields >> t_s >> x >> y >> z >> qx >> qy >> qz >> qw) << row;
-    const Pose truth = drive(t_s);
-    EXPECT_LT(std::hypot(x - truth.x_m, y - truth.y_m), 0.001) << row;
-    EXPECT_NEAR(wrap_angle(2.0 * std::atan2(qz, qw) - truth.yaw_rad), 0.0, 0.8 * kRadPerDeg);
-    EXPECT_NEAR(qz * qz + qw * qw, 1.0, 1e-6);
-    ++rows;
-  }
-  EXPECT_EQ(rows, 10);
+  expect_drive(tum, 0.001, 0.8 * kRadPerDeg);
 }
 
 TEST_F(CameraProgram, SendsTheDriveInRealTimeWithTheTimesAtWhichItWasTaken) {
   record(12, {6, 7});
-  UdpReceiver receiver;
-  const std::string to = "udp:" + std::to_string(receiver.port());
-  Process sender({program(), images(), "--view", view(), "--send", to});
-  std::optional<link::CameraMessage> first;
-  std::uint32_t last = 0;
   int received = 0;
-  // On a busy machine the program skips images, which shows in the sequence numbers.
-  for (std::string datagram; !(datagram = receiver.wait(3000)).empty() || received == 0;) {
-    if (link::is_image(datagram)) continue;
-    const auto message = link::decode_camera(datagram);
-    ASSERT_TRUE(message.has_value()) << datagram;
-    EXPECT_EQ(message->clock, link::monotonic_clock_name());
-    EXPECT_GT(message->sequence, last);
-    last = message->sequence;
-    if (!first) first = message;
-    const double t_s = static_cast<double>(message->stamp_us - first->stamp_us) * 1e-6 +
-                       (first->sequence - 1) / kFps;
-    EXPECT_NEAR(t_s, (message->sequence - 1) / kFps, 1e-3);
-    const Pose truth = drive(t_s);
-    EXPECT_LT(std::hypot(message->x_m - truth.x_m, message->y_m - truth.y_m), 0.0015);
-    EXPECT_LT(message->age_us, 10'000'000);
-    ++received;
+  // On a busy machine the program skips images, which shows in the sequence numbers; at worst all.
+  for (int tries = 0; tries < 5 && received == 0; ++tries) {
+    UdpReceiver receiver;
+    Process sender({program(), images(), "--view", view(), "--send",
+                    "udp:" + std::to_string(receiver.port())});
+    std::optional<link::CameraMessage> first;
+    std::uint32_t last = 0;
+    while (const auto message = next_pose(receiver, received == 0 ? 10'000 : 3000)) {
+      EXPECT_EQ(message->clock, link::monotonic_clock_name());
+      EXPECT_GT(message->sequence, last);
+      last = message->sequence;
+      if (!first) first = message;
+      const double t_s = static_cast<double>(message->stamp_us - first->stamp_us) * 1e-6 +
+                         (first->sequence - 1) / kFps;
+      EXPECT_NEAR(t_s, (message->sequence - 1) / kFps, 1e-3);
+      const Pose truth = drive(t_s);
+      EXPECT_LT(std::hypot(message->x_m - truth.x_m, message->y_m - truth.y_m), 0.0015);
+      EXPECT_LT(message->age_us, 10'000'000);
+      ++received;
+    }
+    EXPECT_LE(sender.wait(), received == 0 ? 1 : 0) << sender.output();
+    EXPECT_LE(last, 12U);
   }
-  EXPECT_EQ(sender.wait(), 0) << sender.output();
   EXPECT_GT(received, 0);
-  EXPECT_LE(last, 12U);
 }
 
 TEST_F(CameraProgram, SendsWhatComesThroughAPipeWithTheStampsItHasUntilASignal) {
@@ -144,14 +157,8 @@ TEST_F(CameraProgram, SendsWhatComesThroughAPipeWithTheStampsItHasUntilASignal) 
                       to_s(taken_ns), image.cols, image.rows);
     std::string bytes(header.data(), static_cast<std::size_t>(length));
     bytes.append(reinterpret_cast<const char*>(image.data), image.total());
-    for (std::size_t at = 0; at < bytes.size();) {
-      const ssize_t written = ::write(ends[1], bytes.data() + at, bytes.size() - at);
-      ASSERT_GT(written, 0);
-      at += static_cast<std::size_t>(written);
-    }
-    std::string datagram = receiver.wait(60'000);
-    while (link::is_image(datagram)) datagram = receiver.wait(60'000);
-    const auto message = link::decode_camera(datagram);
+    write_all(ends[1], bytes);
+    const auto message = next_pose(receiver, 60'000);
     ASSERT_TRUE(message.has_value()) << camera.output();
     EXPECT_NEAR(static_cast<double>(message->stamp_us), static_cast<double>(taken_ns) * 1e-3, 1.5);
     EXPECT_EQ(message->sequence, static_cast<std::uint32_t>(i + 1));
@@ -159,12 +166,7 @@ TEST_F(CameraProgram, SendsWhatComesThroughAPipeWithTheStampsItHasUntilASignal) 
     EXPECT_LT(std::hypot(message->x_m - truth.x_m, message->y_m - truth.y_m), 0.0015);
   }
   // Half an image, more than a pipe holds, so that the program has begun to read it.
-  const std::string half = "P5\n1920 1080\n255\n" + std::string(1'000'000, 'x');
-  for (std::size_t at = 0; at < half.size();) {
-    const ssize_t written = ::write(ends[1], half.data() + at, half.size() - at);
-    ASSERT_GT(written, 0);
-    at += static_cast<std::size_t>(written);
-  }
+  write_all(ends[1], "P5\n1920 1080\n255\n" + std::string(1'000'000, 'x'));
   camera.signal(SIGTERM);
   EXPECT_EQ(camera.wait(), 0) << camera.output();
   EXPECT_THAT(camera.output(), HasSubstr("seen in 4"));
@@ -238,16 +240,7 @@ TEST_F(CameraProgram, AVideoGivesTheSamePoses) {
   }
   const std::string tum = folder_.file("drive.tum");
   EXPECT_EQ(watch(path, {"--tum", tum}).status, 0);
-  std::ifstream file(tum);
-  std::string row;
-  int rows = 0;
-  for (double t_s, x, y; std::getline(file, row);) {
-    if (row.starts_with("#")) continue;
-    ASSERT_EQ(std::sscanf(row.c_str(), "%lf %lf %lf", &t_s, &x, &y), 3);
-    EXPECT_LT(std::hypot(x - drive(t_s).x_m, y - drive(t_s).y_m), 0.002) << row;
-    ++rows;
-  }
-  EXPECT_EQ(rows, 10);
+  expect_drive(tum, 0.002, 0.8 * kRadPerDeg);
 
   // A video that is cut in the middle is an error.
   fs::resize_file(path, fs::file_size(path) / 2);
@@ -295,9 +288,7 @@ TEST_F(CameraProgram, ARecordingWithoutTheMarkerFails) {
 TEST_F(CameraProgram, PrintsMarkersAndBoards) {
   const std::string svg = folder_.file("marker.svg"), png = folder_.file("board.png");
   EXPECT_EQ(run({program(), "--print-marker", svg, "--view", view()}).status, 0);
-  std::ostringstream text;
-  text << std::ifstream(svg).rdbuf();
-  EXPECT_THAT(text.str(), HasSubstr("width=\"150mm\""));
+  EXPECT_THAT(read_bytes(svg), HasSubstr("width=\"150mm\""));
   EXPECT_EQ(run({program(), "--print-board", png, "--board", "charuco:7x5:0.04:0.03"}).status, 0);
   EXPECT_FALSE(cv::imread(png).empty());
   EXPECT_EQ(run({program(), "--print-marker", svg, "--id", "999"}).status, 2);

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <opencv2/imgproc.hpp>
+#include <random>
 #include <stdexcept>
 
 namespace tp100::test {
@@ -14,25 +15,16 @@ constexpr int kRays = kGrid * kGrid;
 // a 4x4 marker.
 constexpr double kRim = 1.5 / 6.0;
 
-double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vec3 plus(const Vec3& a, const Vec3& b, double share = 1.0) {
-  return {a[0] + share * b[0], a[1] + share * b[1], a[2] + share * b[2]};
-}
-Vec3 cross(const Vec3& a, const Vec3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-Vec3 scaled(const Vec3& a, double by) { return {a[0] * by, a[1] * by, a[2] * by}; }
-
 /// Grey value of the decal where the ray from `eye` meets it; negative if it does not.
 double seen(const Decal& decal, const Vec3& eye, const Vec3& direction) {
-  const Vec3 normal = cross(decal.across_m, decal.down_m);
-  const double towards = dot(normal, direction);
+  const Vec3 normal = decal.across_m.cross(decal.down_m);
+  const double towards = normal.dot(direction);
   if (std::abs(towards) < 1e-12) return -1.0;
-  const double along = dot(normal, plus(decal.corner_m, eye, -1.0)) / towards;
+  const double along = normal.dot(decal.corner_m - eye) / towards;
   if (along <= 0.0) return -1.0;
-  const Vec3 at = plus(plus(eye, direction, along), decal.corner_m, -1.0);
-  const double column = dot(at, decal.across_m) / dot(decal.across_m, decal.across_m);
-  const double row = dot(at, decal.down_m) / dot(decal.down_m, decal.down_m);
+  const Vec3 at = eye + along * direction - decal.corner_m;
+  const double column = at.dot(decal.across_m) / decal.across_m.dot(decal.across_m);
+  const double row = at.dot(decal.down_m) / decal.down_m.dot(decal.down_m);
   if (column < 0.0 || column >= 1.0 || row < 0.0 || row >= 1.0) return -1.0;
   return decal.bits.at<unsigned char>(static_cast<int>(row * decal.bits.rows),
                                       static_cast<int>(column * decal.bits.cols));
@@ -51,59 +43,15 @@ std::array<Vec3, 3> body_axes(const Pose& pose) {
 /// A square whose top edge points along `ahead` and whose left edge is on the side of `left`.
 Decal square(const cv::Mat& bits, const Vec3& middle, const Vec3& ahead, const Vec3& left,
              double size_m) {
-  return {bits, plus(plus(middle, ahead, size_m / 2), left, size_m / 2), scaled(left, -size_m),
-          scaled(ahead, -size_m)};
+  return {bits, middle + size_m / 2 * (ahead + left), -size_m * left, -size_m * ahead};
 }
 
 /// The marker's bits with their white rim; `size_m` is enlarged accordingly.
 cv::Mat with_rim(const cv::Mat& bits, double& size_m) {
   const int rim = static_cast<int>(std::lround(bits.cols * kRim));
   cv::Mat out(bits.rows + 2 * rim, bits.cols + 2 * rim, CV_8U, cv::Scalar(225));
-  for (int row = 0; row < bits.rows; ++row)
-    for (int column = 0; column < bits.cols; ++column)
-      out.at<unsigned char>(row + rim, column + rim) =
-          bits.at<unsigned char>(row, column) != 0 ? 225 : 30;
+  out(cv::Rect(rim, rim, bits.cols, bits.rows)).setTo(30, bits == 0);
   size_m *= static_cast<double>(out.cols) / bits.cols;
-  return out;
-}
-
-std::vector<float> gaussian(double sd) {
-  const int half = std::max(1, static_cast<int>(std::ceil(3.0 * sd)));
-  std::vector<float> weights;
-  double sum = 0.0;
-  for (int i = -half; i <= half; ++i) sum += std::exp(-i * i / (2.0 * sd * sd));
-  for (int i = -half; i <= half; ++i)
-    weights.push_back(static_cast<float>(std::exp(-i * i / (2.0 * sd * sd)) / sum));
-  return weights;
-}
-
-cv::Mat blurred(const cv::Mat& grey, double sd) {
-  if (sd <= 0.0) return grey;
-  const std::vector<float> weights = gaussian(sd);
-  const int half = static_cast<int>(weights.size()) / 2;
-  cv::Mat rows(grey.size(), CV_32F), out(grey.size(), CV_32F);
-  std::vector<float> wider(static_cast<std::size_t>(grey.cols + 2 * half));
-  for (int v = 0; v < grey.rows; ++v) {
-    const float* in = grey.ptr<float>(v);
-    std::fill_n(wider.begin(), half, in[0]);
-    std::copy_n(in, grey.cols, wider.begin() + half);
-    std::fill_n(wider.end() - half, half, in[grey.cols - 1]);
-    float* to = rows.ptr<float>(v);
-    std::fill(to, to + grey.cols, 0.0F);
-    for (std::size_t i = 0; i < weights.size(); ++i) {
-      const float* from = wider.data() + i;
-      for (int u = 0; u < grey.cols; ++u) to[u] += weights[i] * from[u];
-    }
-  }
-  for (int v = 0; v < grey.rows; ++v) {
-    float* to = out.ptr<float>(v);
-    std::fill(to, to + grey.cols, 0.0F);
-    for (int i = -half; i <= half; ++i) {
-      const float* in = rows.ptr<float>(std::clamp(v + i, 0, grey.rows - 1));
-      const float weight = weights[static_cast<std::size_t>(i + half)];
-      for (int u = 0; u < grey.cols; ++u) to[u] += weight * in[u];
-    }
-  }
   return out;
 }
 
@@ -117,15 +65,15 @@ std::array<Vec3, 3> SceneCamera::axes() const {
   const double ct = std::cos(turned_rad), st = std::sin(turned_rad);
   const Vec3 view = {sy, sx * cy, -cx * cy};
   const Vec3 right = {cy, -sx * sy, cx * sy};
-  const Vec3 down = cross(view, right);
-  return {plus(scaled(right, ct), down, st), plus(scaled(down, ct), right, -st), view};
+  const Vec3 down = view.cross(right);
+  return {ct * right + st * down, ct * down - st * right, view};
 }
 
 std::array<double, 2> SceneCamera::pixel(const Vec3& world_m) const {
   const std::array<Vec3, 3> frame = axes();
-  const Vec3 from = plus(world_m, place_m, -1.0);
-  const double depth = dot(frame[2], from);
-  const double x = dot(frame[0], from) / depth, y = dot(frame[1], from) / depth;
+  const Vec3 from = world_m - place_m;
+  const double depth = frame[2].dot(from);
+  const double x = frame[0].dot(from) / depth, y = frame[1].dot(from) / depth;
   const double r2 = x * x + y * y;
   const double stretch = 1.0 + k1 * r2 + k2 * r2 * r2;
   return {centre_x_px + focal_px * (x * stretch + 2 * p1 * x * y + p2 * (r2 + 2 * x * x)),
@@ -149,7 +97,7 @@ Vec3 SceneCamera::direction(double u_px, double v_px, const std::array<Vec3, 3>&
     y = next_y;
   }
   if (off > 1e-6) throw std::logic_error("scene: no ray for this pixel");
-  return plus(plus(frame[2], frame[0], x), frame[1], y);
+  return frame[2] + x * frame[0] + y * frame[1];
 }
 
 Scene::Scene(const SceneCamera& camera, std::uint64_t seed)
@@ -169,9 +117,9 @@ void Scene::carry(const cv::Mat& bits, double size_m, double height_m) {
 
 std::vector<Decal> Scene::robot_at(const Pose& pose) const {
   const std::array<Vec3, 3> axes = body_axes(pose);
-  const Vec3 top = plus({pose.x_m, pose.y_m, pose.z_m}, axes[2], marker_height_m_);
+  const Vec3 top = Vec3(pose.x_m, pose.y_m, pose.z_m) + marker_height_m_ * axes[2];
   // The robot itself is a dark square slightly below its marker.
-  const Vec3 deck = plus(top, axes[2], -0.002);
+  const Vec3 deck = top - 0.002 * axes[2];
   const cv::Mat dark(1, 1, CV_8U, cv::Scalar(55));
   return {square(dark, deck, axes[0], axes[1], std::max(0.19, marker_size_m_ * 1.05)),
           square(marker_, top, axes[0], axes[1], marker_size_m_)};
@@ -209,8 +157,8 @@ void Scene::draw(cv::Mat& grey, const std::vector<std::vector<Decal>>& instants)
   for (const auto& decals : instants) {
     for (const Decal& decal : decals) {
       for (int k = 0; k < 4; ++k) {
-        const auto at = camera_.pixel(
-            plus(plus(decal.corner_m, decal.across_m, k & 1), decal.down_m, (k >> 1) & 1));
+        const auto at =
+            camera_.pixel(decal.corner_m + (k & 1) * decal.across_m + (k >> 1) * decal.down_m);
         left = std::min(left, at[0]);
         right = std::max(right, at[0]);
         top = std::min(top, at[1]);
@@ -259,23 +207,12 @@ const cv::Mat& Scene::still() {
 }
 
 cv::Mat Scene::finish(cv::Mat grey, const SceneNoise& noise) {
-  grey = blurred(grey, noise.blur_px);
-  cv::Mat out(grey.size(), CV_8U);
-  // Every row reads this table from another offset: drawing two million random numbers per image
-  // would take longer.
-  constexpr std::size_t kErrors = 1 << 14;
-  std::vector<float> errors(kErrors);
-  std::normal_distribution<float> error(0.0F, static_cast<float>(noise.grey_sd));
-  for (float& one : errors) one = noise.grey_sd > 0.0 ? error(random_) : 0.0F;
-  for (int v = 0; v < grey.rows; ++v) {
-    const float* from = grey.ptr<float>(v);
-    auto* to = out.ptr<unsigned char>(v);
-    std::size_t at = random_() % kErrors;
-    for (int u = 0; u < grey.cols; ++u) {
-      at = (at + 1) % kErrors;
-      to[u] = static_cast<unsigned char>(std::clamp(from[u] + errors[at] + 0.5F, 0.0F, 255.0F));
-    }
-  }
+  if (noise.blur_px > 0.0)
+    cv::GaussianBlur(grey, grey, {}, noise.blur_px, noise.blur_px, cv::BORDER_REPLICATE);
+  cv::Mat errors(grey.size(), CV_32F);
+  random_.fill(errors, cv::RNG::NORMAL, 0.0, noise.grey_sd);
+  cv::Mat out;
+  cv::Mat(grey + errors).convertTo(out, CV_8U);
   return out;
 }
 

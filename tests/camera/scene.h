@@ -1,21 +1,20 @@
 #pragma once
 // Draws images of a robot on a floor under a camera from the laws of optics. It shares no code with
-// daemon/camera: rays, projection, distortion, blur and noise are implemented here; OpenCV only
-// holds the images and draws the markers' bits.
+// daemon/camera: rays, projection and distortion are implemented here; OpenCV holds the images,
+// blurs them, and draws noise and the markers' bits.
 //
 // World: z up. Camera frame: x right, y down, z along the view. Body: REP-103.
 
 #include <array>
 #include <cstdint>
 #include <opencv2/core.hpp>
-#include <random>
 #include <vector>
 
 #include "core/pose.h"
 
 namespace tp100::test {
 
-using Vec3 = std::array<double, 3>;
+using Vec3 = cv::Vec3d;
 
 /// A camera above the floor.
 struct SceneCamera {
@@ -80,7 +79,7 @@ class Scene {
   cv::Mat finish(cv::Mat grey, const SceneNoise& noise);
 
   SceneCamera camera_;
-  std::mt19937_64 random_;
+  cv::RNG random_;
   std::vector<Decal> decals_;
   cv::Mat still_;  ///< everything static, drawn once
   cv::Mat marker_;

@@ -4,10 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
-#include <sstream>
 
 #include "../programs/process.h"
 #include "camera/watch.h"
@@ -22,7 +20,7 @@ namespace fs = std::filesystem;
 class Sources : public testing::Test {
  protected:
   void write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_.file(name), std::ios::binary) << text;
+    write_bytes(folder_.file(name), text);
   }
   void draw(const std::string& name, int grey) const {
     cv::imwrite(folder_.file(name), cv::Mat(48, 64, CV_8U, cv::Scalar(grey)));
@@ -95,21 +93,22 @@ TEST_F(Sources, BadTimesAreNamedByLine) {
 }
 
 TEST_F(Sources, WhatIsNoImageInAFolderIsAnError) {
-  EXPECT_THAT(problem(folder_.path().string(), 30.0), HasSubstr("no images"));
+  const auto error = [&] { return problem(folder_.path().string(), 30.0); };
+  EXPECT_THAT(error(), HasSubstr("no images"));
   draw("a.png", 10);
+  EXPECT_EQ(error(), "none");
   EXPECT_THAT(problem(folder_.path().string()), HasSubstr("--fps"));
-  EXPECT_EQ(problem(folder_.path().string(), 30.0), "none");
   write("notes.txt", "hello");
-  EXPECT_THAT(problem(folder_.path().string(), 30.0), HasSubstr("notes.txt: no image"));
+  EXPECT_THAT(error(), HasSubstr("notes.txt: no image"));
   fs::remove(folder_.file("notes.txt"));
   write("b.png", "this is no image");
-  EXPECT_THAT(problem(folder_.path().string(), 30.0), HasSubstr("b.png: cannot be read"));
+  EXPECT_THAT(error(), HasSubstr("b.png: cannot be read"));
   draw("b.png", 10);
   fs::resize_file(folder_.file("b.png"), 60);
-  EXPECT_THAT(problem(folder_.path().string(), 30.0), HasSubstr("b.png: cannot be read"));
+  EXPECT_THAT(error(), HasSubstr("b.png: cannot be read"));
   fs::remove(folder_.file("b.png"));
   fs::create_directory(folder_.file("c.png"));
-  EXPECT_THAT(problem(folder_.path().string(), 30.0), HasSubstr("c.png: no image"));
+  EXPECT_THAT(error(), HasSubstr("c.png: no image"));
 }
 
 TEST_F(Sources, AVideoHasItsOwnTimes) {
@@ -135,9 +134,7 @@ TEST_F(Sources, ImagesOfAVideoThatWereDroppedLeaveAGapInItsTimes) {
     for (int i = 0; i < 12; ++i)
       writer.write(cv::Mat(48, 64, CV_8UC3, cv::Scalar::all(20 + 9 * i)));
   }
-  std::ostringstream read;
-  read << std::ifstream(path, std::ios::binary).rdbuf();
-  std::string text = read.str();
+  std::string text = read_bytes(path);
   const auto number = [&text](std::size_t at) {
     std::uint32_t value = 0;
     for (std::size_t i = 0; i < 4; ++i)
@@ -160,7 +157,7 @@ TEST_F(Sources, ImagesOfAVideoThatWereDroppedLeaveAGapInItsTimes) {
     const std::size_t at = text.find(outer) - 4;
     text.replace(at, 4, bytes(number(at) + 40 - size));
   }
-  std::ofstream(path, std::ios::binary) << text;
+  write_bytes(path, text);
 
   const auto source = camera::open_source(path, {});
   camera::ImageGaps gaps;

@@ -4,9 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <fstream>
-#include <sstream>
 
+#include "../support/temporary_folder.h"
 #include "core/error.h"
 #include "support/paths.h"
 
@@ -35,13 +34,10 @@ std::string problem(const std::string& text) {
 TEST(ViewFile, TheExampleIsWhatTheKeyTableSays) {
   const std::string path = source_path("config/view.toml");
   if (std::getenv("TP100_REWRITE_CONFIG") != nullptr) {
-    std::ofstream(path, std::ios::binary) << write_view(example());
+    test::write_bytes(path, write_view(example()));
     return;
   }
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream bundled;
-  bundled << file.rdbuf();
-  EXPECT_EQ(bundled.str(), write_view(example()));
+  EXPECT_EQ(test::read_bytes(path), write_view(example()));
 }
 
 TEST(ViewFile, ReadsBackWhatItWrites) {
