@@ -2,135 +2,41 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <functional>
+#include <vector>
+
+#include "arming_fixture.h"
 
 namespace tp100::control {
 namespace {
 
-constexpr double kCycleS = 0.005;
-
-class ArmingTest : public testing::Test {
- protected:
-  /// Steps until something is requested, or `steps` have passed.
-  RobotRequest run(int steps) {
-    for (int i = 0; i < steps; ++i) {
-      const RobotRequest request = arming_.update(in_, kCycleS);
-      in_.new_session = in_.rebooted = false;
-      in_.answer = RequestAnswer::kNone;
-      sample_.measured_ns += 5 * kNsPerMs;
-      if (request != RobotRequest::kNone) return request;
-    }
-    return RobotRequest::kNone;
-  }
-  void connect() {
-    in_.session = SessionState::kReady;
-    in_.sample = &sample_;
-    in_.refusal = StartRefusal::kNone;
-    sample_.state = RobotState::kDisarmed;
-  }
-  void begin(RunState to = RunState::kRunning) {
-    connect();
-    to == RunState::kDriving ? arming_.drive() : arming_.start();
-    ASSERT_EQ(run(100), RobotRequest::kArm);
-    sample_.state = RobotState::kArmed;
-    in_.answer = RequestAnswer::kAcknowledged;
-    ASSERT_EQ(run(1), RobotRequest::kNone);
-    ASSERT_TRUE(arming_.just_began());
-    ASSERT_EQ(arming_.state(), to);
-  }
-
-  /// The robot has obeyed the disarm and confirms it.
-  void confirm_off() {
-    sample_.state = RobotState::kDisarmed;
-    in_.answer = RequestAnswer::kAcknowledged;
-  }
-
-  Arming arming_;
-  ArmingInputs in_{};
-  Sample sample_{};
-};
-
 TEST_F(ArmingTest, NothingIsRequestedBeforeAStart) {
+  EXPECT_TRUE(arming_.at_rest());
+  EXPECT_FALSE(arming_.disarming());
   connect();
   EXPECT_EQ(run(1000), RobotRequest::kNone);
   EXPECT_EQ(arming_.state(), RunState::kIdle);
-}
-
-TEST_F(ArmingTest, AStartThatCannotBeginWithin3SIsRefusedWithItsReason) {
-  connect();
-  in_.refusal = StartRefusal::kNotStill;
-  arming_.start();
-  EXPECT_EQ(run(599), RobotRequest::kNone);
-  EXPECT_EQ(arming_.state(), RunState::kArming);
-  EXPECT_EQ(run(5), RobotRequest::kNone);
-  EXPECT_EQ(arming_.state(), RunState::kIdle);
-  in_.refusal = StartRefusal::kNone;
-  EXPECT_EQ(run(20000), RobotRequest::kNone) << "a refused start must not take effect later";
   EXPECT_EQ(arming_.faults(), 0u);
-  arming_.start();
-  EXPECT_EQ(run(100), RobotRequest::kArm);
 }
 
-TEST_F(ArmingTest, TheReasonOfARefusalIsSaidOnce) {
-  connect();
-  in_.refusal = StartRefusal::kNoWorld;
-  arming_.start();
-  int refusals = 0;
-  for (int i = 0; i < 2000; ++i) {
-    run(1);
-    if (arming_.refused() == StartRefusal::kNoWorld) ++refusals;
-  }
-  EXPECT_EQ(refusals, 1);
-}
-
-TEST_F(ArmingTest, AStartWaitsThatLongForTheSession) {
-  in_.refusal = StartRefusal::kNoSession;
-  arming_.start();
-  EXPECT_EQ(run(400), RobotRequest::kNone);
-  connect();
-  EXPECT_EQ(run(100), RobotRequest::kArm);
-}
-
-TEST_F(ArmingTest, AStartThatWaitsEndsWithItsSession) {
-  struct {
-    SessionState session;
-    bool new_session, rebooted;
-    Fault fault;
-  } constexpr kEnds[] = {{SessionState::kClosed, false, false, Fault::link_lost},
-                         {SessionState::kReady, true, false, Fault::link_lost},
-                         {SessionState::kReady, false, true, Fault::robot_rebooted}};
-  for (const auto& end : kEnds) {
-    connect();
-    in_.refusal = StartRefusal::kNotStill;
-    arming_.start();
-    ASSERT_EQ(run(10), RobotRequest::kNone);
-    in_.session = end.session;
-    in_.new_session = end.new_session;
-    in_.rebooted = end.rebooted;
-    EXPECT_EQ(run(1), RobotRequest::kDisarm);
-    EXPECT_EQ(arming_.state(), RunState::kAborted);
-    EXPECT_EQ(arming_.faults(), fault_bit(end.fault));
-  }
-}
-
-TEST_F(ArmingTest, NothingBeginsBeforeTheArmIsAcknowledged) {
+TEST_F(ArmingTest, AStartArmsOnceSomeCommandsAreOnTheWayAndBeginsWhenTheRobotSaysSo) {
   connect();
   arming_.start();
-  ASSERT_EQ(run(100), RobotRequest::kArm);
+  EXPECT_EQ(run(9), RobotRequest::kNone) << "the robot needs a fresh command before it arms";
+  EXPECT_EQ(run(2), RobotRequest::kArm);
   sample_.state = RobotState::kArmed;
   EXPECT_EQ(run(30), RobotRequest::kNone);
-  EXPECT_EQ(arming_.state(), RunState::kArming);
-  in_.answer = RequestAnswer::kFailed;
-  EXPECT_EQ(run(1), RobotRequest::kDisarm);
-  EXPECT_EQ(arming_.state(), RunState::kAborted);
-  EXPECT_EQ(arming_.faults(), fault_bit(Fault::not_acknowledged));
+  EXPECT_EQ(arming_.state(), RunState::kArming) << "another host may have armed it";
+  in_.answer = RequestAnswer::kAcknowledged;
+  EXPECT_EQ(run(1), RobotRequest::kNone);
+  EXPECT_EQ(arming_.state(), RunState::kRunning);
+  EXPECT_TRUE(arming_.just_began());
+  EXPECT_EQ(run(100), RobotRequest::kNone);
+  EXPECT_FALSE(arming_.just_began());
 }
 
 TEST_F(ArmingTest, AnAcknowledgementBeforeTheSampleThatShowsItCounts) {
-  connect();
-  arming_.start();
-  ASSERT_EQ(run(100), RobotRequest::kArm);
+  request_arm();
   in_.answer = RequestAnswer::kAcknowledged;
   EXPECT_EQ(run(3), RobotRequest::kNone);
   EXPECT_EQ(arming_.state(), RunState::kArming);
@@ -139,227 +45,206 @@ TEST_F(ArmingTest, AnAcknowledgementBeforeTheSampleThatShowsItCounts) {
   EXPECT_EQ(arming_.state(), RunState::kRunning);
 }
 
-TEST_F(ArmingTest, AnArmThatIsAcknowledgedAndChangesNothingIsGivenUp) {
+TEST_F(ArmingTest, AStartThatCannotBeginWithin3SIsRefusedOnceWithItsReason) {
   connect();
+  in_.refusal = StartRefusal::kNotStill;
   arming_.start();
-  ASSERT_EQ(run(100), RobotRequest::kArm);
-  in_.answer = RequestAnswer::kAcknowledged;
-  EXPECT_EQ(run(210), RobotRequest::kDisarm);
-  EXPECT_EQ(arming_.faults(), fault_bit(Fault::not_acknowledged));
+  int refusals = 0, steps = 0;
+  for (; arming_.state() == RunState::kArming && steps < 2000; ++steps) {
+    EXPECT_EQ(run(1), RobotRequest::kNone);
+    if (arming_.refused() == StartRefusal::kNotStill) ++refusals;
+  }
+  EXPECT_NEAR(steps * kCycleS, 3.0, 2 * kCycleS);
+  EXPECT_EQ(arming_.state(), RunState::kIdle);
+  run(1);
+  EXPECT_EQ(arming_.refused(), StartRefusal::kNone);
+  EXPECT_EQ(refusals, 1);
+  in_.refusal = StartRefusal::kNone;
+  EXPECT_EQ(run(2000), RobotRequest::kNone) << "a refused start must not take effect later";
+  EXPECT_EQ(arming_.faults(), 0u);
+  request_arm();
 }
 
-TEST_F(ArmingTest, ArmsOnceAndBeginsWhenTheRobotSaysSo) {
-  begin();
-  EXPECT_EQ(run(100), RobotRequest::kNone);
-  EXPECT_FALSE(arming_.just_began());
-}
-
-TEST_F(ArmingTest, ARefusedArmAbortsAndDisarms) {
+TEST_F(ArmingTest, AReasonThatPassesWithinThatTimeDelaysTheStart) {
   connect();
+  in_.refusal = StartRefusal::kNotStill;
   arming_.start();
-  ASSERT_EQ(run(100), RobotRequest::kArm);
-  in_.answer = RequestAnswer::kFailed;
-  EXPECT_EQ(run(1), RobotRequest::kDisarm);
-  EXPECT_EQ(arming_.state(), RunState::kAborted);
-  EXPECT_EQ(arming_.faults(), fault_bit(Fault::not_acknowledged));
-}
-
-TEST_F(ArmingTest, ALostSessionEndsTheRunAndItsReturnDoesNotRestartIt) {
-  begin();
-  in_.session = SessionState::kClosed;
-  in_.sample = nullptr;
-  EXPECT_EQ(run(1), RobotRequest::kDisarm);
-  EXPECT_EQ(arming_.faults(), fault_bit(Fault::link_lost));
-  EXPECT_FALSE(arming_.disarming()) << "no robot is connected that could confirm it";
-  connect();
-  in_.new_session = true;
-  EXPECT_EQ(run(1000), RobotRequest::kNone);
-  EXPECT_EQ(arming_.state(), RunState::kAborted);
-  arming_.start();
+  for (int i = 0; i < 40; ++i) {
+    // The commands that the robot needs first are counted anew.
+    in_.refusal = i % 2 == 0 ? StartRefusal::kNotStill : StartRefusal::kNone;
+    ASSERT_EQ(run(i % 2 == 0 ? 5 : 8), RobotRequest::kNone);
+  }
   EXPECT_EQ(run(100), RobotRequest::kArm);
-  EXPECT_EQ(arming_.faults(), 0u);
 }
 
-TEST_F(ArmingTest, ASessionThatCameBackWithinOneStepEndsTheRunToo) {
-  begin();
-  in_.new_session = true;
-  EXPECT_EQ(run(1), RobotRequest::kDisarm);
-}
-
-TEST_F(ArmingTest, ARestartOfTheRobotIsNotALostLinkToo) {
-  begin();
-  in_.session = SessionState::kParameters;
-  in_.rebooted = true;
-  in_.sample = nullptr;
-  EXPECT_EQ(run(1), RobotRequest::kDisarm);
-  EXPECT_EQ(arming_.faults(), fault_bit(Fault::robot_rebooted));
-}
-
-TEST_F(ArmingTest, ARobotThatSwitchesItselfOffEndsTheRunWithItsOwnFault) {
-  begin();
-  sample_.state = RobotState::kFaulted;
-  sample_.faults = fault_bit(Fault::stalled_left);
-  EXPECT_EQ(run(1), RobotRequest::kDisarm);
-  EXPECT_EQ(arming_.faults(), fault_bit(Fault::stalled_left));
-}
-
-TEST_F(ArmingTest, ARestartWhileItArmsEndsTheStartWithItsCause) {
+TEST_F(ArmingTest, AStartWaitsForASessionThoughAnEarlierStartHadOne) {
   connect();
+  in_.refusal = StartRefusal::kNotStill;
   arming_.start();
-  ASSERT_EQ(run(100), RobotRequest::kArm);
-  in_.rebooted = true;
-  EXPECT_EQ(run(1), RobotRequest::kDisarm);
-  EXPECT_EQ(arming_.state(), RunState::kAborted);
-  EXPECT_EQ(arming_.faults(), fault_bit(Fault::robot_rebooted));
-}
-
-TEST_F(ArmingTest, AnAbortWhileItArmsEndsTheStartWithItsCause) {
+  run(1);
+  arming_.hold();
+  ASSERT_EQ(run(1), RobotRequest::kDisarm);
+  in_.session = SessionState::kSyncing;
+  run(1);
+  arming_.start();
+  EXPECT_EQ(run(400), RobotRequest::kNone);
+  EXPECT_EQ(arming_.state(), RunState::kArming);
   connect();
-  arming_.start();
-  ASSERT_EQ(run(100), RobotRequest::kArm);
-  in_.aborts = fault_bit(Fault::world_lost);
-  EXPECT_EQ(run(1), RobotRequest::kDisarm);
-  EXPECT_EQ(arming_.faults(), fault_bit(Fault::world_lost));
+  EXPECT_EQ(run(100), RobotRequest::kArm);
 }
 
-TEST_F(ArmingTest, WhatTheMonitorFindsEndsTheRunWithItsCause) {
-  begin();
-  in_.aborts = fault_bit(Fault::stalled_right);
-  EXPECT_EQ(run(1), RobotRequest::kDisarm);
-  EXPECT_EQ(arming_.state(), RunState::kAborted);
-  EXPECT_EQ(arming_.faults(), fault_bit(Fault::stalled_right));
+/// Something that happens to a run, a drive or a start, and the fault that it is.
+struct Cause {
+  const char* name;
+  Fault fault;
+  std::function<void(ArmingInputs&, Sample&)> happen;
+  bool robot_is_there = true;  ///< that can confirm that its motors are off
+};
+
+const std::vector<Cause>& causes_of_any_end() {
+  static const std::vector<Cause> causes = {
+      {"session lost", Fault::link_lost,
+       [](ArmingInputs& in, Sample&) { in.session = SessionState::kClosed; }, false},
+      {"session lost and back", Fault::link_lost,
+       [](ArmingInputs& in, Sample&) { in.new_session = true; }, false},
+      {"no fresh sample", Fault::link_lost, [](ArmingInputs& in, Sample&) { in.sample = nullptr; },
+       false},
+      {"reboot", Fault::robot_rebooted, [](ArmingInputs& in, Sample&) { in.rebooted = true; },
+       false},
+      {"reboot that closes the session", Fault::robot_rebooted,
+       [](ArmingInputs& in, Sample&) {
+         in.rebooted = true;
+         in.session = SessionState::kParameters;
+       },
+       false},
+      {"the monitor's fault", Fault::tilt,
+       [](ArmingInputs& in, Sample&) { in.aborts = fault_bit(Fault::tilt); }},
+      {"a stale sample that the monitor reports", Fault::imu_stale,
+       [](ArmingInputs& in, Sample&) {
+         in.aborts = fault_bit(Fault::imu_stale);
+         in.sample = nullptr;
+       },
+       false}};
+  return causes;
 }
 
-TEST_F(ArmingTest, AFaultInASampleEndsTheRunWhateverItsStateAndName) {
-  for (const FaultMask fault : {FaultMask{1}, fault_bit(Fault::stalled_left), FaultMask{1} << 15}) {
-    SetUp();
-    begin();
-    sample_.faults = fault;
-    EXPECT_EQ(run(1), RobotRequest::kDisarm);
-    EXPECT_EQ(arming_.faults(), fault);
-    sample_.faults = 0;
-    confirm_off();
-    run(1);
+TEST_F(ArmingTest, WhatEndsARunOrADriveIsItsFaultAndDisarms) {
+  std::vector<Cause> causes = causes_of_any_end();
+  causes.push_back({"the robot's fault", Fault::stalled_left, [](ArmingInputs&, Sample& sample) {
+                      sample.state = RobotState::kFaulted;
+                      sample.faults = fault_bit(Fault::stalled_left);
+                    }});
+  causes.push_back({"a fault of an armed robot that nobody knows", Fault{15},
+                    [](ArmingInputs&, Sample& sample) { sample.faults = FaultMask{1} << 15; }});
+  causes.push_back({"switched itself off", Fault::not_acknowledged,
+                    [](ArmingInputs&, Sample& sample) { sample.state = RobotState::kDisarmed; }});
+  for (const RunState to : {RunState::kRunning, RunState::kDriving}) {
+    for (const Cause& cause : causes) {
+      SCOPED_TRACE(cause.name);
+      arming_ = {};
+      begin(to);
+      EXPECT_EQ(run(100), RobotRequest::kNone);
+      cause.happen(in_, sample_);
+      EXPECT_EQ(run(1), RobotRequest::kDisarm);
+      EXPECT_EQ(arming_.state(), RunState::kAborted);
+      EXPECT_EQ(arming_.faults(), fault_bit(cause.fault));
+      EXPECT_EQ(arming_.disarming(), cause.robot_is_there);
+      connect();
+      confirm_off();
+      EXPECT_EQ(run(1000), RobotRequest::kNone) << "what comes back does not start it again";
+      EXPECT_FALSE(arming_.disarming());
+      EXPECT_TRUE(arming_.at_rest());
+      EXPECT_EQ(arming_.state(), RunState::kAborted);
+      request_arm();
+      EXPECT_EQ(arming_.faults(), 0u);
+    }
   }
 }
 
-TEST_F(ArmingTest, ARobotThatIsNoLongerArmedEndsTheRunWithoutAFaultOfItsOwn) {
-  begin();
-  sample_.state = RobotState::kDisarmed;
-  EXPECT_EQ(run(1), RobotRequest::kDisarm);
+TEST_F(ArmingTest, WhatEndsAStartThatIsNotConfirmedYetIsItsFault) {
+  std::vector<Cause> causes = causes_of_any_end();
+  causes.push_back({"refused by the robot", Fault::not_acknowledged,
+                    [](ArmingInputs& in, Sample&) { in.answer = RequestAnswer::kFailed; }});
+  for (const Cause& cause : causes) {
+    SCOPED_TRACE(cause.name);
+    arming_ = {};
+    request_arm();
+    run(5);
+    cause.happen(in_, sample_);
+    EXPECT_EQ(run(1), RobotRequest::kDisarm);
+    EXPECT_EQ(arming_.state(), RunState::kAborted);
+    EXPECT_EQ(arming_.faults(), fault_bit(cause.fault));
+  }
+}
+
+TEST_F(ArmingTest, AStartThatWaitsEndsWithItsSession) {
+  for (const Cause& cause : causes_of_any_end()) {
+    if (cause.fault != Fault::link_lost && cause.fault != Fault::robot_rebooted) continue;
+    SCOPED_TRACE(cause.name);
+    arming_ = {};
+    connect();
+    in_.refusal = StartRefusal::kNotStill;
+    arming_.start();
+    ASSERT_EQ(run(10), RobotRequest::kNone);
+    cause.happen(in_, sample_);
+    const bool session_stays = in_.sample == nullptr;  // it is only late
+    EXPECT_EQ(run(1), session_stays ? RobotRequest::kNone : RobotRequest::kDisarm);
+    EXPECT_EQ(arming_.faults(), session_stays ? 0u : fault_bit(cause.fault));
+  }
+}
+
+TEST_F(ArmingTest, AnArmThatIsAcknowledgedAndChangesNothingIsGivenUpAfterASecond) {
+  request_arm();
+  in_.answer = RequestAnswer::kAcknowledged;
+  EXPECT_EQ(run(198), RobotRequest::kNone);
+  EXPECT_EQ(run(5), RobotRequest::kDisarm);
   EXPECT_EQ(arming_.faults(), fault_bit(Fault::not_acknowledged));
 }
 
-TEST_F(ArmingTest, WithoutAFreshSampleTheRunEnds) {
-  begin();
-  in_.sample = nullptr;
-  EXPECT_EQ(run(1), RobotRequest::kDisarm);
-  EXPECT_EQ(arming_.faults(), fault_bit(Fault::link_lost));
-}
-
-TEST_F(ArmingTest, CompletionDisarms) {
-  begin();
-  in_.done = true;
-  EXPECT_EQ(run(1), RobotRequest::kDisarm);
-  EXPECT_EQ(arming_.state(), RunState::kFinished);
-  EXPECT_TRUE(arming_.disarming());
-  confirm_off();
-  EXPECT_EQ(run(1000), RobotRequest::kNone);
-  EXPECT_FALSE(arming_.disarming());
-  EXPECT_EQ(arming_.state(), RunState::kFinished);
-}
-
-TEST_F(ArmingTest, ACompletionThatIsNotConfirmedIsNone) {
-  // In turn: the disarm is not acknowledged; it is acknowledged, but the motors stay on; the link
-  // breaks.
-  for (int i = 0; i < 3; ++i) {
-    begin();
-    in_.done = true;
-    ASSERT_EQ(run(1), RobotRequest::kDisarm);
-    in_.done = false;
-    if (i == 0) {
-      sample_.state = RobotState::kDisarmed;
-      in_.answer = RequestAnswer::kFailed;
-    } else if (i == 1) {
-      in_.answer = RequestAnswer::kAcknowledged;
-    } else {
-      in_.sample = nullptr;
-    }
-    run(1);
-    in_.answer = RequestAnswer::kNone;
-    run(51);
-    EXPECT_EQ(arming_.state(), RunState::kAborted) << i;
-    constexpr std::array kCauses{Fault::not_acknowledged, Fault::moves_unasked, Fault::link_lost};
-    EXPECT_EQ(arming_.faults(), fault_bit(kCauses.at(static_cast<std::size_t>(i)))) << i;
-    EXPECT_EQ(arming_.disarming(), i == 1) << "disarming lasts as long as the motors are on";
-  }
-}
-
-TEST_F(ArmingTest, MotorsThatNobodyAskedForAreStoppedAgainAndAgain) {
-  const auto armed = [](Sample& sample) { sample.state = RobotState::kArmed; };
-  const auto running = [](Sample& sample) { sample.state = RobotState::kRunning; };
-  const auto driven = [](Sample& sample) { sample.right_duty = -0.1; };
-  for (const auto& oddity : {std::function<void(Sample&)>(armed), {running}, {driven}}) {
+TEST_F(ArmingTest, ACompletedRunIsFinishedAndACompletedDriveIdle) {
+  for (const RunState to : {RunState::kRunning, RunState::kDriving}) {
     arming_ = {};
-    sample_ = {};
-    connect();
-    ASSERT_EQ(run(100), RobotRequest::kNone);
-    oddity(sample_);
-    EXPECT_EQ(run(10), RobotRequest::kNone) << "a single sample may be an old one";
-    EXPECT_EQ(run(2), RobotRequest::kStop);
-    EXPECT_EQ(arming_.state(), RunState::kAborted);
-    EXPECT_EQ(arming_.faults(), fault_bit(Fault::moves_unasked));
-    for (int again = 0; again < 5; ++again) {
-      EXPECT_EQ(run(38), RobotRequest::kNone);
-      EXPECT_EQ(run(4), RobotRequest::kStop);
-    }
-    sample_.state = RobotState::kFaulted;
-    sample_.right_duty = 0.0;
+    begin(to);
+    in_.done = true;
+    EXPECT_EQ(run(1), RobotRequest::kDisarm);
+    EXPECT_TRUE(arming_.disarming());
+    EXPECT_FALSE(arming_.at_rest());
+    EXPECT_EQ(run(30), RobotRequest::kNone) << "it has time to obey";
+    confirm_off();
     EXPECT_EQ(run(1000), RobotRequest::kNone);
-    EXPECT_EQ(arming_.faults(), fault_bit(Fault::moves_unasked));
+    EXPECT_FALSE(arming_.disarming());
+    EXPECT_EQ(arming_.state(), to == RunState::kRunning ? RunState::kFinished : RunState::kIdle);
+    EXPECT_EQ(arming_.faults(), 0u);
   }
 }
 
-TEST_F(ArmingTest, MotorsThatStayOnAfterARunAreStopped) {
+TEST_F(ArmingTest, AStopAfterAFinishedRunIsLatchedBesideIt) {
   begin();
   in_.done = true;
-  ASSERT_EQ(run(1), RobotRequest::kDisarm);
-  in_.answer = RequestAnswer::kFailed;
-  EXPECT_EQ(run(80), RobotRequest::kStop);
-  EXPECT_EQ(arming_.faults(), fault_bit(Fault::not_acknowledged) | fault_bit(Fault::moves_unasked));
+  run(1);
+  confirm_off();
+  run(1);
+  arming_.stop();
+  EXPECT_EQ(run(1), RobotRequest::kStop);
+  EXPECT_EQ(arming_.state(), RunState::kFinished);
+  EXPECT_EQ(arming_.faults(), fault_bit(Fault::stop_requested));
 }
 
-TEST_F(ArmingTest, AStartIsVoidIfTheMotorsAreOnBeforeItArms) {
-  connect();
-  in_.refusal = StartRefusal::kMotorsOn;
-  sample_.state = RobotState::kRunning;
-  arming_.start();
-  EXPECT_EQ(run(30), RobotRequest::kStop);
-  EXPECT_EQ(arming_.state(), RunState::kAborted);
-}
-
-TEST_F(ArmingTest, ARobotThatIsPushedByHandIsNoFault) {
-  connect();
-  for (int i = 0; i < 1000; ++i) {
-    sample_.left_counts += 50;
-    ASSERT_EQ(run(1), RobotRequest::kNone);
-  }
-  EXPECT_EQ(arming_.faults(), 0u);
-}
-
-TEST_F(ArmingTest, ARobotThatIsBeingDisarmedHasTimeToObey) {
+TEST_F(ArmingTest, AHoldEndsARunWithoutAFault) {
   begin();
   arming_.hold();
+  EXPECT_EQ(arming_.state(), RunState::kIdle);
+  EXPECT_FALSE(arming_.at_rest());
   EXPECT_EQ(run(1), RobotRequest::kDisarm);
   EXPECT_EQ(run(30), RobotRequest::kNone);
   confirm_off();
   EXPECT_EQ(run(1000), RobotRequest::kNone);
-  EXPECT_EQ(arming_.state(), RunState::kIdle);
   EXPECT_EQ(arming_.faults(), 0u);
 }
 
 TEST_F(ArmingTest, StopIsRequestedInEveryStateAndLatches) {
   arming_.stop();
+  EXPECT_FALSE(arming_.at_rest());
   EXPECT_EQ(run(1), RobotRequest::kStop);
   begin();
   arming_.stop();
@@ -368,31 +253,55 @@ TEST_F(ArmingTest, StopIsRequestedInEveryStateAndLatches) {
   EXPECT_EQ(run(1000), RobotRequest::kNone);
   EXPECT_EQ(arming_.state(), RunState::kAborted);
   EXPECT_EQ(arming_.faults(), fault_bit(Fault::stop_requested));
+  EXPECT_TRUE(arming_.at_rest());
 }
 
-TEST_F(ArmingTest, DrivingByHandArmsLikeARunAndEndsIdle) {
-  begin(RunState::kDriving);
-  arming_.start();
-  EXPECT_EQ(arming_.state(), RunState::kDriving) << "a start does not take over";
-  in_.done = true;
-  EXPECT_EQ(run(1), RobotRequest::kDisarm);
-  EXPECT_EQ(arming_.state(), RunState::kIdle);
-  EXPECT_EQ(arming_.faults(), 0u);
+TEST_F(ArmingTest, ARunIsNotTurnedIntoADriveNorADriveIntoARun) {
+  for (const RunState to : {RunState::kRunning, RunState::kDriving}) {
+    arming_ = {};
+    begin(to);
+    arming_.drive();
+    arming_.start();
+    EXPECT_EQ(run(10), RobotRequest::kNone);
+    EXPECT_EQ(arming_.state(), to);
+  }
 }
 
-TEST_F(ArmingTest, ARunIsNotTurnedIntoADrive) {
+TEST_F(ArmingTest, GoesOnFromAStateWithItsFaultsAndNothingElse) {
   begin();
-  arming_.drive();
-  EXPECT_EQ(run(10), RobotRequest::kNone);
-  EXPECT_EQ(arming_.state(), RunState::kRunning);
+  arming_.resume(RunState::kAborted, fault_bit(Fault::fence));
+  EXPECT_EQ(arming_.state(), RunState::kAborted);
+  EXPECT_EQ(arming_.faults(), fault_bit(Fault::fence));
+  EXPECT_TRUE(arming_.at_rest());
+  EXPECT_FALSE(arming_.just_began());
+  begin();
 }
 
-TEST_F(ArmingTest, ADriveIsAbortedByWhatAbortsARun) {
-  begin(RunState::kDriving);
-  in_.aborts = fault_bit(Fault::tilt);
-  EXPECT_EQ(run(1), RobotRequest::kDisarm);
-  EXPECT_EQ(arming_.state(), RunState::kAborted);
-  EXPECT_EQ(arming_.faults(), fault_bit(Fault::tilt));
+TEST(Pause, LastsTwoMinutesAtMostHoweverOftenItIsAskedFor) {
+  Pause pause;
+  EXPECT_FALSE(pause.update(1.0));
+  EXPECT_EQ(pause.total_s(), 0.0);
+  for (int i = 1; i < 120; ++i) {
+    pause.begin();
+    ASSERT_FALSE(pause.update(1.0));
+    ASSERT_TRUE(pause.active());
+    ASSERT_EQ(pause.left_s(), 120.0 - i);
+    ASSERT_EQ(pause.total_s(), i);
+  }
+  EXPECT_TRUE(pause.update(1.5)) << "the run ends";
+  EXPECT_FALSE(pause.active());
+  EXPECT_EQ(pause.left_s(), 0.0);
+  EXPECT_FALSE(pause.update(1.0)) << "once";
+  pause.begin();
+  pause.update(0.25);
+  pause.end();
+  EXPECT_FALSE(pause.active());
+  EXPECT_FALSE(pause.update(1.0));
+  EXPECT_EQ(pause.total_s(), 120.75);
+  pause.begin();
+  pause.restart();
+  EXPECT_FALSE(pause.active());
+  EXPECT_EQ(pause.total_s(), 0.0);
 }
 
 }  // namespace

@@ -10,55 +10,117 @@
 namespace tp100::control {
 namespace {
 
+/// A condition that ends a run. `apply` makes a value `share` times the one from which on it holds.
 struct Case {
   const char* name;
   Fault fault;
-  double after_s;  ///< must not abort earlier than this
-  std::function<void(Observation&, Sample&)> corrupt;
+  double after_s;  ///< that it must last
+  std::function<void(Observation&, Sample&, double share)> apply;
 };
 
 class MonitorTest : public MonitoredRun, public testing::WithParamInterface<Case> {};
 
-TEST_P(MonitorTest, AHealthyRunGoesOnAndTheCorruptedOneEndsWithItsOwnCause) {
+TEST_P(MonitorTest, ARunGoesOnUpToTheLimitAndEndsBeyondItInItsTimeWithItsOwnCause) {
+  const Case& of = GetParam();
   EXPECT_EQ(run(10.0), 0u);
-  GetParam().corrupt(seen_, sample_);
-  EXPECT_EQ(run(10.0), fault_bit(GetParam().fault));
-  EXPECT_GE(lasted_s_, GetParam().after_s - 0.02);
+  of.apply(seen_, sample_, 0.999);
+  EXPECT_EQ(run(10.0), 0u);
+  of.apply(seen_, sample_, 1.001);
+  EXPECT_EQ(run(of.after_s - 0.02), 0u);
+  monitor_.restart();
+  EXPECT_EQ(run(of.after_s - 0.02), 0u) << "the run before does not count";
+  of.apply(seen_, sample_, 0.999);
+  EXPECT_EQ(run(0.01), 0u);
+  of.apply(seen_, sample_, 1.001);
+  EXPECT_EQ(run(10.0), fault_bit(of.fault));
+  EXPECT_NEAR(lasted_s_, of.after_s, 0.011);
 }
 
 INSTANTIATE_TEST_SUITE_P(
     EveryAbort, MonitorTest,
-    testing::Values(Case{"CrossTrack", Fault::cross_track, 0.0,
-                         [](Observation& o, Sample&) { o.target.off_path_m = 0.21; }},
-                    Case{"Heading", Fault::heading, 0.5,
-                         [](Observation& o, Sample&) { o.target.heading_error_rad = 1.2; }},
-                    Case{"Tilt", Fault::tilt, 0.3,
-                         [](Observation&, Sample& s) {
-                           s.accel_mps2 = {9.0, 0.0, 3.0};
-                         }},
-                    Case{"Fence", Fault::fence, 0.0,
-                         [](Observation& o, Sample&) { o.pose.y_m = 1.01; }},
-                    Case{"KeepOut", Fault::fence, 0.0,
-                         [](Observation& o, Sample&) { o.pose.x_m = o.pose.y_m = 0.6; }},
-                    Case{"CommandsNotTaken", Fault::command_timeout, 0.3,
-                         [](Observation& o, Sample&) { o.commanded = true; }},
-                    Case{"TimeLimit", Fault::time_limit, 0.0,
-                         [](Observation& o, Sample&) { o.elapsed_s = 60.1; }},
-                    Case{"StalledTrack", Fault::stalled_track, 1.0,
-                         [](Observation& o, Sample&) { o.commanded_right_mps = 0.1; }},
-                    Case{"LowBattery", Fault::battery_below_minimum, 2.0,
-                         [](Observation&, Sample& s) { s.battery_v = 6.0; }},
-                    Case{"EncodersAgainstDuty", Fault::encoders_against_duty, 0.5,
-                         [](Observation& o, Sample& s) {
-                           s.left_duty = 0.5;
-                           o.left_mps = -0.05;
-                         }},
-                    Case{"GyroAgainstEncoders", Fault::gyro_against_encoders, 0.3,
-                         [](Observation& o, Sample&) {
-                           o.gyro_yaw_rate_radps = -0.4;
-                           o.encoder_yaw_rate_radps = 0.4;
-                         }}),
+    testing::Values(
+        Case{"CrossTrack", Fault::cross_track, 0.0,
+             [](Observation& o, Sample&, double x) { o.target.off_path_m = 0.2 * x; }},
+        Case{"Heading", Fault::heading, 0.5,
+             [](Observation& o, Sample&, double x) { o.target.heading_error_rad = -kPi / 3 * x; }},
+        Case{"Tilt", Fault::tilt, 0.3,
+             [](Observation&, Sample& s, double x) {
+               const double a = 50.0 * kRadPerDeg * x;
+               s.accel_mps2 = {6.0 * std::sin(a), 8.0 * std::sin(a), 10.0 * std::cos(a)};
+             }},
+        Case{"Fence", Fault::fence, 0.0, [](Observation& o, Sample&, double x) { o.pose.y_m = x; }},
+        Case{"KeepOut", Fault::fence, 0.0,
+             [](Observation& o, Sample&, double x) {
+               o.pose.x_m = 0.5 * x;
+               o.pose.y_m = 0.6;
+             }},
+        Case{"CommandsNotTaken", Fault::command_timeout, 0.3,
+             [](Observation& o, Sample&, double x) { o.commanded = x > 1.0; }},
+        Case{"TimeLimit", Fault::time_limit, 0.0,
+             [](Observation& o, Sample&, double x) { o.elapsed_s = 60.0 * x; }},
+        Case{"StalledLeft", Fault::stalled_track, 1.0,
+             [](Observation& o, Sample&, double x) { o.commanded_left_mps = -0.03 * x; }},
+        Case{"StalledRight", Fault::stalled_track, 1.0,
+             [](Observation& o, Sample&, double x) {
+               o.commanded_right_mps = 0.1;
+               o.right_mps = -0.003 / x;
+             }},
+        Case{"LowBattery", Fault::battery_below_minimum, 2.0,
+             [](Observation&, Sample& s, double x) { s.battery_v = 6.2 / x; }},
+        Case{"LeftAgainstDuty", Fault::encoders_against_duty, 0.5,
+             [](Observation& o, Sample& s, double x) {
+               o.on_obstacle = true;  // explains the duty by itself
+               s.left_duty = 0.3 * x;
+               o.left_mps = -0.05;
+             }},
+        Case{"RightAgainstDuty", Fault::encoders_against_duty, 0.5,
+             [](Observation& o, Sample& s, double x) {
+               o.on_obstacle = true;
+               s.right_duty = -0.4;
+               o.right_mps = 0.02 * x;
+             }},
+        Case{"Immobilised", Fault::immobilised, 0.0,
+             [](Observation& o, Sample&, double x) { o.immobilised = x > 1.0; }}),
     [](const testing::TestParamInfo<Case>& param) { return param.param.name; });
+
+TEST_F(MonitoredRun, AStaleImuShowsNoTilt) {
+  sample_.accel_mps2 = {9.0, 0.0, 3.0};
+  sample_.imu_age = 1;
+  EXPECT_EQ(run(5.0), 0u);
+}
+
+TEST_F(MonitoredRun, ADriveByHandHasNoPathFenceOrTimeLimit) {
+  seen_.by_hand = true;
+  seen_.pose.x_m = 5.0;
+  seen_.target.off_path_m = seen_.elapsed_s = 100.0;
+  seen_.target.heading_error_rad = 2.0;
+  EXPECT_EQ(run(5.0), 0u);
+}
+
+TEST_F(MonitoredRun, CommandsThatAreTakenOrNotSentAreNoFault) {
+  for (int i = 0; i < 400; ++i) {
+    seen_.commanded = i % 100 < 50;
+    if (i % 40 == 0) ++sample_.last_command;
+    ASSERT_EQ(monitor_.update(seen_), 0u) << i;
+  }
+}
+
+// Before a robot is identified, its tracks may turn it otherwise than its file says.
+TEST_F(MonitoredRun, GyroAndEncodersOfARobotThatIsNotIdentifiedMayDifferByALittle) {
+  const MotorModel motor{.dead_band = 0.09, .feed_forward = 3.4};
+  for (const double side : {1.0, -1.0}) {
+    monitor_ = Monitor{Parameters{}, course::Fence{-1.0, 1.0, -1.0, 1.0}, 20.0,
+                       MonitoredRobot{.motor = motor, .identified = false}};
+    seen_.gyro_yaw_rate_radps = side * 0.599;
+    EXPECT_EQ(run(10.0), 0u);
+    seen_.gyro_yaw_rate_radps = side * 0.601;
+    EXPECT_EQ(run(10.0), kTurn);
+    EXPECT_NEAR(lasted_s_, Parameters{}.disagreement_s, 0.011);
+    seen_.gyro_in_use = false;
+    EXPECT_EQ(run(10.0), 0u) << "on a stand the gyro shows nothing";
+    seen_.gyro_in_use = true;
+  }
+}
 
 // The yaw loop keeps the heading by the gyro: one track's target falls to zero, the other doubles.
 TEST_F(EncoderMonitorTest, ADeadEncoderIsNoticedThoughTheYawLoopHidesIt) {
@@ -72,41 +134,16 @@ TEST_F(EncoderMonitorTest, ADeadEncoderIsNoticedThoughTheYawLoopHidesIt) {
   EXPECT_LT(after_s, 1.0);
 }
 
-TEST_F(EncoderMonitorTest, ThirtyDegreesASecondAreQuestionedWithinTwentyDegrees) {
-  for (const double sign : {1.0, -1.0}) {
-    monitor_.restart();
-    seen_.gyro_yaw_rate_radps = 0.0;
-    const double after_s = noticed_after(3.0, kTurn, [sign](Observation& o, Sample&) {
-      o.gyro_yaw_rate_radps = sign * 30.0 * kRadPerDeg;
-    });
-    EXPECT_GT(after_s, 0.0);
-    EXPECT_LT(after_s * 30.0, 20.0);
-  }
-}
-
 TEST_F(EncoderMonitorTest, CountsThatNoTrackCanMakeEndTheRun) {
   monitor_ = Monitor{Parameters{}, course::Fence{-1.0, 1.0, -1.0, 1.0}, 20.0,
                      MonitoredRobot{.motor = {.dead_band = 0.09, .feed_forward = 3.4},
                                     .max_counts_per_s = 6000.0}};
-  const auto drive_on = [&](int samples, std::int64_t counts) {
-    for (int i = 0; i < samples; ++i) {
-      sample_.device_us += 5000;
-      sample_.left_counts += counts;
-      sample_.right_counts += counts;
-      EXPECT_EQ(monitor_.update(seen_), 0u);
-      EXPECT_EQ(monitor_.update(seen_), 0u) << "there was no new sample";
-    }
-  };
-  for (const std::int64_t jump : {40, -40}) {
-    monitor_.restart();
-    drive_on(100, 7);
-    drive_on(3, 30);
-    sample_.device_us += 50000;
-    sample_.left_counts += 300;
-    EXPECT_EQ(monitor_.update(seen_), 0u) << "the counts come after a gap";
+  for (const bool restarted : {true, false}) {
+    EXPECT_EQ(run(0.1), 0u);
+    if (restarted) monitor_.restart();
     sample_.device_us += 5000;
-    sample_.right_counts += jump;
-    EXPECT_EQ(monitor_.update(seen_), kDuty);
+    sample_.right_counts += 40;
+    EXPECT_EQ(monitor_.update(seen_), restarted ? 0u : kDuty);
   }
 }
 
@@ -121,21 +158,6 @@ TEST_F(EncoderMonitorTest, ATurnTheOtherWayEndsTheRunWithinTenDegreesWhateverIts
     seen_.right_mps = -0.137 * radps;
     EXPECT_EQ(run(3.0), fault_bit(Fault::heading));
     EXPECT_LT(lasted_s_ * radps, 10.0 * kRadPerDeg);
-  }
-}
-
-TEST_F(EncoderMonitorTest, ATurnThatIsTurnedBackRunsOnForAMoment) {
-  sample_.left_duty = sample_.right_duty = 0.0;
-  for (int i = 0; i < 20; ++i) {
-    const double side = i % 2 == 0 ? 1.0 : -1.0;
-    seen_.commanded_left_mps = -0.08 * side;
-    seen_.commanded_right_mps = 0.08 * side;
-    for (const double radps : {-0.6, 0.6}) {
-      seen_.gyro_yaw_rate_radps = seen_.encoder_yaw_rate_radps = side * radps;
-      seen_.right_mps = 0.137 * side * radps;
-      seen_.left_mps = -seen_.right_mps;
-      EXPECT_EQ(run(radps < 0.0 ? 0.12 : 1.0), 0u) << i;
-    }
   }
 }
 
@@ -181,12 +203,19 @@ TEST_F(EncoderMonitorTest, ATurnAtTheFullRateMayBeTurnedBack) {
   }
 }
 
-TEST_F(EncoderMonitorTest, APushIsNone) {
+// With 300 counts/m a track at rest oscillates about one edge: the robot reacts to each count with
+// duty of the other sign, and the speed, which lags, has the sign of the previous duty.
+TEST_F(EncoderMonitorTest, ATrackThatSwingsAboutOneEdgeMissesNothing) {
   EXPECT_EQ(run(3.0), 0u);
-  seen_.gyro_yaw_rate_radps = 15.0 * kRadPerDeg / 0.3;
-  EXPECT_EQ(run(0.3), 0u);
-  seen_.gyro_yaw_rate_radps = 0.0;
-  EXPECT_EQ(run(10.0), 0u);
+  drive(0.0);
+  for (int i = 0; i < 1200; ++i) {
+    const double side = i % 2 == 0 ? 1.0 : -1.0;
+    for (const double lagging_mps : {-0.047, -0.041, -0.036, -0.032, 0.056}) {
+      seen_.left_mps = seen_.right_mps = side * lagging_mps;
+      sample_.left_duty = sample_.right_duty = side * 0.333;
+      ASSERT_EQ(monitor_.update(seen_), 0u) << i;
+    }
+  }
 }
 
 TEST_F(EncoderMonitorTest, ARobotThatIsHeldForLessThanHalfASecondGoesOn) {
@@ -207,29 +236,6 @@ TEST_F(EncoderMonitorTest, ARobotThatIsHeldForLessThanHalfASecondGoesOn) {
   }
 }
 
-TEST_F(EncoderMonitorTest, LoadIsNoFault) {
-  EXPECT_EQ(run(3.0), 0u);
-  // The robot turns on the spot, and its tracks scrub.
-  seen_.left_mps = -0.08;
-  seen_.right_mps = 0.08;
-  seen_.gyro_yaw_rate_radps = seen_.encoder_yaw_rate_radps = 0.6;
-  sample_.right_duty = 0.08 + 3.1 * 0.08 + 0.25;
-  sample_.left_duty = -sample_.right_duty;
-  EXPECT_EQ(run(10.0), 0u);
-  drive(0.0714);
-  seen_.gyro_yaw_rate_radps = seen_.encoder_yaw_rate_radps = 0.0;
-  EXPECT_EQ(run(3.0), 0u);
-  // The robot climbs a slope of 20 deg, then a real block.
-  seen_.pitch_rad = 20.0 * kRadPerDeg;
-  sample_.left_duty = sample_.right_duty += 0.13;
-  EXPECT_EQ(run(10.0), 0u);
-  drive(0.0714);
-  seen_.pitch_rad = 0.0;
-  seen_.on_obstacle = true;
-  sample_.left_duty = sample_.right_duty += 0.33;
-  EXPECT_EQ(run(10.0), 0u);
-}
-
 // The resistance against turning falls slowly with the radius (Nikitin's formula); on soft tracks
 // wide arcs take a third of the duty of the spot.
 TEST_F(EncoderMonitorTest, TheResistanceOfAnArcIsNoFault) {
@@ -248,6 +254,38 @@ TEST_F(EncoderMonitorTest, TheResistanceOfAnArcIsNoFault) {
       sample_.left_duty = 0.08 + 3.1 * seen_.left_mps - scrub_duty;
       sample_.right_duty = 0.08 + 3.1 * seen_.right_mps + scrub_duty;
       EXPECT_EQ(run(20.0), 0u) << mps << " m/s, radius " << radius_m << " m";
+    }
+  }
+}
+
+TEST_F(EncoderMonitorTest, ARobotsFileMayBeOffByAThird) {
+  for (const double factor : {0.6, 0.8, 1.3}) {
+    for (const double track_mps : {0.036, 0.0714, 0.119, 0.2}) {
+      monitor_.restart();
+      drive(track_mps);
+      sample_.left_duty = sample_.right_duty = 0.09 + factor * 3.4 * track_mps;
+      EXPECT_EQ(run(30.0), 0u) << factor << " " << track_mps;
+    }
+  }
+}
+
+// A track that spins freely needs less than the dead band of the robot's file: at 0.03 m/s this
+// looks like a gain of 0.7.
+TEST_F(EncoderMonitorTest, AGainLearntAtALowSpeedIsNotThatOfAHigherOne) {
+  seen_.gyro_in_use = false;
+  for (const double slow_mps : {0.03, 0.036, 0.05}) {
+    for (const double fast_mps : {0.06, 0.1, 0.2}) {
+      for (const double gain : {0.9, 1.0, 1.2}) {
+        monitor_.restart();
+        for (int i = 0; i < 3; ++i) {
+          drive(slow_mps);
+          sample_.left_duty = sample_.right_duty = 0.09 + gain * 3.4 * slow_mps - 0.03;
+          EXPECT_EQ(run(5.0), 0u) << slow_mps;
+          drive(fast_mps);
+          sample_.left_duty = sample_.right_duty = 0.09 + gain * 3.4 * fast_mps;
+          EXPECT_EQ(run(20.0), 0u) << slow_mps << " " << fast_mps << " " << gain;
+        }
+      }
     }
   }
 }

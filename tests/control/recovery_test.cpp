@@ -8,23 +8,22 @@
 namespace tp100::control {
 namespace {
 
-TEST(DisturbanceDetector, ATurnThatTheTracksDoNotMakeIsNoticedWithinFourSteps) {
-  DisturbanceDetector disturbance{Parameters{}};
-  disturbance.restart(0);
-  int steps = 0;
-  while (!disturbance.update({.gyro_radps = 0.9, .tracks_radps = 0.1}, kDt)) ASSERT_LT(++steps, 4);
-}
-
-TEST(DisturbanceDetector, WhatTheTracksMakeThemselvesIsNone) {
-  DisturbanceDetector disturbance{Parameters{}};
-  for (int i = 0; i < 200; ++i)
-    EXPECT_FALSE(disturbance.update({.gyro_radps = 1.2, .tracks_radps = 1.5}, kDt));
-}
-
-TEST(DisturbanceDetector, OneNoisySampleIsNone) {
-  DisturbanceDetector disturbance{Parameters{}};
-  for (int i = 0; i < 200; ++i)
-    EXPECT_FALSE(disturbance.update({.gyro_radps = i % 3 == 0 ? 2.0 : 0.0}, kDt));
+TEST(DisturbanceDetector, ATurnIsOneThatDiffersFromTheTracksForFifteenMilliseconds) {
+  for (const double side : {1.0, -1.0}) {
+    DisturbanceDetector disturbance{Parameters{}};
+    disturbance.restart(0);
+    const auto update = [&](double differs_radps) {
+      return disturbance.update({.gyro_radps = -0.2 + side * differs_radps, .tracks_radps = -0.2},
+                                kDt);
+    };
+    for (int i = 0; i < 100; ++i) EXPECT_FALSE(update(0.499));
+    for (int i = 0; i < 100; ++i) EXPECT_FALSE(update(i % 3 == 0 ? 0.0 : 2.0)) << "noise";
+    for (const bool now : {false, false, true, true}) EXPECT_EQ(update(0.501), now);
+    EXPECT_FALSE(update(0.0));
+    EXPECT_FALSE(update(0.501));
+    disturbance.restart(0);
+    for (const bool now : {false, false, true}) EXPECT_EQ(update(0.501), now);
+  }
 }
 
 TEST(DisturbanceDetector, TheCameraThatContradictsIsOneOnce) {
@@ -35,27 +34,28 @@ TEST(DisturbanceDetector, TheCameraThatContradictsIsOneOnce) {
   EXPECT_FALSE(disturbance.update({.contradictions = 4}, kDt));
 }
 
-TEST(Recovery, EndsAfterHalfASecondInside) {
-  Recovery recovery;
-  recovery.begin();
-  double inside_s = 0.0;
-  while (recovery.active()) {
-    recovery.update(0.005, 0.01, kDt);
-    inside_s += kDt;
-    ASSERT_LT(inside_s, 1.0);
+TEST(Recovery, EndsOnceTheRobotHasBeenWithinACentimetreAndThreeDegreesForHalfASecond) {
+  for (const double side : {1.0, -1.0}) {
+    Recovery recovery;
+    EXPECT_FALSE(recovery.active());
+    const auto lasts = [&](double cross_track_m, double heading_deg, int steps) {
+      for (int i = 0; i < steps; ++i)
+        recovery.update(side * cross_track_m, side * heading_deg * kRadPerDeg, kDt);
+      return recovery.active();
+    };
+    recovery.begin();
+    EXPECT_TRUE(lasts(0.0101, 0.0, 1000));
+    EXPECT_TRUE(lasts(0.0, 3.01, 1000));
+    EXPECT_TRUE(lasts(0.0099, 2.99, 98));
+    recovery.begin();
+    EXPECT_TRUE(lasts(0.0099, 2.99, 98)) << "another disturbance begins the time anew";
+    EXPECT_TRUE(lasts(0.0101, 0.0, 1)) << "and so does leaving";
+    EXPECT_TRUE(lasts(0.0099, 2.99, 98));
+    EXPECT_FALSE(lasts(0.0099, 2.99, 4));
+    recovery.begin();
+    recovery.restart();
+    EXPECT_FALSE(recovery.active());
   }
-  EXPECT_NEAR(inside_s, Recovery::kRecoveredForS, 2 * kDt);
-}
-
-TEST(Recovery, LeavingTheBandStartsTheTimeAnew) {
-  Recovery recovery;
-  recovery.begin();
-  for (int i = 0; i < 90; ++i) recovery.update(0.005, 0.01, kDt);
-  recovery.update(0.011, 0.0, kDt);
-  for (int i = 0; i < 90; ++i) recovery.update(0.005, 0.01, kDt);
-  recovery.update(0.0, 3.1 * kRadPerDeg, kDt);
-  for (int i = 0; i < 90; ++i) recovery.update(0.005, 0.01, kDt);
-  EXPECT_TRUE(recovery.active());
 }
 
 struct Displacement {
