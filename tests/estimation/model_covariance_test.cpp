@@ -4,13 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <random>
+#include <utility>
 #include <vector>
 
+#include "any_motion.h"
 #include "core/arithmetic.h"
 #include "interval.h"
 #include "model/track_model.h"
-#include "turned_covariance.h"
 
 namespace tp100::estimation {
 namespace {
@@ -46,70 +48,39 @@ class Floor {
   double slip_ = 0.0;
 };
 
-/// The standard deviation of a slip difference with that density, correlated over kFloorM.
-double sd_of(const FloorSlip& slip) { return std::sqrt(slip.slip_density_m() / (2.0 * kFloorM)); }
-
-/// What FloorSlip finds of a floor on a straight line. The tracks' turn is quantized by edges.
-double found_sd(double floor_sd, double edge_m, double length_m, std::uint64_t seed) {
-  std::mt19937_64 random(seed);
-  Floor floor(floor_sd, random);
+// Half of a slip difference d over a way s turns the robot by 2 d s over the wheelbase. Gyro, edges
+// and the error of the wheelbase explain a part of what is seen. Slip counts as even over 0.6 m.
+TEST(FloorSlip, APieceShowsTheSlipBeyondWhatTheSensorsExplain) {
   FilterParameters noise;
-  noise.edge_m = edge_m;
+  noise.wheelbase_sd = 0.05;
+  noise.gyro_sd_rad_rts = 0.003;
+  noise.edge_m = 1.9e-4;  // a piece has 300 edges
   FloorSlip slip(noise);
-  std::normal_distribution<double> normal;
-  double left_m = 0.0005, right_m = 0.0;
-  const auto counted = [edge_m](double m) {
-    return edge_m > 0.0 ? edge_m * std::floor(m / edge_m) : m;
-  };
-  for (double driven_m = 0.0; driven_m < length_m; driven_m += kDistancePerStepM) {
-    // The controller keeps the robot straight, so that the tracks turn by what the floor takes.
-    const double differs_m = floor.after(kDistancePerStepM) * kDistancePerStepM;
-    const double left_before_m = counted(left_m), right_before_m = counted(right_m);
-    left_m += kDistancePerStepM + differs_m;
-    right_m += kDistancePerStepM - differs_m;
-    const double left = counted(left_m) - left_before_m, right = counted(right_m) - right_before_m;
-    slip.add(kDt, (left + right) / 2.0, (right - left) / kBaseM,
-             noise.gyro_sd_rad_rts * std::sqrt(kDt) * normal(random), kBaseM);
-  }
-  return sd_of(slip);
-}
-
-TEST(FloorSlip, FindsHowUnevenAFloorIs) {
-  for (const double sd : {0.003, 0.007, 0.015}) {
-    std::vector<double> found;
-    for (std::uint64_t seed = 1; seed <= 40; ++seed)
-      found.push_back(found_sd(sd, 1.0 / 11140.0, 4.0, seed));
-    std::ranges::sort(found);
-    EXPECT_NEAR(found[20], sd, 0.3 * sd);
-    EXPECT_GT(found.front(), 0.3 * sd);
-    EXPECT_LT(found.back(), 2.0 * sd);
+  double density = 2e-5, seen_m = 0.02;
+  EXPECT_EQ(slip.slip_density_m(), density);
+  for (int i = 0; i < 50; ++i) {
+    const double beyond_rad = i % 4 == 3 ? 0.2 : 0.004 * (i % 4), way_m = 0.03 + 0.0005 * i;
+    slip.add(0.2, way_m, 0.04, 0.04 + beyond_rad, kBaseM);
+    EXPECT_EQ(slip.seen_m(), seen_m) << "too short";
+    slip.add(0.3, way_m, -0.06, -0.06, kBaseM);
+    const double explained =
+        square(0.05 * -0.02) + square(1.9e-4 / kBaseM) / 3.0 + square(0.003) * 0.5;
+    const double squares = (square(beyond_rad) - explained) * square(kBaseM / (2.0 * 2.0 * way_m));
+    seen_m = std::min(seen_m + 2.0 * way_m, 2.0);
+    density += (std::min(squares, square(0.02)) * 0.6 - density) * 2.0 * way_m / seen_m;
+    EXPECT_NEAR(slip.seen_m(), seen_m, 1e-12);
+    EXPECT_NEAR(slip.slip_density_m(), std::max(density, 0.0), 1e-12) << i;
   }
 }
 
-TEST(FloorSlip, FindsAnEvenFloorWithinAMetreWithFineAndCoarseEncoders) {
-  for (const double edge_m : {1.0 / 11140.0, 1.0 / 300.0})
-    for (std::uint64_t seed = 1; seed <= 40; ++seed)
-      EXPECT_LT(found_sd(0.0, edge_m, edge_m > 0.001 ? 3.0 : 1.0, seed), 0.0025) << edge_m;
-}
-
-TEST(FloorSlip, AStandingRobotShowsNothing) {
-  FloorSlip slip{FilterParameters{}};
-  const double before = sd_of(slip);
-  for (int i = 0; i < 1000; ++i) slip.add(kDt, 0.0, 0.0, 0.01 * kDt, kBaseM);
-  for (int i = 0; i < 70; ++i) slip.add(kDt, kDistancePerStepM, 0.0, 0.0, kBaseM);
-  EXPECT_LT(sd_of(slip), 0.55 * before);
-}
-
-TEST(FloorSlip, ADisturbanceDoesNotMakeAFloorRough) {
-  FloorSlip slip{FilterParameters{}};
-  const auto metres = [&](double length_m) {
-    for (double m = 0.0; m < length_m; m += kDistancePerStepM)
-      slip.add(kDt, kDistancePerStepM, 0.0, 0.0, kBaseM);
-  };
-  metres(2.0);
-  slip.add(kDt, kDistancePerStepM, 0.0, 0.25, kBaseM);
-  metres(0.1);
-  EXPECT_LT(sd_of(slip), 0.004);
+TEST(FloorSlip, ARobotThatPausedWithinAPieceBeginsItAnew) {
+  for (const auto& [pause_s, kept] : {std::pair{3.0, true}, std::pair{3.2, false}}) {
+    FloorSlip slip{FilterParameters{}};
+    slip.add(0.2, 0.026, 0.0, 0.0, kBaseM);
+    slip.add(pause_s, 0.001, 0.0, 0.0, kBaseM);  // 1.5 s and 27 mm at 15 mm/s are 3.3 s
+    slip.add(0.2, 0.025, 0.0, 0.0, kBaseM);
+    EXPECT_EQ(slip.seen_m() > 0.02, kept);
+  }
 }
 
 /// Share of the time that a true pose is within two standard deviations of the model's.
@@ -197,23 +168,67 @@ void drive_on_a_floor(ModelCovariance& covariance, double length_m, double gyro_
       {.dt_s = kDt, .tracks = {kDriveMps, kDriveMps}, .gyro_z_radps = gyro_z_radps, .gyro = true});
 }
 
-TEST(ModelCovariance, TurnsWithTheRobot) {
-  ModelCovariance ahead(robot(), {}), left(robot(), {});
-  drive_a_metre(ahead, {});
-  drive_a_metre(left, {.yaw_rad = kPi / 2.0});
-  const PlanarCovariance pose = ahead.pose(), turned = left.pose();
-  expect_turned_left(turned, pose);
-  EXPECT_GT(pose.y_yaw, 0.0);
+using Errors = Eigen::Matrix<double, 5, 5>;
+
+// The errors of x, y, yaw, slip and wheelbase move with the robot: a wrong yaw swings the way, slip
+// shortens it, and a wrong wheelbase is a share of the turn.
+TEST(ModelCovariance, AnIntervalMovesTheErrorsAndAddsItsNoise) {
+  AnyMotion any(9);
+  FilterParameters noise;
+  noise.slip_s = 0.3;
+  for (int i = 0; i < 300; ++i) {
+    ModelCovariance covariance(uneven_tracks(), noise);
+    CarriedModelCovariance carried{.slip_density_m = 3e-4, .seen_m = 0.5};
+    const Errors before = any.covariance().topLeftCorner<5, 5>();
+    Eigen::Map<Errors>(carried.errors.data()) = before;
+    covariance.resume(carried);
+    const Motion motion = any.motion(false);
+    const Pose from{.x_m = 1.0, .y_m = 2.0, .yaw_rad = any.between(-7.0, 7.0)};
+    const double dx = any.between(-0.03, 0.03), dy = any.between(-0.03, 0.03);
+    const double turn = any.between(-0.2, 0.2), way = std::hypot(dx, dy);
+    covariance.advance(from, {.x_m = 1.0 + dx, .y_m = 2.0 + dy, .yaw_rad = from.yaw_rad + turn},
+                       motion, 0.0);
+    const double kept = kept_slip(noise, motion);
+    Errors f = Errors::Identity();
+    f.topRightCorner<2, 3>() << -dy, -dx, 0.0, dx, -dy, 0.0;
+    f(2, 4) = turn;
+    f(3, 3) = kept;
+    Errors after = f * before * f.transpose();
+    const ShiftVariance shift = shift_variance(noise, way, turn, motion);
+    const double ahead = from.yaw_rad + turn / 2.0;
+    const Eigen::Vector2d along(std::cos(ahead), std::sin(ahead)), across(-along[1], along[0]);
+    after.topLeftCorner<2, 2>() +=
+        shift.along_m2 * along * along.transpose() + shift.across_m2 * across * across.transpose();
+    const double wheelbase_m = MotionModel(uneven_tracks(), noise).turn_of(motion).wheelbase_m;
+    after(2, 2) += square(2.0 / wheelbase_m) * 3e-4 * way;
+    after(3, 3) += square(noise.slip_sd) * (1.0 - square(kept));
+    const CarriedModelCovariance is = covariance.carried();
+    ASSERT_LT((Eigen::Map<const Errors>(is.errors.data()) - after).cwiseAbs().maxCoeff(), 1e-12);
+    ASSERT_NEAR(covariance.pose().x_yaw, after(0, 2), 1e-12);
+    ASSERT_NEAR(covariance.pose().yaw_yaw, after(2, 2), 1e-12);
+  }
 }
 
-TEST(ModelCovariance, AnUncertainDistanceLiesAlongTheChordOfATurn) {
-  ModelCovariance covariance(robot(), {});
-  const double turn_rad = 0.6;
-  // Half of the turn to either side of the x axis, along which the robot thus moves.
-  covariance.advance({.yaw_rad = -turn_rad / 2.0}, {.x_m = 0.1, .yaw_rad = turn_rad / 2.0},
-                     {.dt_s = kDt, .ground = {.hold_slip = true}}, 0.0);
-  EXPECT_GT(covariance.pose().xx, 2.0 * covariance.pose().yy);
-  EXPECT_NEAR(covariance.pose().xy, 0.0, 1e-12);
+TEST(ModelCovariance, OnlyUndisturbedDrivingStraightOnLevelGroundShowsTheFloor) {
+  const auto seen_m = [](const Motion& motion) {
+    ModelCovariance covariance(robot(), {});
+    drive(covariance, {}, 0.3, motion);
+    return covariance.carried().seen_m;
+  };
+  Motion motion{.dt_s = kDt, .tracks = {kDriveMps, kDriveMps}, .gyro_z_radps = 0.1, .gyro = true};
+  EXPECT_GT(seen_m(motion), 0.2);
+  motion.shape.curved = 0.59;
+  EXPECT_GT(seen_m(motion), 0.2);
+  motion.shape.curved = 0.61;
+  EXPECT_EQ(seen_m(motion), 0.02);
+  motion.shape.curved = 0.0;
+  for (const auto& change : {std::function<void(Motion&)>([](Motion& m) { m.gyro = false; }),
+                             {[](Motion& m) { m.disturbed = true; }},
+                             {[](Motion& m) { m.ground.pitch_rad = 0.1; }}}) {
+    Motion changed = motion;
+    change(changed);
+    EXPECT_EQ(seen_m(changed), 0.02);
+  }
 }
 
 TEST(ModelCovariance, ARunBeginsAsTheRobotIsPlacedAndAnInterruptionAddsToIt) {

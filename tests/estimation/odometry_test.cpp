@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "interval.h"
-#include "turned_covariance.h"
 
 namespace tp100::estimation {
 namespace {
@@ -58,28 +57,6 @@ TEST_F(OdometryTest, AQuarterCircleEndsWhereGeometrySays) {
   EXPECT_NEAR(odometry.pose().yaw_rad, kPi / 2, 2e-3);
 }
 
-// The covariance of the pose is in world axes, that of the twist in body axes.
-TEST_F(OdometryTest, ARobotThatStartsTurnedHasItsPosesCovarianceTurnedAndTheSameOfItsTwist) {
-  const auto driven = [this](double yaw_rad) {
-    Odometry odometry(tracks_, noise_);
-    odometry.begin({.yaw_rad = yaw_rad});
-    drive(odometry, 0.1, 0.0, 0.02, 5.0);
-    drive(odometry, 0.1, 0.2, 0.02, 1.0);
-    return odometry;
-  };
-  const Odometry ahead = driven(0.0), left = driven(kPi / 2.0);
-  const PlanarCovariance pose = ahead.pose_covariance(), turned = left.pose_covariance();
-  // The direction is uncertain, so the position is uncertain across it.
-  ASSERT_GT(pose.yy, 2.0 * pose.xx);
-  ASSERT_GT(pose.y_yaw * pose.y_yaw, 0.1 * pose.yy * pose.yaw_yaw);
-  expect_turned_left(turned, pose);
-  const PlanarCovariance twist = ahead.twist_covariance(), same = left.twist_covariance();
-  EXPECT_NEAR(same.xx, twist.xx, 1e-15);
-  EXPECT_NEAR(same.xy, twist.xy, 1e-15);
-  EXPECT_NEAR(same.yy, twist.yy, 1e-15);
-  EXPECT_NEAR(same.yaw_yaw, twist.yaw_yaw, 1e-15);
-}
-
 TEST_F(OdometryTest, ATwistThatNoIntervalHasShownIsUnknown) {
   Odometry odometry(tracks_, noise_);
   EXPECT_EQ(odometry.twist_covariance().xx, kUnknownVariance);
@@ -95,17 +72,6 @@ TEST_F(OdometryTest, AMotionEndsAfterTheOneBeforeUntilTheSamplesBeginAnew) {
   EXPECT_EQ(odometry.advance({.end_ns = 90, .dt_s = kDt}).end_ns, 101);
   odometry.begin({});
   EXPECT_EQ(odometry.advance({.end_ns = 1, .dt_s = kDt}).end_ns, 1);
-}
-
-TEST_F(OdometryTest, WithoutAGyroAnUnknownSlipDifferenceMakesTheTurnUncertain) {
-  const auto turn_variance = [this](double slip_difference_sd) {
-    noise_.slip_difference_sd = slip_difference_sd;
-    Odometry odometry(tracks_, noise_);
-    odometry.advance({.dt_s = kDt, .tracks = {0.1, 0.1}, .ground = {.slip = {0.2, 0.2}}});
-    return odometry.twist_covariance().yaw_yaw;
-  };
-  const double turn_radps = 0.05 * (0.08 + 0.08) / tracks_.wheelbase_m;
-  EXPECT_NEAR(turn_variance(0.05) - turn_variance(0.0), square(turn_radps), 1e-9);
 }
 
 TEST_F(OdometryTest, WithoutAGyroItIsTheExtendedModel) {
@@ -311,22 +277,34 @@ TEST_F(OdometryTest, AResumedRobotOnASlopeHasNotTipped) {
   EXPECT_EQ(odometry.advance(on_a_slope).ground.tilt_radps, 0.0);
 }
 
-TEST_F(OdometryTest, ABodyThatTipsOverAnEdgeIsLessCertainAlongItsTracksOnly) {
-  const auto covariance_after = [this](double pitch_rate_radps) {
+TEST_F(OdometryTest, ACorrectionAtTheEndOfAnIntervalChangesItsTwistToo) {
+  Odometry odometry(tracks_, noise_);
+  drive(odometry, 0.1, 0.2, 0.0, 1.0);
+  FilterState state = odometry.state();
+  state.mean[kBias] += 0.05;
+  state.mean[kX] = 7.0;
+  const double rate = odometry.twist().yaw_rate_radps;
+  odometry.correct(state);
+  EXPECT_EQ(odometry.pose().x_m, 7.0);
+  EXPECT_NEAR(odometry.twist().yaw_rate_radps, rate - 0.05, 1e-12);
+}
+
+TEST_F(OdometryTest, ASensorThatWarmsUpByADegreeAtOnceIsNotBelieved) {
+  for (const double degc : {0.99, -0.99, 1.01, -1.01}) {
     Odometry odometry(tracks_, noise_);
-    for (int i = 0; i < 40; ++i)
-      odometry.advance({.dt_s = kDt,
-                        .tracks = {0.1, 0.1},
-                        .gyro = true,
-                        .ground = {.pitch_rad = pitch_rate_radps * kDt * i, .slip = {0.2, 0.2}}});
-    return odometry.pose_covariance();
-  };
-  const PlanarCovariance level = covariance_after(0.0);
-  for (const double pitch_rate_radps : {2.0, -2.0}) {
-    const PlanarCovariance tipped = covariance_after(pitch_rate_radps);
-    EXPECT_GT(tipped.xx, level.xx + square(0.005)) << pitch_rate_radps;
-    EXPECT_NEAR(tipped.yy, level.yy, 1e-9) << pitch_rate_radps;
+    EXPECT_EQ(odometry.advance({.dt_s = kDt, .warming_degc = degc}).warming_degc,
+              std::abs(degc) < 1.0 ? degc : 0.0);
   }
+}
+
+TEST_F(OdometryTest, HeightAndAttitudeAreTheGrounds) {
+  Odometry odometry(tracks_, noise_);
+  odometry.advance({.dt_s = kDt, .ground = {.z_m = 0.1, .roll_rad = 0.2, .pitch_rad = 0.3}});
+  odometry.advance({.dt_s = kDt, .ground = {.z_m = 0.1, .roll_rad = 0.2, .pitch_rad = 0.29}});
+  EXPECT_EQ(odometry.pose().z_m, 0.1);
+  EXPECT_EQ(odometry.pose().roll_rad, 0.2);
+  EXPECT_EQ(odometry.pose().pitch_rad, 0.29);
+  EXPECT_NEAR(odometry.motion().ground.tilt_radps, 0.01 / kDt, 1e-9);
 }
 
 }  // namespace

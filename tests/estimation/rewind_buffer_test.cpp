@@ -1,11 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <deque>
 #include <memory>
 #include <utility>
-#include <vector>
 
 #include "estimation/pose_filter.h"
+#include "support/sequence.h"
 
 namespace tp100::estimation {
 namespace {
@@ -16,71 +17,45 @@ RewindEntry ends_at(HostNs end_ns) {
   return entry;
 }
 
-std::vector<HostNs> ends_of(const RewindBuffer& buffer) {
-  std::vector<HostNs> ends;
-  for (std::size_t i = 0; i < buffer.size(); ++i) ends.push_back(buffer[i].motion.end_ns);
-  return ends;
-}
-
-class RewindBufferTest : public testing::Test {
- protected:
-  /// Ends at 10, 20, ...
-  void push(int steps) {
-    for (int i = 0; i < steps; ++i) buffer_->push(ends_at(10 * ++pushed_));
+void expect_same(const RewindBuffer& buffer, const std::deque<HostNs>& ends) {
+  ASSERT_EQ(buffer.size(), ends.size());
+  ASSERT_EQ(buffer.empty(), ends.empty());
+  for (std::size_t i = 0; i < ends.size(); ++i) ASSERT_EQ(buffer[i].motion.end_ns, ends[i]) << i;
+  if (!ends.empty()) {
+    ASSERT_EQ(buffer.back().motion.end_ns, ends.back());
   }
-  static constexpr int kFull = static_cast<int>(RewindBuffer::kCapacity);
-
-  std::unique_ptr<RewindBuffer> buffer_ = std::make_unique<RewindBuffer>();
-  int pushed_ = 0;
-};
-
-TEST_F(RewindBufferTest, HoldsWhatWasPushedLast) {
-  EXPECT_TRUE(buffer_->empty());
-  push(3);
-  EXPECT_FALSE(buffer_->empty());
-  EXPECT_EQ(ends_of(*buffer_), (std::vector<HostNs>{10, 20, 30}));
-  push(kFull);
-  const std::vector<HostNs> ends = ends_of(*buffer_);
-  ASSERT_EQ(ends.size(), RewindBuffer::kCapacity);
-  for (std::size_t i = 0; i < ends.size(); ++i)
-    EXPECT_EQ(ends[i], 10 * (4 + static_cast<HostNs>(i)));
-  EXPECT_EQ(buffer_->back().motion.end_ns, 10 * (kFull + 3));
-  EXPECT_EQ(std::as_const(*buffer_).back().motion.end_ns, 10 * (kFull + 3));
 }
 
-TEST_F(RewindBufferTest, FindsTheFirstStepThatEndsNoSooner) {
-  push(kFull + 5);
-  EXPECT_EQ(buffer_->find(60), 0U);
-  EXPECT_EQ(buffer_->find(61), 1U);
-  EXPECT_EQ(buffer_->find(70), 1U);
-  EXPECT_EQ(buffer_->find(10 * (kFull + 5)), RewindBuffer::kCapacity - 1);
-  EXPECT_EQ(buffer_->find(10 * (kFull + 5) + 1), RewindBuffer::kCapacity);
-}
-
-TEST_F(RewindBufferTest, InsertsBeforeAStepAndDropsTheOldestOnlyIfFull) {
-  push(4);
-  EXPECT_EQ(buffer_->insert(2, ends_at(25)), 2U);
-  EXPECT_EQ(ends_of(*buffer_), (std::vector<HostNs>{10, 20, 25, 30, 40}));
-  push(kFull);
-  EXPECT_EQ(buffer_->insert(2, ends_at(65)), 1U);
-  const std::vector<HostNs> ends = ends_of(*buffer_);
-  ASSERT_EQ(ends.size(), RewindBuffer::kCapacity);
-  EXPECT_EQ(ends[0], 60);
-  EXPECT_EQ(ends[1], 65);
-  EXPECT_EQ(ends[2], 70);
-  EXPECT_EQ(ends.back(), 10 * (kFull + 4));
-  EXPECT_EQ(buffer_->insert(1, ends_at(62)), 0U);
-  EXPECT_EQ(ends_of(*buffer_)[0], 62);
-  EXPECT_EQ(ends_of(*buffer_)[1], 65);
-}
-
-TEST_F(RewindBufferTest, IsEmptyAfterAClear) {
-  push(7);
-  buffer_->clear();
-  EXPECT_TRUE(buffer_->empty());
-  EXPECT_EQ(buffer_->find(10), 0U);
-  push(1);
-  EXPECT_EQ(ends_of(*buffer_), (std::vector<HostNs>{80}));
+// Whatever is pushed, inserted and cleared, it holds what a list would hold that drops its oldest
+// entries, and finds the first that ends at or after a time.
+TEST(RewindBuffer, IsTheEndOfAnOrderedList) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    test::Sequence any(seed);
+    const auto buffer = std::make_unique<RewindBuffer>();
+    std::deque<HostNs> ends;
+    for (int i = 1; i < 1000; ++i) {
+      buffer->push(ends_at(10 * i));
+      ends.push_back(10 * i);
+      if (ends.size() > RewindBuffer::kCapacity) ends.pop_front();
+      if (any.chance(0.002)) {
+        buffer->clear();
+        ends.clear();
+      } else if (ends.size() > 1 && any.chance(0.2)) {
+        const auto at = static_cast<std::size_t>(1 + any.below(static_cast<int>(ends.size()) - 1));
+        const HostNs end = ends[at] - 1;
+        const bool full = ends.size() == RewindBuffer::kCapacity;
+        ASSERT_EQ(buffer->insert(at, ends_at(end)), full ? at - 1 : at);
+        ends.insert(ends.begin() + static_cast<std::ptrdiff_t>(at), end);
+        if (full) ends.pop_front();
+      }
+      expect_same(std::as_const(*buffer), ends);
+      const HostNs time = any.below(10 * i + 20);
+      std::size_t first = 0;
+      while (first < ends.size() && ends[first] < time) ++first;
+      ASSERT_EQ(buffer->find(time), first);
+    }
+  }
 }
 
 }  // namespace

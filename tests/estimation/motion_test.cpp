@@ -1,0 +1,280 @@
+// The motion model's functions against their definitions, written out once more.
+
+#include "estimation/motion.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "any_motion.h"
+#include "core/arithmetic.h"
+
+namespace tp100::estimation {
+namespace {
+
+/// Each part of it shows within one interval.
+FilterParameters loud_noise() {
+  FilterParameters noise;
+  noise.gyro_sd_rad_rts = 0.011;
+  noise.gyro_scale_sd = 0.03;
+  noise.gyro_scale_s = 1.7;
+  noise.bias_walk_radps_rts = 0.013;
+  noise.along_sd_m_rtm = 0.024;
+  noise.across_sd_m_rtm = 0.017;
+  noise.obstacle_sd_m_rtm = 0.035;
+  noise.turn_sd_m_rtrad = 0.015;
+  noise.slip_s = 0.6;
+  noise.residual_window_s = 0.7;
+  noise.residual_sd_radps = 3e-3;
+  noise.edge_m = 1.0 / 700.0;
+  noise.disturbance_sd_m = 0.021;
+  noise.disturbance_sd_rad = 0.037;
+  return noise;
+}
+
+class MotionModelTest : public testing::Test {
+ protected:
+  /// Calls check(state with the covariance 0, motion) for many of them, with and without a gyro.
+  template <class Check>
+  void for_many(Check check) {
+    for (int i = 0; i < 1000; ++i) {
+      SCOPED_TRACE(i);
+      const FilterState state{any_.mean(), StateMatrix::Zero()};
+      check(state, any_.motion(i % 2 == 0));
+      if (HasFailure()) return;
+    }
+  }
+  static bool moves(const Motion& motion) {
+    return std::abs(motion.tracks.left_mps) + std::abs(motion.tracks.right_mps) > 0.004;
+  }
+  double kept(const Motion& motion) const {
+    return motion.ground.hold_slip || !moves(motion) ? 1.0 : std::exp(-motion.dt_s / noise_.slip_s);
+  }
+  double along_m2(const Twist& twist, const Motion& motion) const {
+    const double sd = motion.ground.hold_slip ? noise_.obstacle_sd_m_rtm : noise_.along_sd_m_rtm;
+    // A body that tips over an edge faster than 0.1 rad/s moves along its tracks.
+    const double tipping = std::max(0.0, motion.ground.tilt_radps - 0.1) * motion.dt_s;
+    return square(sd) * std::abs(twist.vx_mps) * motion.dt_s + by_turning_m2(twist, motion) +
+           square(0.01) * tipping;
+  }
+  double across_m2(const Twist& twist, const Motion& motion) const {
+    return square(noise_.across_sd_m_rtm) * std::abs(twist.vx_mps) * motion.dt_s +
+           by_turning_m2(twist, motion);
+  }
+  double by_turning_m2(const Twist& twist, const Motion& motion) const {
+    return square(noise_.turn_sd_m_rtrad) * std::abs(twist.yaw_rate_radps) * motion.dt_s;
+  }
+
+  AnyMotion any_{3};
+  model::TrackParameters tracks_ = uneven_tracks();
+  FilterParameters noise_ = loud_noise();
+  MotionModel model_{tracks_, noise_};
+};
+
+TEST_F(MotionModelTest, ThePriorIsTheOriginWithTheParametersDeviations) {
+  const FilterState prior = model_.prior();
+  EXPECT_EQ(prior.mean, StateVector::Zero());
+  StateVector sd;
+  sd << noise_.start_sd_m, noise_.start_sd_m, noise_.start_sd_rad, noise_.bias_sd_radps,
+      noise_.slip_sd, noise_.slip_difference_sd, noise_.turn_gain_sd, noise_.bias_per_degc_sd;
+  const StateMatrix right = sd.cwiseProduct(sd).asDiagonal();
+  EXPECT_EQ(prior.covariance, right);
+}
+
+TEST_F(MotionModelTest, MovesTheRobotAsItsTracksAndItsGyroSay) {
+  for_many([&](FilterState state, const Motion& motion) {
+    const StateVector before = state.mean;
+    const double left_share = 1.0 - before[kCommonSlip] - before[kSlipDifference];
+    const double right_share = 1.0 - before[kCommonSlip] + before[kSlipDifference];
+    const double left = motion.tracks.left_mps * (1.0 - motion.ground.slip.left) * left_share;
+    const double right = motion.tracks.right_mps * (1.0 - motion.ground.slip.right) * right_share;
+    const model::Turn turn = model::turn_of(tracks_, model::Mode::kExtended, motion.shape);
+    Twist twist;
+    twist.vx_mps = (left + right) / 2.0 * (1.0 - turn.slip);
+    twist.yaw_rate_radps = motion.gyro
+                               ? motion.gyro_z_radps - before[kBias]
+                               : (right - left) / turn.wheelbase_m * (1.0 + before[kTurnGain]);
+    const double slip_angle = model::slip_angle_rad(tracks_, turn, twist.yaw_rate_radps);
+    twist.vy_mps = twist.vx_mps * std::tan(slip_angle) - turn.x_icr_m * twist.yaw_rate_radps;
+    const Twist is = model_.twist(before, motion);
+    EXPECT_NEAR(is.vx_mps, twist.vx_mps, 1e-12);
+    EXPECT_NEAR(is.vy_mps, twist.vy_mps, 1e-12);
+    EXPECT_NEAR(is.yaw_rate_radps, twist.yaw_rate_radps, 1e-12);
+    const model::Slip slip = model_.slip(before, motion);
+    EXPECT_NEAR(slip.left, 1.0 - (1.0 - motion.ground.slip.left) * left_share, 1e-12);
+    EXPECT_NEAR(slip.right, 1.0 - (1.0 - motion.ground.slip.right) * right_share, 1e-12);
+
+    model_.predict(state, motion);
+    double x = before[kX], y = before[kY], yaw = before[kYaw];
+    constexpr int kSteps = 100;
+    const double dt = motion.dt_s / kSteps;
+    for (int i = 0; i < kSteps; ++i) {
+      const double middle = yaw + twist.yaw_rate_radps * dt / 2.0;
+      const double forward = twist.vx_mps * motion.ground.horizontal_fraction;
+      x += (forward * std::cos(middle) - twist.vy_mps * std::sin(middle)) * dt;
+      y += (forward * std::sin(middle) + twist.vy_mps * std::cos(middle)) * dt;
+      yaw += twist.yaw_rate_radps * dt;
+    }
+    StateVector expected = before;
+    expected[kX] = x;
+    expected[kY] = y;
+    expected[kYaw] = yaw;
+    expected[kBias] += before[kBiasPerDegc] * motion.warming_degc;
+    expected[kCommonSlip] *= kept(motion);
+    EXPECT_LT((state.mean - expected).cwiseAbs().maxCoeff(), 1e-8);
+  });
+}
+
+TEST_F(MotionModelTest, AnIntervalAddsTheNoiseOfItsParameters) {
+  for_many([&](FilterState state, const Motion& motion) {
+    const Twist twist = model_.twist(state.mean, motion);
+    const double middle = state.mean[kYaw] + twist.yaw_rate_radps * motion.dt_s / 2.0;
+    const double c = std::cos(middle), s = std::sin(middle), dt = motion.dt_s;
+    const double along = along_m2(twist, motion), across = across_m2(twist, motion);
+    const double rate = std::abs(twist.yaw_rate_radps);
+    StateMatrix noise = StateMatrix::Zero();
+    noise(kX, kX) = along * c * c + across * s * s;
+    noise(kY, kY) = along * s * s + across * c * c;
+    noise(kX, kY) = noise(kY, kX) = (along - across) * c * s;
+    if (motion.gyro) {
+      noise(kYaw, kYaw) = (square(noise_.gyro_sd_rad_rts) +
+                           square(noise_.gyro_scale_sd * rate) * noise_.gyro_scale_s) *
+                          dt;
+    } else if (moves(motion)) {
+      // Without a gyro, the error of the tracks lasts for 0.1 s.
+      noise(kYaw, kYaw) =
+          square(noise_.track_error_radps + noise_.track_error_share * rate) * 0.1 * dt;
+    }
+    noise(kBias, kBias) = square(noise_.bias_walk_radps_rts) * dt;
+    noise(kCommonSlip, kCommonSlip) = square(noise_.slip_sd) * (1.0 - square(kept(motion)));
+    if (moves(motion) && !motion.ground.hold_slip) {
+      const double way = std::abs(motion.tracks.left_mps) + std::abs(motion.tracks.right_mps);
+      noise(kSlipDifference, kSlipDifference) = square(motion.slip_walk_rtm) * way / 2.0 * dt;
+    }
+    model_.predict(state, motion);
+    EXPECT_LT((state.covariance - noise).cwiseAbs().maxCoeff(), 1e-12);
+  });
+}
+
+TEST_F(MotionModelTest, ATwistIsAsUncertainAsEdgesGyroAndShiftMakeIt) {
+  for_many([&](const FilterState& state, const Motion& motion) {
+    const Twist twist = model_.twist(state.mean, motion);
+    const model::Turn turn = model_.turn_of(motion);
+    const double dt = motion.dt_s, rate = std::abs(twist.yaw_rate_radps);
+    // Each track begins and ends its interval between two edges.
+    const double edges = square(noise_.edge_m / dt) / 6.0;
+    const double by_tracks = square(noise_.track_error_radps + noise_.track_error_share * rate) +
+                             2.0 * edges * square((1.0 + state.mean[kTurnGain]) / turn.wheelbase_m);
+    const double by_gyro =
+        square(noise_.gyro_sd_rad_rts) / dt + square(noise_.gyro_scale_sd * rate);
+    const double turns = motion.gyro ? by_gyro : by_tracks;
+    const double sideways = std::tan(model::slip_angle_rad(tracks_, turn, twist.yaw_rate_radps));
+    const PlanarCovariance is = model_.twist_covariance(state, motion);
+    EXPECT_NEAR(is.xx, edges / 2.0 + along_m2(twist, motion) / square(dt), 1e-9);
+    EXPECT_NEAR(is.yaw_yaw, turns, 1e-9);
+    EXPECT_NEAR(is.x_yaw, 0.0, 1e-12);
+    EXPECT_NEAR(is.xy, sideways * edges / 2.0, 1e-9);
+    EXPECT_NEAR(is.y_yaw, -turn.x_icr_m * turns, 1e-9);
+    EXPECT_NEAR(is.yy,
+                square(sideways) * edges / 2.0 + square(turn.x_icr_m) * turns +
+                    across_m2(twist, motion) / square(dt),
+                1e-9);
+  });
+}
+
+TEST_F(MotionModelTest, OnlyLevelGroundWithoutAnObstacleShowsSlip) {
+  constexpr double kNearly = 0.99 * kRadPerDeg, kMore = 1.01 * kRadPerDeg;
+  EXPECT_TRUE(shows_slip({.roll_rad = -kNearly, .pitch_rad = kNearly}));
+  EXPECT_FALSE(shows_slip({.hold_slip = true}));
+  for (const double sign : {1.0, -1.0}) {
+    EXPECT_FALSE(shows_slip({.roll_rad = sign * kMore}));
+    EXPECT_FALSE(shows_slip({.pitch_rad = sign * kMore}));
+  }
+}
+
+TEST_F(MotionModelTest, ADisturbanceMakesThePlaceUncertainAndTeachesNothingElse) {
+  const auto expected = [](const StateMatrix& before, double sd_m, double sd_rad) {
+    StateMatrix after = before;
+    after.block<3, 5>(0, 3).setZero();
+    after.block<5, 3>(3, 0).setZero();
+    after(kX, kX) += square(sd_m);
+    after(kY, kY) += square(sd_m);
+    after(kYaw, kYaw) += square(sd_rad);
+    return after;
+  };
+  const FilterState before{any_.mean(), any_.covariance()};
+  FilterState state = before;
+  model_.disturb(state);
+  EXPECT_EQ(state.mean, before.mean);
+  EXPECT_EQ(state.covariance,
+            expected(before.covariance, noise_.disturbed_sd_m, noise_.disturbed_sd_rad));
+  state = before;
+  model_.measure(state, {.disturbed = true});
+  EXPECT_EQ(state.covariance,
+            expected(before.covariance, noise_.disturbance_sd_m, noise_.disturbance_sd_rad));
+}
+
+TEST_F(MotionModelTest, ARobotAtRestShowsItsBias) {
+  const FilterState before{any_.mean(), any_.covariance()};
+  FilterState state = before;
+  model_.measure(state, {.rest = {.radps = before.mean[kBias] + 0.02, .sd_radps = 0.01}});
+  const StateVector gain =
+      before.covariance.col(kBias) / (before.covariance(kBias, kBias) + square(0.01));
+  EXPECT_LT((state.mean - before.mean - gain * 0.02).norm(), 1e-12);
+  const StateMatrix left = before.covariance - gain * before.covariance.row(kBias);
+  EXPECT_LT((state.covariance - left).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+// Only the bias is uncertain, so that what a residual does to it is a fraction.
+TEST_F(MotionModelTest, AResidualCorrectsTheBiasUnlessItIsTooLargeToBeTrue) {
+  for (int i = 0; i < 200; ++i) {
+    Motion motion = any_.motion(true);
+    motion.has_residual = true;
+    motion.residual = {.left_radps = any_.between(-0.8, 0.8),
+                       .right_radps = any_.between(-0.8, 0.8),
+                       .gyro_z_radps = any_.between(-0.5, 0.5)};
+    FilterState state{any_.mean(), StateMatrix::Zero()};
+    state.covariance(kBias, kBias) = square(0.03);
+    const double edges = std::sqrt(4.0 / 12.0) * noise_.edge_m /
+                         (model_.turn_of(motion).wheelbase_m * noise_.residual_window_s);
+    const double of_sensors = magnitude(noise_.residual_sd_radps, edges);
+    EXPECT_NEAR(model_.residual_sd_radps(motion), of_sensors, 1e-12);
+    const double share = noise_.residual_share + motion.slip_walk_rtm;
+    // The bias is set so that the innovation has the wanted size.
+    const double by_tracks = (motion.residual.right_radps *
+                                  (1.0 - state.mean[kCommonSlip] + state.mean[kSlipDifference]) -
+                              motion.residual.left_radps *
+                                  (1.0 - state.mean[kCommonSlip] - state.mean[kSlipDifference])) *
+                             (1.0 + state.mean[kTurnGain]);
+    for (const double sds : {0.5, -1.0, 3.28, -3.28, 3.3, -3.3}) {
+      double innovation = 0.0, sd = 0.0;
+      for (int round = 0; round < 50; ++round) {
+        state.mean[kBias] = motion.residual.gyro_z_radps - by_tracks - innovation;
+        const double rate = std::abs(motion.residual.gyro_z_radps - state.mean[kBias]);
+        sd = magnitude(0.03, of_sensors + share * rate);
+        innovation = sds * sd;
+      }
+      EXPECT_NEAR(model_.innovation_radps(state.mean, motion.residual), innovation, 1e-9);
+      FilterState after = state;
+      model_.measure(after, motion);
+      // The gate is 10.8 = 3.286^2.
+      const double moved = std::abs(sds) < 3.29 ? square(0.03 / sd) * innovation : 0.0;
+      EXPECT_NEAR(after.mean[kBias] - state.mean[kBias], moved, 1e-9) << i << " " << sds;
+    }
+  }
+}
+
+TEST_F(MotionModelTest, ATurnOfAnotherShapeMakesTheTurnGainUncertainAgain) {
+  FilterState state{StateVector::Zero(), StateMatrix::Zero()};
+  model_.measure(state, {.has_residual = true, .turn_change = -0.4});
+  EXPECT_NEAR(state.covariance(kTurnGain, kTurnGain), 0.4 * square(noise_.turn_gain_sd), 1e-15);
+  state.mean[kBias] = 0.1;
+  EXPECT_NEAR(
+      model_.turn_ratio(state.mean, {.left_radps = 0.3, .right_radps = -0.2, .gyro_z_radps = 0.35}),
+      0.5, 1e-12);
+  EXPECT_EQ(model_.turn_ratio(state.mean, {.left_radps = -0.1, .gyro_z_radps = -0.9}), -1.0);
+  EXPECT_EQ(model_.turn_ratio(state.mean, {.gyro_z_radps = 0.9}), 0.0);
+}
+
+}  // namespace
+}  // namespace tp100::estimation
