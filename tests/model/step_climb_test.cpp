@@ -70,16 +70,6 @@ TEST(StepClimb, FallsWithoutLosingEnergyWhenTheTracksStand) {
   EXPECT_EQ(climb.state().phase, ClimbPhase::kFlat);
 }
 
-TEST(StepClimb, NoseIsUpOnTheWayUpAndDownOnTheWayDown) {
-  for (const ClimbState& state : drive(1e-3, 5.0)) {
-    if (state.phase < ClimbPhase::kFlat) {
-      EXPECT_LE(state.pitch_rad, 0.0);
-    } else {
-      EXPECT_GE(state.pitch_rad, 0.0);
-    }
-  }
-}
-
 TEST(StepClimb, DrivingBackOnTheWayUpRetracesIt) {
   StepClimb climb({}, {});
   climb.reset(0.01);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <random>
 
+#include "support/sequence.h"
+
 namespace tp100::model {
 namespace {
 
@@ -67,45 +69,118 @@ TEST(TrackModel, YawStaysUnwrapped) {
   EXPECT_GT(model.pose().yaw_rad, 4 * kPi);
 }
 
-TEST(TrackModel, PaperModeIgnoresTheSlopeAndExtendedModeClimbsIt) {
-  const double slope = 20.0 * kRadPerDeg;
-  TrackModel paper(TrackParameters{}, Mode::kPaper);
-  paper.advance(0.1, 0.1, 1.0, inclined(slope));
+TEST(TrackModel, PaperModeIgnoresTheSlope) {
+  TrackModel paper(TrackParameters{}, Mode::kPaper), level(TrackParameters{}, Mode::kPaper);
+  paper.advance(0.1, 0.12, 1.0, {0.3, 0.2, 0.7});
+  level.advance(0.1, 0.12, 1.0);
   EXPECT_EQ(paper.pose().z_m, 0.0);
-
-  TrackParameters symmetric;
-  symmetric.slip_left = symmetric.slip_right = 0.1;
-  symmetric.slip_angle_straight_rad = 0.0;
-  TrackModel extended(symmetric, Mode::kExtended);
-  const double table_left = 0.1 + 0.20 - 0.16;
-  extended.advance(0.1, 0.1, 1.0, inclined(slope));
-  EXPECT_NEAR(extended.slip().left, table_left, 1e-12);
-  const double vx = extended.twist().vx_mps;
-  EXPECT_NEAR(extended.pose().z_m, vx * std::sin(slope), 1e-12);
-  EXPECT_NEAR(extended.pose().pitch_rad, -slope, 1e-12);
-  EXPECT_NEAR(std::hypot(extended.pose().x_m, extended.pose().y_m, extended.pose().z_m), vx, 1e-4);
+  EXPECT_EQ(paper.pose().pitch_rad, 0.0);
+  EXPECT_EQ(paper.pose().x_m, level.pose().x_m);
+  EXPECT_EQ(paper.pose().yaw_rad, level.pose().yaw_rad);
 }
 
-TEST(TrackModel, TheIcrOffsetMovesTheReferencePointSidewaysInTurnsOnly) {
-  TrackParameters parameters;
-  parameters.x_icr_m = 0.01;
-  parameters.slip_left = parameters.slip_right = 0.1;
-  const Twist spin = body_twist(parameters, Mode::kExtended, -0.1, 0.1);
-  EXPECT_NEAR(spin.vy_mps, -0.01 * spin.yaw_rate_radps, 1e-15);
-  EXPECT_EQ(body_twist(parameters, Mode::kPaper, -0.1, 0.1).vy_mps, 0.0);
+/// Every parameter has an effect, and left and right differ.
+TrackParameters uneven() {
+  TrackParameters p;
+  p.slip_left = 0.07;
+  p.slip_right = 0.16;
+  p.slip_angle_straight_rad = 0.021;
+  p.slip_angle_turning_rad = -0.034;
+  p.x_icr_m = 0.012;
+  p.wheelbase_medium_m = 0.33;
+  p.wheelbase_tight_m = 0.37;
+  p.x_icr_tight_shift_m = 0.006;
+  p.wheelbase_spin_m = 0.42;
+  p.x_icr_spin_shift_m = -0.019;
+  p.turn_slip = 0.055;
+  p.turn_slip_tight = 0.031;
+  p.turn_loss = 0.043;
+  p.turning_threshold_radps = 0.07;
+  return p;
 }
 
-TEST(TrackModel, DrivingBackRetracesTheSameArc) {
-  std::mt19937 random(7);
-  std::uniform_real_distribution<double> speed(-0.2, 0.2);
-  for (int i = 0; i < 100; ++i) {
-    const double left = speed(random), right = speed(random);
-    TrackModel model(TrackParameters{}, Mode::kPaper);
-    model.advance(left, right, 3.0);
-    model.advance(-left, -right, 3.0);
-    EXPECT_NEAR(model.pose().x_m, 0.0, 1e-12);
-    EXPECT_NEAR(model.pose().y_m, 0.0, 1e-12);
-    EXPECT_NEAR(model.pose().yaw_rad, 0.0, 1e-12);
+// The equations of the extended model, integrated in small steps; the shape of the turn is that of
+// track speeds that a low-pass of 0.13 s smooths.
+TEST(TrackModel, ExtendedModeIsItsEquationsInAnyTurnOnAnyGround) {
+  const TrackParameters p = uneven();
+  test::Sequence any(4);
+  TrackModel model(p, Mode::kExtended, 0.13);
+  Pose pose{.x_m = 0.4, .y_m = -0.7, .z_m = 0.2, .yaw_rad = 0.9};
+  model.reset(pose);
+  double smooth_left = 0.0, smooth_right = 0.0;
+  int straight = 0;
+  for (int i = 0; i < 400; ++i) {
+    const double left_mps = any.between(-0.2, 0.2), dt_s = any.between(0.005, 0.2);
+    const double right_mps = i % 3 == 0 ? left_mps * any.between(1.0, 1.2) : any.between(-0.2, 0.2);
+    const Incline on{i % 4 == 0 ? 0.0 : any.between(-0.5, 0.5), any.between(-0.05, 0.05),
+                     any.between(0.5, 1.0)};
+    if (i == 200) {
+      pose = {.x_m = 1.0, .yaw_rad = 2.0};
+      model.reset(pose);
+    }
+    const Slip slip = slip_on(p, Mode::kExtended, on);
+    const double left = left_mps * (1.0 - slip.left), right = right_mps * (1.0 - slip.right);
+    const double share = i % 200 == 0 ? 1.0 : 1.0 - std::exp(-dt_s / 0.13);
+    smooth_left += (left - smooth_left) * share;
+    smooth_right += (right - smooth_right) * share;
+    const Turn turn = turn_of(p, Mode::kExtended, turn_shape(smooth_left, smooth_right));
+    const double vx = (left + right) / 2.0 * (1.0 - turn.slip);
+    const double rate = (right - left) / turn.wheelbase_m;
+    const bool turns = std::abs(rate) > p.turning_threshold_radps;
+    straight += turns ? 0 : 1;
+    const double vy = vx * std::tan(turns ? p.slip_angle_turning_rad : p.slip_angle_straight_rad) -
+                      turn.x_icr_m * rate;
+    constexpr int kSteps = 200;
+    for (int n = 0; n < kSteps; ++n) {
+      const double step_s = dt_s / kSteps, yaw = pose.yaw_rad + rate * step_s / 2.0;
+      const double forward = vx * on.horizontal_fraction;
+      pose.x_m += (forward * std::cos(yaw) - vy * std::sin(yaw)) * step_s;
+      pose.y_m += (forward * std::sin(yaw) + vy * std::cos(yaw)) * step_s;
+      pose.z_m += vx * std::sin(on.slope_rad) * step_s;
+      pose.yaw_rad += rate * step_s;
+    }
+    const Twist& twist = model.advance(left_mps, right_mps, dt_s, on);
+    ASSERT_NEAR(twist.vx_mps, vx, 1e-12) << i;
+    ASSERT_NEAR(twist.vy_mps, vy, 1e-12) << i;
+    ASSERT_NEAR(twist.yaw_rate_radps, rate, 1e-12) << i;
+    ASSERT_EQ(model.slip().left, slip.left);
+    ASSERT_EQ(model.slip().right, slip.right);
+    ASSERT_NEAR(model.pose().x_m, pose.x_m, 1e-5) << i;
+    ASSERT_NEAR(model.pose().y_m, pose.y_m, 1e-5) << i;
+    ASSERT_NEAR(model.pose().z_m, pose.z_m, 1e-9) << i;
+    ASSERT_NEAR(model.pose().yaw_rad, pose.yaw_rad, 1e-9) << i;
+    ASSERT_EQ(model.pose().pitch_rad, -on.slope_rad);
+    // Without a filter the shape is that of the same speeds.
+    const Twist alone = body_twist(p, Mode::kExtended, left_mps, right_mps, on);
+    ASSERT_NEAR(alone.yaw_rate_radps,
+                (right - left) / turn_of(p, Mode::kExtended, turn_shape(left, right)).wheelbase_m,
+                1e-12);
+  }
+  EXPECT_GT(straight, 20);
+}
+
+TEST(EquivalentWheelbase, IsThePrintedOneAndThatOfEquationSeven) {
+  EXPECT_NEAR(equivalent_wheelbase_m({}), 0.2742, 5e-6);
+  // b/2 - gamma dy = 0.08, a/2 - dx = 0.06, and 2 (0.08^2 + 0.06^2) / 0.08 = 0.25.
+  EXPECT_NEAR(equivalent_wheelbase_m({.length_m = 0.14,
+                                      .width_m = 0.18,
+                                      .offset_x_m = 0.01,
+                                      .offset_y_m = 0.005,
+                                      .gamma = 2.0}),
+              0.25, 1e-12);
+}
+
+// The series and the closed form of the arc.
+TEST(Arc, OfATinyTurnIsExactToItsSecondOrder) {
+  for (const double turn : {-3e-3, -1.01e-4, -9.9e-5, -4e-5, 6e-5, 9.9e-5, 1.01e-4, 2e-3}) {
+    Pose ahead{}, aside{};
+    advance(ahead, {.vx_mps = 2.0, .yaw_rate_radps = 2.0 * turn}, 0.5);
+    EXPECT_NEAR(ahead.x_m, 1.0 - turn * turn / 6.0, 1e-12) << turn;
+    EXPECT_NEAR(1.0 - ahead.x_m, turn * turn / 6.0, 1e-5 * turn * turn) << turn;
+    EXPECT_NEAR(ahead.y_m, turn / 2.0, 1e-6 * std::abs(turn)) << turn;
+    advance(aside, {.vy_mps = 2.0, .yaw_rate_radps = 2.0 * turn}, 0.5);
+    EXPECT_NEAR(aside.y_m, ahead.x_m, 1e-15) << turn;
+    EXPECT_NEAR(aside.x_m, -ahead.y_m, 1e-15) << turn;
   }
 }
 

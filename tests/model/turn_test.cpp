@@ -66,13 +66,6 @@ TEST(Turn, LosesAsMuchDistanceToEitherSideAndTurnsAsBefore) {
   EXPECT_NEAR(twist(p, Mode::kExtended, -0.1, 0.1).vx_mps, 0.0, 1e-12);
 }
 
-TEST(Turn, ARobotThatStandsMakesNone) {
-  const TurnShape shape = turn_shape(0.0, 0.0);
-  EXPECT_EQ(turn_of(TrackParameters{}, Mode::kExtended, shape).wheelbase_m,
-            TrackParameters{}.wheelbase_m);
-  EXPECT_EQ(shape.medium, 0.0);
-}
-
 TEST(Turn, OnlyTheRatioOfTheSpeedsCounts) {
   for (const double ratio : {-1.0, -0.3, 0.1, 0.35, 0.5, 0.9}) {
     const TurnShape shape = turn_shape(ratio, 1.0);
