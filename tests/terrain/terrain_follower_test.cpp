@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/arithmetic.h"
 #include "support/alloc_count.h"
@@ -195,21 +196,78 @@ TEST(TerrainFollower, ARealBodyClimbsWhenItsNoseRisesNotWhereTheMapHasTheBlock) 
   EXPECT_LT(terrain_follower.state().incline.horizontal_fraction * kDistanceM, -0.005);
 }
 
-TEST(TerrainFollower, ANoseThatRisesFarFromAnyBlockIsASlope) {
+/// Whether a robot that is set down `past_m` beyond the place where it touches the block, turned by
+/// `askew_deg`, begins to climb.
+bool begins(double past_m, double askew_deg, std::optional<Attitude> measured) {
   const World world(block_at_half_a_metre(), {});
-  TerrainFollower terrain_follower(world, {});
-  terrain_follower.advance({}, kDistanceM, kStepS, Attitude{.pitch_rad = -10 * kRadPerDeg});
-  EXPECT_FALSE(terrain_follower.state().climbing);
-  EXPECT_NEAR(terrain_follower.state().incline.horizontal_fraction, std::cos(10 * kRadPerDeg),
-              1e-12);
+  TerrainFollower follower(world, {});
+  const double yaw = askew_deg * kRadPerDeg;
+  // Along its heading, the block begins as far ahead as if it went straight at it.
+  const double ahead_m = 0.133 / 2.0 + 0.026 - past_m;
+  follower.advance({.x_m = 0.45 - ahead_m * std::cos(yaw),
+                    .y_m = -ahead_m * std::sin(yaw),
+                    .yaw_rad = yaw + 2.0 * kPi},
+                   kDistanceM, kStepS, measured);
+  return follower.state().climbing;
 }
 
-TEST(TerrainFollower, TheNoiseOfALevelImuIsNoTerrain) {
+TEST(TerrainFollower, AClimbBeginsNearABlockThatIsMetSquarelyOnceTheNoseRises) {
+  const Attitude up{.roll_rad = 0.01, .pitch_rad = -0.11};
+  EXPECT_FALSE(begins(-0.001, 0.0, {})) << "by the map not before it touches";
+  EXPECT_TRUE(begins(0.001, 0.0, {}));
+  EXPECT_TRUE(begins(0.079, 0.0, {}));
+  EXPECT_FALSE(begins(0.081, 0.0, {}));
+  EXPECT_TRUE(begins(-0.079, 0.0, up)) << "a pose may be wrong by that";
+  EXPECT_FALSE(begins(-0.081, 0.0, up));
+  for (const double side : {1.0, -1.0}) {
+    EXPECT_TRUE(begins(0.005, side * 29.0, up));
+    EXPECT_FALSE(begins(0.005, side * 31.0, up));
+    EXPECT_FALSE(begins(0.005, side * 179.0, up)) << "the block is behind";
+  }
+  EXPECT_TRUE(begins(0.005, 0.0, Attitude{.pitch_rad = -3.1 * kRadPerDeg}));
+  EXPECT_FALSE(begins(0.005, 0.0, Attitude{.pitch_rad = -2.9 * kRadPerDeg}));
+  EXPECT_FALSE(begins(0.005, 0.0, Attitude{.pitch_rad = 3.1 * kRadPerDeg}));
+}
+
+TEST(TerrainFollower, AMeasuredAttitudeAwayFromBlocksIsASlopeUnlessItIsNoise) {
   const World world(block_at_half_a_metre(), {});
-  TerrainFollower terrain_follower(world, {});
-  terrain_follower.advance({}, kDistanceM, kStepS, Attitude{.roll_rad = 0.02, .pitch_rad = 0.02});
-  EXPECT_EQ(terrain_follower.state().incline.horizontal_fraction, 1.0);
-  EXPECT_EQ(terrain_follower.state().pitch_rad, 0.0);
+  TerrainFollower follower(world, {});
+  for (const double roll_deg : {1.9, -1.9, 2.1, -2.1}) {
+    for (const double pitch_deg : {1.9, -1.9, 2.1, -2.1, -10.0}) {
+      const bool noise = std::abs(roll_deg) < 2.0 && std::abs(pitch_deg) < 2.0;
+      const double pitch = noise ? 0.0 : pitch_deg * kRadPerDeg;
+      follower.advance({.x_m = -0.3}, kDistanceM, kStepS,
+                       Attitude{roll_deg * kRadPerDeg, pitch_deg * kRadPerDeg});
+      EXPECT_FALSE(follower.state().climbing);
+      EXPECT_EQ(follower.state().pitch_rad, pitch);
+      EXPECT_EQ(follower.state().roll_rad, noise ? 0.0 : roll_deg * kRadPerDeg);
+      EXPECT_EQ(follower.state().incline.slope_rad, -pitch);
+      EXPECT_NEAR(follower.state().incline.horizontal_fraction, std::cos(pitch), 1e-12);
+    }
+  }
+}
+
+// A body that falls moves ahead without any travel; a bound keeps its fraction finite.
+TEST(TerrainFollower, AFallAlmostWithoutTravelStaysBounded) {
+  const World world(block_at_half_a_metre(), {});
+  for (const double distance_m : {0.0, 9e-7, -9e-7, 2e-6, -2e-6}) {
+    TerrainFollower follower(world, {});
+    Pose pose{};
+    for (double before = 0.0; pose.x_m < 0.6; before = follower.state().pitch_rad) {
+      pose.x_m +=
+          kDistanceM * follower.advance(pose, kDistanceM, kStepS).incline.horizontal_fraction;
+      if (before < -0.3 && follower.state().pitch_rad > before) break;
+    }
+    double most = 0.0, pitch = follower.state().pitch_rad;
+    for (int i = 0; i < 80; ++i) {
+      const double fraction =
+          follower.advance(pose, distance_m, kStepS).incline.horizontal_fraction;
+      most = std::max(most, std::abs(fraction - 1.0));
+      ASSERT_LE(std::abs(fraction), 30.0);
+    }
+    EXPECT_GT(follower.state().pitch_rad, pitch + 0.1) << "it fell";
+    EXPECT_EQ(most > 0.0, std::abs(distance_m) > 1e-6) << distance_m;
+  }
 }
 
 TEST(TerrainFollower, WhoStartsBehindABlockDoesNotClimbIt) {
