@@ -20,9 +20,7 @@ beforeEach(() => {
   store.receive('/state', { t_s: 100, run: 'running' } as State);
 });
 
-function alerts(): Alerts {
-  return new Alerts(outlets, storage, () => now_ms);
-}
+const alerts = (): Alerts => new Alerts(outlets, storage, () => now_ms);
 
 describe('alerts', () => {
   it('are off until they are chosen, and remembered', () => {
@@ -39,9 +37,13 @@ describe('alerts', () => {
     expect(alerts().notifies).toBe(true);
   });
 
-  it('tell of a new fault once, with what to do', () => {
+  it('tell of a new fault once, with what to do, not what a new connection repeats, nor what is no fault', () => {
     const all = alerts();
     all.notifies = all.sounds = true;
+    all.received('/event', event(40), store);
+    all.received('/event', event(100, 'warning'), store);
+    all.received('/event', event(100), new Store(() => 0));
+    expect(outlets.notify).not.toHaveBeenCalled();
     all.received('/event', event(100.2), store);
     all.received('/event', event(100.3), store);
     expect(outlets.notify.mock.calls).toEqual([['tilt', 'it leans: set it down']]);
@@ -49,15 +51,6 @@ describe('alerts', () => {
     now_ms = 5000;
     all.received('/event', event(105), store);
     expect(outlets.beep).toHaveBeenCalledTimes(2);
-  });
-
-  it('do not tell what a new connection repeats, nor what is no fault', () => {
-    const all = alerts();
-    all.notifies = true;
-    all.received('/event', event(40), store);
-    all.received('/event', event(100, 'warning'), store);
-    all.received('/event', event(100), new Store(() => 0));
-    expect(outlets.notify).not.toHaveBeenCalled();
   });
 
   it('tell once that the battery is low', () => {

@@ -1,44 +1,83 @@
+// Figures as the page shows them: numbers with their units, axes, and the time that is left.
 import { describe, expect, it } from 'vitest';
+import { timeLeft_s } from '../../../daemon/web/panel/timeline.ts';
 import * as format from '../../../daemon/web/state/format.ts';
+import type { Course, State } from '../../../daemon/web/state/messages.ts';
+import { extent, niceRange, niceStep } from '../../../daemon/web/state/scale.ts';
 
-describe('fixed', () => {
-  it('has a true minus sign and never minus zero', () => {
-    expect(format.fixed(-1.25, 1)).toBe('\u22121.3');
-    expect(format.fixed(-0.001, 2)).toBe('0.00');
-    expect(format.fixed(-0, 0)).toBe('0');
+it.each<[string, string]>([
+  // A true minus sign, and never minus zero.
+  [format.fixed(-1.25, 1), '\u22121.3'],
+  [format.fixed(-0.001, 2), '0.00'],
+  [format.fixed(-0, 0), '0'],
+  // What is not known is a dash.
+  [format.fixed(null, 2), '\u2013'],
+  [format.fixed(undefined, 2), '\u2013'],
+  [format.fixed(NaN, 2), '\u2013'],
+  [format.fixed(Infinity, 2), '\u2013'],
+  [format.degrees(null, 1), '\u2013'],
+  [format.clock(-1), '\u2013'],
+  [format.degrees(Math.PI / 2, 1), '90.0'],
+  [format.millimetres(0.0123, 1), '12.3'],
+  [format.percent(0.1188, 1), '11.9'],
+  [format.duration(7), '7 µs'],
+  [format.duration(1234), '1.2 ms'],
+  [format.duration(56_789), '57 ms'],
+  [format.duration(3_400_000), '3.4 s'],
+  [format.clock(0), '0:00.0'],
+  [format.clock(62.34), '1:02.3'],
+  [format.clock(59.999), '0:59.9'],
+  [format.clock(3723), '1:02:03'],
+  [format.bytes(12), '12 B'],
+  [format.bytes(12_345), '12.3 kB'],
+  [format.bytes(123_456_789), '123 MB'],
+  [format.count(1234567), '1\u2009234\u2009567'],
+  [format.count(12), '12'],
+])('a figure is written %s', (written, expected) => {
+  expect(written).toBe(expected);
+});
+
+describe('an axis', () => {
+  it('has steps of a few round numbers, never below what was asked', () => {
+    for (let value = 1e-4; value < 1e4; value *= 1.13) {
+      const step = niceStep(value);
+      const digits = step / 10 ** Math.floor(Math.log10(step) + 1e-9);
+      expect([1, 2, 2.5, 5].some((nice) => Math.abs(nice - digits) < 1e-6)).toBe(true);
+      expect(step).toBeGreaterThanOrEqual(value * (1 - 1e-9));
+      expect(step).toBeLessThanOrEqual(value * 2.5001);
+    }
   });
 
-  it.each([null, undefined, NaN, Infinity])('shows %s as a dash', (value) => {
-    expect(format.fixed(value, 2)).toBe('\u2013');
+  it('covers the data and never less than it is asked to, and does not move with every sample', () => {
+    for (const [low, high] of [[-3, 17], [0.1, 0.11], [-200, -190], [NaN, NaN], [Infinity, -Infinity]] as const) {
+      const [from, to] = niceRange(low, high, [-5, 5]);
+      expect(from).toBeLessThanOrEqual(Math.min(-5, Number.isFinite(low) ? low : -5));
+      expect(to).toBeGreaterThanOrEqual(Math.max(5, Number.isFinite(high) ? high : 5));
+    }
+    expect(niceRange(-1.01, 9.2, [0, 5])).toEqual(niceRange(-1, 9.1, [0, 5]));
+    expect(extent([new Float64Array([1, NaN, 5]), new Float64Array([NaN, -2])]), 'gaps are left out').toEqual([-2, 5]);
+    expect(extent([])).toEqual([Infinity, -Infinity]);
   });
 });
 
-it('turns units', () => {
-  expect(format.degrees(Math.PI / 2, 1)).toBe('90.0');
-  expect(format.millimetres(0.0123, 1)).toBe('12.3');
-  expect(format.percent(0.1188, 1)).toBe('11.9');
-  expect(format.degrees(null, 1)).toBe('\u2013');
-});
+describe('the time left', () => {
+  const course = { length_m: 4, speed_mps: 0.1, segments: [{ kind: 'line', from_m: 0, to_m: 2, angle_rad: 0 }, { kind: 'pivot', from_m: 2, to_m: 2, angle_rad: -1.2 }] } as unknown as Course;
+  const left_s = (more: Partial<State>, on: Course | undefined = course): number | undefined =>
+    timeLeft_s({ run: 'running', progress_m: 0, run_s: 0, ...more } as State, on);
 
-it('prints durations in fitting units', () => {
-  expect(format.duration(7)).toBe('7 µs');
-  expect(format.duration(1234)).toBe('1.2 ms');
-  expect(format.duration(56_789)).toBe('57 ms');
-  expect(format.duration(3_400_000)).toBe('3.4 s');
-});
+  it('is the nominal one at first, with turns on the spot, and then follows the pace of the run', () => {
+    // 4 m at 0.1 m/s and a turn of 2 s.
+    expect(left_s({})).toBeCloseTo(42);
+    expect(left_s({ progress_m: 2, run_s: 22 })).toBeCloseTo(20);
+    expect(left_s({ progress_m: 1, run_s: 15 })).toBeCloseTo(32 * 1.5);
+    expect(left_s({ progress_m: 1, run_s: 1000 }), 'after a pause').toBeCloseTo(64);
+    expect(left_s({ progress_m: 5, run_s: 60 })).toBe(0);
+  });
 
-it('prints clocks', () => {
-  expect(format.clock(0)).toBe('0:00.0');
-  expect(format.clock(62.34)).toBe('1:02.3');
-  expect(format.clock(59.999)).toBe('0:59.9');
-  expect(format.clock(3723)).toBe('1:02:03');
-  expect(format.clock(-1)).toBe('\u2013');
-});
-
-it('prints sizes and counts', () => {
-  expect(format.bytes(12)).toBe('12 B');
-  expect(format.bytes(12_345)).toBe('12.3 kB');
-  expect(format.bytes(123_456_789)).toBe('123 MB');
-  expect(format.count(1234567)).toBe('1\u2009234\u2009567');
-  expect(format.count(12)).toBe('12');
+  it('is not known without a run or a course, or while it pauses', () => {
+    expect(left_s({ run: 'idle' })).toBeUndefined();
+    expect(left_s({ pause_left_s: 3 })).toBeUndefined();
+    expect(timeLeft_s({ run: 'running' } as State, undefined)).toBeUndefined();
+    expect(left_s({}, { length_m: 0, speed_mps: 0 } as Course)).toBeUndefined();
+  });
 });

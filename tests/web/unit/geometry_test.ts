@@ -1,6 +1,18 @@
 import { describe, expect, it } from 'vitest';
 import * as geometry from '../../../daemon/web/scene/geometry.ts';
-import { course3 } from './course3.ts';
+import type { Course } from '../../../daemon/web/state/messages.ts';
+
+/** Course 3: 1.4 m ahead, a half circle of 0.4 m to the right, and back over a block of 37 mm and a ramp of 80 mm. */
+const ramp = { x_m: 0.7, y_m: -0.8, heading_rad: Math.PI, height_m: 0.08, up_rad: (28 * Math.PI) / 180, top_m: 0.2, down_rad: (28 * Math.PI) / 180, width_m: 0.4 };
+const block = { x_m: 1.2, y_m: -0.8, heading_rad: Math.PI, height_m: 0.037, depth_m: 0.1, width_m: 0.4 };
+const path: Course['path'] = [];
+for (let i = 0; i <= 70; i++) path.push({ x_m: 0.02 * i, y_m: 0, yaw_rad: 0, s_m: 0.02 * i });
+for (let i = 1; i <= 63; i++) {
+  const angle = (Math.PI * i) / 63;
+  path.push({ x_m: 1.4 + 0.4 * Math.sin(angle), y_m: -0.4 + 0.4 * Math.cos(angle), yaw_rad: -angle, s_m: 1.4 + 0.4 * angle });
+}
+for (let i = 1; i <= 70; i++) path.push({ x_m: 1.4 - 0.02 * i, y_m: -0.8, yaw_rad: -Math.PI, s_m: 1.4 + 0.4 * Math.PI + 0.02 * i });
+const course3 = { path, ramps: [ramp], blocks: [block], surfaces: [], fence: { min_x_m: -0.05, max_x_m: 1.85, min_y_m: -0.9, max_y_m: 0.1 } } as unknown as Course;
 
 /** Volume of a closed body of triangles whose normals point outwards. */
 function volume(triangles: Float32Array): number {
@@ -12,12 +24,8 @@ function volume(triangles: Float32Array): number {
   return six / 6;
 }
 
-const [ramp] = course3.ramps;
-const [block] = course3.blocks;
-
 describe('prism', () => {
   it('is closed and faces outwards: its volume is area times width', () => {
-    if (!ramp || !block) throw new Error('course 3 has both');
     const up = 0.08 / Math.tan(ramp.up_rad);
     expect(volume(geometry.prism(geometry.rampProfile(ramp), 0.4))).toBeCloseTo((0.2 + up) * 0.08 * 0.4, 6);
     expect(volume(geometry.prism(geometry.blockProfile(block), 0.4))).toBeCloseTo(0.1 * 0.037 * 0.4, 7);
@@ -48,7 +56,7 @@ describe('groundHeight', () => {
     expect(geometry.groundHeight(course3, 1.2, -0.8)).toBeCloseTo(0.037);
     expect(geometry.groundHeight(course3, 1.2, -0.59)).toBe(0);
     expect(geometry.groundHeight(course3, 0, 0)).toBe(0);
-    const half = geometry.rampLength(course3.ramps[0] ?? ({} as never)) / 2;
+    const half = geometry.rampLength(ramp) / 2;
     expect(geometry.groundHeight(course3, 0.7 + half - 0.01, -0.8)).toBeCloseTo(0.01 * Math.tan((28 * Math.PI) / 180));
   });
 });

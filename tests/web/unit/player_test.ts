@@ -1,18 +1,15 @@
 import { beforeEach, describe, expect, it } from 'vitest';
 import { Player } from '../../../daemon/web/replay/player.ts';
 import type { Frame } from '../../../daemon/web/replay/recording.ts';
-import { Thinned } from '../../../daemon/web/replay/thinned.ts';
 import { Store } from '../../../daemon/web/state/store.ts';
-import { course3 } from './course3.ts';
 
 function estimate(t_s: number): unknown {
-  const pose = { x_m: t_s * 0.1, y_m: 0, z_m: 0, roll_rad: 0, pitch_rad: 0, yaw_rad: 0, vx_mps: 0, vy_mps: 0, yaw_rate_radps: 0 };
-  const tracks = { left_mps: 0.1, right_mps: 0.1, left_commanded_mps: null, right_commanded_mps: null };
-  return { t_s, age_us: 3000, steering: 'odometry', model: pose, odometry: pose, fused: pose, truth: null, tracks };
+  const pose = { x_m: t_s * 0.1, y_m: 0, z_m: 0, yaw_rad: 0 };
+  return { t_s, age_us: 3000, steering: 'odometry', model: pose, odometry: pose, fused: pose, truth: null, tracks: { left_mps: 0.1, right_mps: 0.1 } };
 }
 
 const kBegin = 1000;
-const frames: Frame[] = [{ time_s: kBegin - 5, topic: '/course', message: course3 }];
+const frames: Frame[] = [{ time_s: kBegin - 5, topic: '/course', message: { name: '3' } }];
 for (let i = 0; i <= 500; i++) frames.push({ time_s: kBegin + 0.02 * i, topic: '/estimate', message: estimate(0.02 * i) });
 
 let player: Player;
@@ -57,22 +54,5 @@ describe('Player', () => {
     expect(player.position_s).toBe(0);
     player.show(1e9);
     expect(player.position_s).toBeCloseTo(10);
-  });
-});
-
-describe('Thinned', () => {
-  it('never holds more than its capacity, and covers everything', () => {
-    const thinned = new Thinned<number>(100, 0.01);
-    for (let i = 0; i < 100_000; i++) thinned.add(i * 0.01, i);
-    expect(thinned.items.length).toBeLessThanOrEqual(100);
-    expect(thinned.items.length).toBeGreaterThan(40);
-    expect(thinned.items[0]?.item).toBe(0);
-    expect(thinned.items.at(-1)?.item).toBeGreaterThan(97_000);
-  });
-
-  it('keeps a burst within bounds too', () => {
-    const thinned = new Thinned<number>(10, 0);
-    for (let i = 0; i < 1000; i++) thinned.add(5, i);
-    expect(thinned.items.length).toBeLessThanOrEqual(10);
   });
 });

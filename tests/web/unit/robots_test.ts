@@ -1,42 +1,21 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { Robot, type Contact, type Listed } from '../../../daemon/web/robots/robot.ts';
 import { kEnded_ms, RobotList } from '../../../daemon/web/robots/robot_list.ts';
-import { FakeSocket } from './fake_socket.ts';
+import { FakeDaemon, message } from './fake_daemon.ts';
 
 const kListed: Listed = { url: 'http://127.0.0.1:8766/', session: 'cd34' };
 
-let sockets: FakeSocket[];
-const newest = (): FakeSocket => sockets.at(-1) ?? new FakeSocket();
+let daemon: FakeDaemon;
+const robot = (listed = kListed): Robot => new Robot(listed, () => Date.now(), daemon.make);
 
-function robot(listed = kListed): Robot {
-  return new Robot(listed, () => Date.now(), () => {
-    sockets.push(new FakeSocket());
-    return newest();
-  });
+/** A message of `/state`. */
+function state(run: string): void {
+  daemon.newest.say(message(1, { stop: { count: 0, latched: false, by: '', status: 'none' }, run }));
 }
-
-function greet(session: string): void {
-  newest().open();
-  newest().json({ op: 'serverInfo', name: 'tp100d', capabilities: [], sessionId: session, metadata: { name: 'left' } });
-  newest().json({ op: 'advertise', channels: [{ id: 1, topic: '/state', encoding: 'json', schemaName: 's', schema: '' }] });
-  newest().json({ op: 'advertiseServices', services: [{ id: 3, name: 'stop', type: 's', requestSchema: '', responseSchema: '' }] });
-}
-
-/** A message of `/state`, as subscription 1. */
-function state(content: object): void {
-  const json = new TextEncoder().encode(JSON.stringify({ stop: { count: 0, latched: false, by: '', status: 'none' }, ...content }));
-  const frame = new Uint8Array(13 + json.length);
-  frame.set([1, 1, 0, 0, 0], 0);
-  frame.set(json, 13);
-  newest().say(frame.buffer);
-}
-
-/** Calls of a service that were sent: binary frames. */
-const calls = (): number => newest().sent.filter((each) => typeof each !== 'string').length;
 
 beforeEach(() => {
   vi.useFakeTimers();
-  sockets = [];
+  daemon = new FakeDaemon();
 });
 afterEach(() => {
   vi.useRealTimers();
@@ -46,8 +25,8 @@ describe('a robot of the list', () => {
   it('answers while its state comes', () => {
     const one = robot();
     expect(one.contact).toBe('connecting');
-    greet('cd34');
-    state({ run: 'running' });
+    daemon.newest.greet('cd34');
+    state('running');
     expect(one.contact).toBe('answers');
     expect(one.name).toBe('left');
     expect(one.state?.run).toBe('running');
@@ -59,9 +38,9 @@ describe('a robot of the list', () => {
 
   it('does not answer when its connection ends, or there never was one', () => {
     const one = robot();
-    greet('cd34');
-    state({ run: 'running' });
-    newest().die();
+    daemon.newest.greet('cd34');
+    state('running');
+    daemon.newest.die();
     expect(one.contact).toBe('no_answer');
     const other = robot();
     vi.advanceTimersByTime(2100);
@@ -70,46 +49,45 @@ describe('a robot of the list', () => {
 
   it('sends STOP at once, and first of all when its daemon is back', () => {
     const one = robot();
-    greet('cd34');
+    daemon.newest.greet('cd34');
     one.stop.press(Date.now());
-    expect(calls()).toBe(1);
-    newest().die();
+    expect(daemon.newest.calls.length).toBe(1);
+    daemon.newest.die();
     one.stop.press(Date.now());
     expect(one.stop.button.view(Date.now() + 300)).toMatchObject({ kind: 'not_acknowledged', waiting: true });
     vi.advanceTimersByTime(500);
-    greet('cd34');
-    expect(sockets.length).toBeGreaterThan(1);
-    expect(calls()).toBe(1);
-    const first = newest().sent.findIndex((each) => typeof each !== 'string');
-    expect(newest().sent.slice(0, first)).toEqual([]);
+    daemon.newest.greet('cd34');
+    expect(daemon.sockets.length).toBeGreaterThan(1);
+    expect(daemon.newest.calls.length).toBe(1);
+    expect(daemon.newest.sent[0]).toBe(daemon.newest.calls[0]);
   });
 
   it('sends nothing to another daemon at its address, and shows nothing of it', () => {
     const one = robot();
     one.stop.press(Date.now());
-    greet('ffff');
-    state({ run: 'running' });
+    daemon.newest.greet('ffff');
+    state('running');
     one.stop.press(Date.now());
     expect(one.contact).toBe('other');
     expect(one.state).toBeUndefined();
     expect(one.name).toBe('');
-    expect(calls()).toBe(0);
+    expect(daemon.newest.calls.length).toBe(0);
   });
 
   it('is whatever daemon answers if the configuration names it', () => {
     const one = robot({ url: 'http://10.0.0.7:8765/' });
-    greet('ffff');
-    state({ run: 'idle' });
+    daemon.newest.greet('ffff');
+    state('idle');
     expect(one.contact).toBe('answers');
   });
 
   it('leaves nothing behind', () => {
     const one = robot();
-    greet('cd34');
+    daemon.newest.greet('cd34');
     one.end();
-    expect(newest().closed).toBe(true);
+    expect(daemon.newest.closed).toBe(true);
     vi.advanceTimersByTime(60_000);
-    expect(sockets.length).toBe(1);
+    expect(daemon.sockets.length).toBe(1);
     expect(vi.getTimerCount()).toBe(0);
   });
 });

@@ -1,0 +1,186 @@
+// The page's end of the connection to a daemon.
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
+import { Client, type ClientEvents } from '../../../daemon/web/foxglove/client.ts';
+import * as codec from '../../../daemon/web/foxglove/codec.ts';
+import { Connection, kFirstRetry_ms, kLongestRetry_ms, kOpening_ms, kSilence_ms } from '../../../daemon/web/foxglove/connection.ts';
+import { answer, FakeDaemon, message } from './fake_daemon.ts';
+
+describe('a text frame', () => {
+  it('names channels and services, and what has no usable id is left out', () => {
+    const channels = [{ id: 3, topic: '/state', encoding: 'json', schemaName: 'tp100.State', schema: '{}' }, { id: -1, topic: '/a' }, { topic: '/b' }, 7, null, { id: 1.5 }];
+    expect(codec.parseText(JSON.stringify({ op: 'advertise', channels }))).toEqual({
+      op: 'advertise',
+      channels: [{ id: 3, topic: '/state', encoding: 'json', schemaName: 'tp100.State' }],
+    });
+    expect(codec.parseText('{"op":"advertiseServices","services":[{"id":1,"name":"stop","type":"x"}]}')).toEqual({
+      op: 'advertiseServices',
+      services: [{ id: 1, name: 'stop' }],
+    });
+  });
+
+  it.each(['', '{', '[]', 'null', '7', '{"op":5}', '{"op":"unheard"}', '{"op":"serviceCallFailure","callId":"1"}'])('%j is ignored', (frame) => {
+    expect(codec.parseText(frame)).toBeUndefined();
+  });
+});
+
+describe('a binary frame', () => {
+  it('carries subscription, time and payload, and is ignored when it is cut short, lies about a length or is of another kind', () => {
+    const whole = message(7, { x: 1 }, 1_700_000_000_123_456_789n);
+    const parsed = codec.parseBinary(whole);
+    if (parsed?.op !== 'message') throw new Error('no message');
+    expect(parsed.subscriptionId).toBe(7);
+    expect(parsed.time_s).toBeCloseTo(1_700_000_000.123456, 5);
+    expect(new TextDecoder().decode(parsed.payload)).toBe('{"x":1}');
+    for (let length = 0; length < 13; length++) expect(codec.parseBinary(whole.slice(0, length))).toBeUndefined();
+    const lies = new DataView(answer(1, {}));
+    lies.setUint32(9, 0xffffffff, true);
+    expect(codec.parseBinary(lies.buffer)).toBeUndefined();
+    expect(codec.parseBinary(new Uint8Array([200, 0, 0]).buffer)).toBeUndefined();
+  });
+
+  it('of a service call has the layout that servers expect', () => {
+    const bytes = new Uint8Array(codec.callService(5, 9, { a: 1 }));
+    expect([...bytes.subarray(0, 13)]).toEqual([2, 5, 0, 0, 0, 9, 0, 0, 0, 4, 0, 0, 0]);
+    expect(new TextDecoder().decode(bytes.subarray(13))).toBe('json{"a":1}');
+  });
+});
+
+let daemon: FakeDaemon;
+beforeEach(() => {
+  vi.useFakeTimers();
+  daemon = new FakeDaemon();
+});
+afterEach(() => {
+  vi.useRealTimers();
+});
+
+describe('a connection', () => {
+  const events = { opened: vi.fn(), closed: vi.fn<(retry_ms: number) => void>(), text: vi.fn(), binary: vi.fn() };
+  let connection: Connection;
+  beforeEach(() => {
+    vi.clearAllMocks();
+    connection = new Connection(daemon.make, events, () => Date.now());
+  });
+
+  it('opens at once, passes frames on, and sends only while it is open', () => {
+    expect(connection.send('early')).toBe(false);
+    daemon.newest.open();
+    daemon.newest.say('hello');
+    daemon.newest.say(new ArrayBuffer(3));
+    expect(events.opened).toHaveBeenCalledOnce();
+    expect(events.text).toHaveBeenCalledWith('hello');
+    expect(events.binary).toHaveBeenCalledOnce();
+    expect(connection.send('now')).toBe(true);
+    daemon.newest.die();
+    expect(connection.send('late')).toBe(false);
+    expect(daemon.at(0).sent).toEqual(['now']);
+  });
+
+  it('waits longer after each failure, up to a limit, and starts anew after a success or when it is asked to', () => {
+    const last_ms = (): number => events.closed.mock.calls.at(-1)?.[0] ?? NaN;
+    for (const wait_ms of [kFirstRetry_ms, 2 * kFirstRetry_ms]) {
+      daemon.newest.die();
+      expect(last_ms()).toBe(wait_ms);
+      vi.advanceTimersByTime(wait_ms);
+    }
+    for (let i = 0; i < 5; i++) {
+      daemon.newest.die();
+      vi.advanceTimersByTime(last_ms());
+    }
+    expect(last_ms()).toBe(kLongestRetry_ms);
+    daemon.newest.open();
+    daemon.newest.die();
+    expect(last_ms()).toBe(kFirstRetry_ms);
+    const count = daemon.sockets.length;
+    connection.retryNow();
+    connection.retryNow();
+    expect(daemon.sockets.length).toBe(count + 1);
+  });
+
+  it('gives up a socket that says nothing or does not open, and opens another', () => {
+    vi.advanceTimersByTime(kOpening_ms - 1000);
+    expect(daemon.sockets.length).toBe(1);
+    vi.advanceTimersByTime(3000);
+    expect(daemon.at(0).closed).toBe(true);
+    daemon.newest.open();
+    for (let i = 0; i < 20; i++) {
+      vi.advanceTimersByTime(kSilence_ms / 2);
+      daemon.newest.say('x');
+    }
+    expect(daemon.sockets.length, 'one that speaks now and then is kept').toBe(2);
+    vi.advanceTimersByTime(kSilence_ms + 1000);
+    expect(daemon.at(1).closed).toBe(true);
+    expect(daemon.sockets.length).toBe(3);
+  });
+
+  it('does not take its own sleep for the silence of the daemon', () => {
+    daemon.newest.open();
+    for (let i = 0; i < 5; i++) {
+      // The page was suspended: its watchdog runs late, and before the frames that have arrived in the meantime.
+      vi.setSystemTime(Date.now() + 20 * kSilence_ms);
+      vi.advanceTimersByTime(kSilence_ms / 2);
+      daemon.newest.say('x');
+    }
+    expect(daemon.sockets.length).toBe(1);
+  });
+});
+
+describe('a client', () => {
+  let events: ClientEvents;
+  let client: Client;
+  beforeEach(() => {
+    events = { serverInfo: vi.fn(), ready: vi.fn(), closed: vi.fn(), status: vi.fn(), parameters: vi.fn() };
+    client = new Client(daemon.make, events, () => Date.now());
+  });
+
+  it('subscribes by topic, hands messages to their listener, and subscribes anew after a reconnection', () => {
+    const received = vi.fn();
+    client.subscribe('/link', received);
+    daemon.newest.greet();
+    expect(daemon.newest.sent).toEqual(['{"op":"subscribe","subscriptions":[{"id":1,"channelId":2}]}']);
+    daemon.newest.say(message(1, { quality: 'good' }));
+    daemon.newest.say(message(99, { quality: 'other' }));
+    expect(received.mock.calls).toEqual([[{ quality: 'good' }, 0]]);
+    daemon.newest.die();
+    vi.advanceTimersByTime(5000);
+    daemon.newest.greet('s', 11);
+    expect(daemon.newest.sent.at(-1)).toContain('"channelId":12');
+  });
+
+  // Otherwise a STOP that waited for the connection would wait for the subscriptions, too.
+  it('lets what is sent on ready go out before anything else', () => {
+    client.subscribe('/state', vi.fn());
+    events.ready = () => {
+      void client.call('stop').catch(() => undefined);
+    };
+    daemon.newest.greet();
+    expect(daemon.newest.sent.length).toBe(2);
+    expect(daemon.newest.sent[0]).toBeInstanceOf(ArrayBuffer);
+    expect(daemon.newest.sent[1]).toContain('subscribe');
+  });
+
+  it('matches answers with calls, and fails calls that can have no answer', async () => {
+    await expect(client.call('stop')).rejects.toThrow('not connected');
+    daemon.newest.greet();
+    const [first, second] = [client.call('stop'), client.call('start')];
+    daemon.newest.json({ op: 'serviceCallFailure', serviceId: 2, callId: 2, message: 'no robot yet' });
+    daemon.newest.say(answer(1, { acknowledged: true }));
+    await expect(first).resolves.toEqual({ acknowledged: true });
+    await expect(second).rejects.toThrow('no robot yet');
+    await expect(client.call('dance')).rejects.toThrow('dance');
+    const lost = client.call('stop');
+    daemon.newest.die();
+    await expect(lost).rejects.toThrow('connection lost');
+  });
+
+  it('survives garbage', () => {
+    const received = vi.fn();
+    client.subscribe('/state', received);
+    daemon.newest.greet();
+    const broken = message(1, {});
+    new Uint8Array(broken).fill(0x7b, 13);
+    for (const frame of ['', '{', '[1]', new ArrayBuffer(0), new ArrayBuffer(4), broken]) daemon.newest.say(frame);
+    daemon.newest.say(message(1, 5));
+    expect(received).toHaveBeenCalledOnce();
+  });
+});
