@@ -71,6 +71,9 @@ describe('a draft', () => {
     }
     expect(lineTo(from, { x: 0.2 + Math.cos(Math.PI / 6), y: -0.3 + Math.sin(Math.PI / 6) })).toBeCloseTo(1, 9);
     expect(lineTo(from, { x: -9, y: -9 })).toBe(0.01);
+    // The robot at 30 degrees turns to a point that is straight to the left of the course's frame.
+    const pivot = added(new CourseText('[start]\nyaw_deg = 30\n'), 'pivot', { x: 0, y: 1 }).text;
+    expect(new CourseText(pivot).all('segment')[0]?.values.angle_deg).toBeCloseTo(60, 6);
   });
 
   it('has its path where the daemon has it', () => {
@@ -118,6 +121,7 @@ describe('the history', () => {
     expect(history.redo()).toBe('b');
     history.add('d');
     expect(history.canRedo).toBe(false);
+    expect(history.redo(), 'nothing to go on to').toBe('d');
     expect(history.undo()).toBe('b');
   });
 });

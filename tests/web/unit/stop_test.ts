@@ -65,6 +65,8 @@ describe('the STOP button', () => {
     }
     stop.received(kLatched);
     expect(stop.view(1e9)).toEqual({ kind: 'stopped', took_ms: 14.2, by: 'viewer 3' });
+    stop.received({ ...kLatched, acknowledged_ms: null });
+    expect(stop.view(1e9), 'a time that is no longer told').toMatchObject({ took_ms: 14.2 });
     stop.press(5000);
     expect(stop.unsent).toBe(true);
     stop.sent();
