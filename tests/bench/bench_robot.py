@@ -8,6 +8,7 @@ import tempfile
 import time
 
 TICK_S = 1.0 / os.sysconf("SC_CLK_TCK")
+LAPS = 50  # of 4.5 m: more than any robot drives here
 
 
 def cpu_s(process):
@@ -16,46 +17,46 @@ def cpu_s(process):
     return (int(fields[11]) + int(fields[12])) * TICK_S
 
 
-def tied(processors):
-    """Prefix of a command that pins it to these processors."""
-    return ["taskset", "-c", ",".join(map(str, processors))] if processors else []
-
-
-def laps(folder, count):
-    """Writes a course file with `count` laps in one place, of four segments each."""
-    path = os.path.join(folder, f"laps-{count}.toml")
+def course(laps):
+    """A course file with `laps` laps in one place, of four segments each."""
     line = '[[segment]]\ntype = "line"\nlength_m = 1.0\n'
     arc = '[[segment]]\ntype = "arc"\nradius_m = 0.4\nangle_deg = 180.0\n'
-    with open(path, "w") as file:
-        file.write(f"speed_mps = 0.10\n{(line + arc) * 2 * count}"
-                   "[fence]\nmin_x_m = -5.0\nmax_x_m = 5.0\nmin_y_m = -5.0\nmax_y_m = 5.0\n")
-    return path
+    return (f"speed_mps = 0.10\n{(line + arc) * 2 * laps}"
+            "[fence]\nmin_x_m = -5.0\nmax_x_m = 5.0\nmin_y_m = -5.0\nmax_y_m = 5.0\n")
 
 
 class DrivenRobot:
     """Drives on entering, unless the machine is too busy for it; ends both programs on leaving.
 
-    `page`: serve viewers, at port .page_port. `processors`: those of the daemon and those of the robot, as lists of
-    numbers; empty: all. After leaving, .stats has the daemon's figures.
+    `page`: serve viewers, at port .page_port. `config`: text of the daemon's configuration. `processors`: those of the
+    daemon and those of the robot, as lists of numbers; empty: all. After leaving, .stats has the daemon's figures.
     """
 
-    def __init__(self, programs, course_laps, board="native", page=False, setup="flat", processors=((), ())):
-        self.programs, self.laps, self.board, self.page = programs, course_laps, board, page
-        self.setup, self.processors = ["--setup", setup], processors
+    def __init__(self, programs, laps=LAPS, page=False, setup="flat", config="", processors=((), ())):
+        self.programs, self.laps, self.page, self.setup = programs, laps, page, setup
+        self.config, self.processors = config, processors
+
+    def _start(self, processors, name, words, out):
+        tied = ["taskset", "-c", ",".join(map(str, processors))] if processors else []
+        return subprocess.Popen([*tied, os.path.join(self.programs, name), *words, "--setup", self.setup],
+                                stdin=subprocess.DEVNULL, stdout=out, stderr=subprocess.STDOUT)
+
+    def _file(self, name, text=""):
+        path = os.path.join(self.folder.name, name)
+        if text:
+            with open(path, "w") as file:
+                file.write(text)
+        return path
 
     def __enter__(self):
         self.folder = tempfile.TemporaryDirectory(prefix="tp100-bench-")
-        name = self.folder.name
-        link, self.stats_path = os.path.join(name, "robot"), os.path.join(name, "stats.json")
-        self.robot = subprocess.Popen(
-            [*tied(self.processors[1]), os.path.join(self.programs, "tp100-sim"), "robot", "--board", self.board,
-             *self.setup, "--link", link], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        log = os.path.join(name, "log")
-        with open(log, "w") as out:
-            self.daemon = subprocess.Popen(
-                [*tied(self.processors[0]), os.path.join(self.programs, "tp100d"), "run", "--port", link, "--wait",
-                 "--stay", *self.setup, "--course", laps(name, self.laps), "--listen", "127.0.0.1:0" if self.page else "off", "--stats", self.stats_path],
-                stdin=subprocess.DEVNULL, stdout=out, stderr=subprocess.STDOUT)
+        link, self.stats_path = self._file("robot"), self._file("stats.json")
+        with open(self._file("log"), "w") as log:
+            self.robot = self._start(self.processors[1], "tp100-sim", ["robot", "--link", link], subprocess.DEVNULL)
+            self.daemon = self._start(self.processors[0], "tp100d", [
+                "run", "--port", link, "--wait", "--stay", "--course", self._file("laps.toml", course(self.laps)),
+                "--config", self._file("tp100.toml", self.config or "# the defaults\n"),
+                "--listen", "127.0.0.1:0" if self.page else "off", "--stats", self.stats_path], log)
         self.page_port = None
         for _ in range(150):
             time.sleep(0.1)
@@ -75,9 +76,7 @@ class DrivenRobot:
         for process in (self.daemon, self.robot):
             process.send_signal(signal.SIGTERM)
             process.wait()
-        if os.path.exists(self.stats_path):
-            with open(self.stats_path) as file:
-                self.stats = json.load(file)
+        self.stats = self.stats_now()
         self.folder.cleanup()
 
     def stats_now(self):
@@ -88,7 +87,7 @@ class DrivenRobot:
             return json.load(file)
 
     def log(self):
-        with open(os.path.join(self.folder.name, "log")) as file:
+        with open(self._file("log")) as file:
             return file.read()
 
     def still_drives(self):

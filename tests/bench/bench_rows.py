@@ -8,18 +8,6 @@ import sys
 from bench_table import Table
 
 PARTS = {
-    "recording": ("steps of an emulated run recorded at 200 Hz in real time; cores with all threads, less those "
-                  "without recording", [
-                      ("steps", "steps", "6d"), ("cores", "cores", "7.4f"), ("cores_without", "without", "7.4f"),
-                      ("cores_own_thread", "own thread", "7.4f"), ("step_us", "a step in the giver [us]", "7.2f"),
-                      ("longest_step_us", "longest", "7.0f"), ("mb_per_min", "MB a minute", "7.2f"),
-                      ("grown_kb", "memory grown [kB]", "7d"), ("dropped", "dropped", "3d")]),
-    "firmware": ("what the image takes of an ATmega2560 (flash 253952, RAM 8192 bytes), on the emulated chip", [
-        ("what", "what", "<62s"), ("value", "value", "10.1f"), ("unit", "unit", "<15s")]),
-    "decode": ("receiving frames of the wire, median round", [
-        ("what", "what", "<40s"), ("frame_bytes", "bytes", "5d"), ("ns_per_frame", "ns/frame", "8.1f"),
-        ("slowest_round_ns", "slowest", "8.1f"), ("mb_per_s", "MB/s", "7.1f"),
-        ("frames_per_s", "frames/s", "10.3g")]),
     "stop": ("from the press to the robot, and how long others wait [ms]", [
         ("what", "what", "<62s"), ("count", "presses", "5d"), ("p50", "p50", "8.2f"), ("p99", "p99", "8.2f"),
         ("max", "max", "8.2f")]),

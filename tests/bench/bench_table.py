@@ -2,6 +2,7 @@
 import json
 import os
 import platform
+import subprocess
 import time
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
@@ -24,19 +25,24 @@ def percentile(values, fraction):
     return ordered[min(int(fraction * len(ordered)), len(ordered) - 1)]
 
 
-def histogram_percentile(buckets, fraction):
-    """The same for {value: count}."""
-    wanted, seen = fraction * sum(buckets.values()), 0
-    for value in sorted(buckets):
-        seen += buckets[value]
-        if seen > wanted:
-            return value
-    return max(buckets)
-
-
 def ratio(ours, theirs):
     """The ratio, or None if there is nothing to compare with."""
     return ours / theirs if theirs else None
+
+
+class Busy:
+    """Keeps every processor busy with a process of its own, as a context; `busy` False starts none."""
+
+    def __init__(self, busy=True):
+        self.count = os.cpu_count() if busy else 0
+
+    def __enter__(self):
+        self.processes = [subprocess.Popen(["sh", "-c", "while :; do :; done"]) for _ in range(self.count)]
+
+    def __exit__(self, *_):
+        for process in self.processes:
+            process.kill()
+            process.wait()
 
 
 class Table:

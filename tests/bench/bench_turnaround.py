@@ -13,8 +13,7 @@ import subprocess
 import sys
 import tempfile
 
-from bench_load import Busy
-from bench_table import ROOT, Table, percentile, ratio, rounds, seconds
+from bench_table import Busy, Table, percentile, ratio, rounds, seconds
 
 BASE = "bare C echo"
 FIFO = "C echo, FIFO"
@@ -22,15 +21,10 @@ OURS = "tp100d, robot-paced"
 ORDINARY = "tp100d, ordinary"
 # By design, its median is the wait for the loop's next cycle.
 HOST_PACED = "tp100d, host-paced"
-TEXT = "text files, "
 OWN_ECHO = {OURS: FIFO, HOST_PACED: FIFO, FIFO: FIFO}
 LAST = str(os.cpu_count() - 1)
 # Placement: (processor of the robot, processor of the peer); None: any.
 PLACEMENTS = {"any": (None, None), "together": (LAST, LAST)} | ({"apart": ("0", LAST)} if LAST != "0" else {})
-
-
-def script(name):
-    return os.path.join(ROOT, "tests", "bench", name)
 
 
 def peers(programs, folder):
@@ -42,19 +36,13 @@ def peers(programs, folder):
         return ("daemon", [os.path.join(programs, "tp100d"), "run", "--port", "PORT", "--listen", "off",
                            "--config", config])
 
-    def text(poll_s):
-        return ("echo", [sys.executable, script("bench_text_files.py"), "PORT", str(poll_s)])
-    echo = os.path.join(programs, "pty_echo")
+    echo = [os.path.join(programs, "turnaround_bench"), "--echo", "PORT"]
     return {
-        BASE: ("echo", [echo, "PORT"]),
-        FIFO: ("echo", ["chrt", "-f", "80", echo, "PORT"]),
+        BASE: ("echo", echo),
+        FIFO: ("echo", ["chrt", "-f", "80", *echo]),
         OURS: daemon("robot"),
         ORDINARY: daemon("robot", "priority = 0"),
         HOST_PACED: daemon("host"),
-        "Python os.read": ("echo", [sys.executable, script("bench_echo.py"), "PORT"]),
-        TEXT + "every 10 ms": text(0.01),
-        TEXT + "every 1 ms": text(0.001),
-        TEXT + "spinning": text(0.0),
     }
 
 
@@ -93,9 +81,6 @@ def show(table, load, placement, times, lost):
                   p50_ratio=ratio(of["p50_us"], figures[BASE]["p50_us"]),
                   p99_ratio=ratio(of["p99_us"], figures[BASE]["p99_us"]),
                   p50_own_ratio=ratio(of["p50_us"], own["p50_us"]), p99_own_ratio=ratio(of["p99_us"], own["p99_us"]))
-    for name, of in figures.items():
-        if name.startswith(TEXT):
-            table.note(f"{load}: {name}: p99 {ratio(of['p99_us'], figures[OURS]['p99_us']):.0f} times that of {OURS}")
 
 
 def main():
@@ -108,12 +93,9 @@ def main():
                    ("unanswered", "lost", "4d")])
     with tempfile.TemporaryDirectory(prefix="tp100-bench-") as folder:
         candidates = peers(programs, folder)
-        bridges = {name: candidates[name] for name in (BASE, FIFO, OURS, ORDINARY)}
         for busy in (False, True):
             for placement in PLACEMENTS:
-                # Text files only with "any": they need two programs, which would slow each other on one processor.
-                asked = candidates if placement == "any" else bridges
-                show(table, "busy" if busy else "idle", placement, *measure_all(programs, asked, placement, busy))
+                show(table, "busy" if busy else "idle", placement, *measure_all(programs, candidates, placement, busy))
     table.save()
 
 

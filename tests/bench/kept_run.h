@@ -8,11 +8,18 @@
 
 #include "bridge/parameters.h"
 #include "config/configuration.h"
-#include "kept_steps.h"
+#include "core/step_record.h"
+#include "messages/sink.h"
 #include "sim/robot/lockstep.h"
 #include "sim/robot/options.h"
 
 namespace tp100::test {
+
+class StepKeeper : public messages::Sink {
+ public:
+  void take(const StepRecord& record) override { records.push_back(record); }
+  std::vector<StepRecord> records;
+};
 
 struct KeptRun {
   bridge::Parameters parameters;

@@ -7,42 +7,42 @@
 #include <sched.h>
 
 #include <algorithm>
-#include <chrono>
+#include <array>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <mutex>
-#include <string>
 #include <thread>
-#include <vector>
 
-#include "../programs/process.h"
 #include "../server/web_client.h"
 #include "../support/temporary_folder.h"
 #include "../support/weight.h"
-#include "core/statistics.h"
+#include "rig.h"
 
-namespace tp100 {
+namespace tp100::bench {
 namespace {
 
 using namespace std::chrono_literals;
 using messages::Channel;
-using Clock = std::chrono::steady_clock;
 
 constexpr std::uint32_t kStart = 1;
 // The interval is not a multiple of the loop's period, so that every phase of the loop occurs.
 constexpr double kFirstS = 4.0, kEveryS = 2.0013, kAwayS = 0.05;
-// The accelerations of the robot's drive and of its turns on the spot. A command that exceeds the
-// one before it by more than this acceleration allows, plus kJump, counts as a jump.
-constexpr double kMaxMps2 = 0.6, kJumpMps = 0.01;
-constexpr double kMaxRadps2 = 1.5, kJumpRadps = 0.05;
-// The desired yaw may move away from the estimated yaw at most at the highest yaw rate.
-constexpr double kMaxRadps = 1.5, kJumpRad = 0.02;
 // A cycle may be late by up to kLatestS; a longer gap means a new start from standstill.
 constexpr double kPeriodS = 0.005, kLatestS = 0.15;
 constexpr int kSettled = 10;
 // Tolerance for the allocator's own variation, as in scripts/soak.
 constexpr long kGrowthKib = 8192;
+
+/// A value of the commands that must not jump: it may move away from zero by `per_s`, from the
+/// acceleration of the drive or of its turns on the spot, and by `jump`.
+struct Steady {
+  const char* name;
+  double per_s, jump;
+};
+constexpr std::array<Steady, 3> kSteady = {{{"speed sent [m/s]", 0.6, 0.01},
+                                            {"turn rate sent [rad/s]", 1.5, 0.05},
+                                            {"turn asked [rad]", 1.5, 0.02}}};
+using Values = std::array<double, kSteady.size()>;
 
 double unix_s() {
   return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
@@ -68,17 +68,6 @@ double number(const std::string& json, const std::string& key) {
   return at == std::string::npos ? 0.0 : std::strtod(json.c_str() + at + before.size(), nullptr);
 }
 
-/// How much further from zero `now` is than `before`; if the sign changed, all of `now` counts.
-double step_up(double now, double before) {
-  return std::abs(now) - (now * before > 0.0 ? std::abs(before) : 0.0);
-}
-
-/// The motion that a command requests from the robot.
-struct Asked {
-  double speed_mps = 0.0, yaw_rate_radps = 0.0;
-  double turn_rad = 0.0;  ///< desired yaw minus estimated yaw
-};
-
 /// Largest increases between two consecutive commands, beyond what the drive's limits allow in the
 /// time between them.
 class CommandWatch {
@@ -89,7 +78,7 @@ class CommandWatch {
       for (; !over.stop_requested(); std::this_thread::sleep_for(20ms)) look();
     });
   }
-  Asked largest() const {
+  Values largest() const {
     const std::lock_guard lock(mutex_);
     return largest_;
   }
@@ -106,43 +95,22 @@ class CommandWatch {
       before_s_ = message.unix_s;
     }
   }
-  void compare(const Asked& now, double later_s) {
+  void compare(const Values& now, double later_s) {
     const std::lock_guard lock(mutex_);
-    largest_.speed_mps = std::max(largest_.speed_mps,
-                                  step_up(now.speed_mps, before_.speed_mps) - kMaxMps2 * later_s);
-    largest_.yaw_rate_radps =
-        std::max(largest_.yaw_rate_radps,
-                 step_up(now.yaw_rate_radps, before_.yaw_rate_radps) - kMaxRadps2 * later_s);
-    largest_.turn_rad =
-        std::max(largest_.turn_rad, step_up(now.turn_rad, before_.turn_rad) - kMaxRadps * later_s);
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      // If the sign changed, all of the new value counts.
+      const double before = now[i] * before_[i] > 0.0 ? std::abs(before_[i]) : 0.0;
+      largest_[i] = std::max(largest_[i], std::abs(now[i]) - before - kSteady[i].per_s * later_s);
+    }
     before_ = now;
   }
   server::WebClient viewer_;
-  Asked before_{};
+  Values before_{};
   double before_s_ = 0.0;
   mutable std::mutex mutex_;
-  Asked largest_{};
+  Values largest_{};
   std::jthread thread_;
 };
-
-std::string tail(const std::string& text) {
-  constexpr std::size_t kMax = 4000;
-  return text.size() < kMax ? text : text.substr(text.size() - kMax);
-}
-
-void print(const char* what, std::vector<double>& values_ms) {
-  std::printf("{\"what\":\"%s [ms]\",\"count\":%zu,\"p50\":%.2f,\"p99\":%.2f,\"max\":%.2f}\n", what,
-              values_ms.size(), percentile(values_ms, 0.5), percentile(values_ms, 0.99),
-              percentile(values_ms, 1.0));
-}
-
-void print(const char* what, double value) {
-  std::printf("{\"what\":\"%s\",\"to\":%.4g}\n", what, value);
-}
-
-void print(const char* what, double from, double to) {
-  std::printf("{\"what\":\"%s\",\"from\":%.4g,\"to\":%.6g}\n", what, from, to);
-}
 
 class Replug {
  public:
@@ -150,24 +118,22 @@ class Replug {
       : cycles_(cycles),
         robot_(robot_arguments()),
         linked_(robot_.wait_for("linked from")),
-        daemon_({"tp100d", "run", "--port", link_, "--wait", "--stay", "--course", "1-curve",
-                 "--listen", "127.0.0.1:0"}),
-        port_(page()),
-        events_(port_),
-        commands_(port_) {
+        daemon_(link_, {"--course", "1-curve"}),
+        events_(daemon_.port()),
+        commands_(daemon_.port()) {
+    if (!linked_) throw std::runtime_error("no emulated robot");
     events_.subscribe(Channel::kEvent);
   }
 
   int run() {
-    started();
+    start();
     for (int i = 1; i <= cycles_; ++i) {
-      if (!cycle()) {
-        std::fprintf(stderr, "replug: cycle %d failed: %s\n%s\n%s\n", i, problem_.c_str(),
-                     tail(robot_.output()).c_str(), tail(daemon_.output()).c_str());
-        return 1;
+      try {
+        cycle();
+      } catch (const std::runtime_error& error) {
+        throw std::runtime_error("cycle " + std::to_string(i) + ": " + error.what() + "\n" +
+                                 robot_.output() + daemon_.process().output());
       }
-      // The output is drained here; another test covers a pipe that nobody reads.
-      static_cast<void>(daemon_.output());
       if (i == kSettled) settled_ = weigh();
     }
     return report();
@@ -186,20 +152,11 @@ class Replug {
     return arguments;
   }
 
-  std::string page() {
-    const std::string before = "http://127.0.0.1:";
-    if (!linked_ || !daemon_.wait_for(before)) throw std::runtime_error("no page is served");
-    daemon_.wait_for("/");
-    const std::string& output = daemon_.output();
-    const std::size_t at = output.find(before) + before.size();
-    return output.substr(at, output.find('/', at) - at);
-  }
-
-  /// The next event that contains `text`.
-  Message event(const std::string& text) { return parse(events_.read_until(text)); }
+  double time_of_event(const std::string& text) { return parse(events_.read_until(text)).unix_s; }
+  test::Weight weigh() { return test::weigh(std::to_string(daemon_.process().pid())); }
 
   /// Requests a start until the robot drives.
-  void started() {
+  void start() {
     for (const auto give_up = Clock::now() + 60s; Clock::now() < give_up;) {
       events_.call(kStart);
       for (int i = 0; i < 100; ++i) {
@@ -215,63 +172,45 @@ class Replug {
     throw std::runtime_error("it does not start");
   }
 
-  bool cycle() try {
-    if (!robot_.wait_for("unplugged for")) return fail("the robot is not unplugged");
+  void cycle() {
+    if (!robot_.wait_for("unplugged for")) throw std::runtime_error("the robot is not unplugged");
     const double unplugged_s = unix_s();
-    noticed_ms_.push_back(1e3 * (event("ready -> closed").unix_s - unplugged_s));
-    ready_ms_.push_back(1e3 * (event("-> ready").unix_s - unplugged_s));
+    noticed_ms_.push_back(1e3 * (time_of_event("ready -> closed") - unplugged_s));
+    ready_ms_.push_back(1e3 * (time_of_event("-> ready") - unplugged_s));
     // This is long enough to detect a start that this program did not request.
     std::this_thread::sleep_for(200ms);
     for (const std::string& message : events_.take()) {
-      if (message.find("-> arming") != std::string::npos) return fail("it armed by itself");
+      if (message.find("-> arming") != std::string::npos)
+        throw std::runtime_error("it armed by itself");
     }
-    started();
-    return true;
-  } catch (const std::runtime_error& error) {
-    return fail(error.what());
+    start();
+    // The output is drained here; another test covers a pipe that nobody reads.
+    static_cast<void>(daemon_.process().output());
   }
-  bool fail(const std::string& problem) {
-    problem_ = problem;
-    return false;
-  }
-
-  test::Weight weigh() const { return test::weigh(std::to_string(daemon_.pid())); }
 
   int report() {
+    std::string wrong;
+    const auto grown = [&](const char* what, long from, long to, long allowed) {
+      std::printf("{\"what\":\"%s\",\"from\":%ld,\"to\":%ld}\n", what, from, to);
+      if (cycles_ > kSettled && to - from > allowed) wrong += std::string(", grown: ") + what;
+    };
     const test::Weight now = weigh();
-    const Asked jump = commands_.largest();
-    std::fprintf(stderr, "replug: %d cycles, back to running each time, armed only when started\n",
-                 cycles_);
-    print("unplugged until noticed", noticed_ms_);
+    const Values jumps = commands_.largest();
+    print("unplugged until noticed [ms]", noticed_ms_);
     std::printf("{\"what\":\"of these within a period of the loop\",\"count\":%td}\n",
                 std::count_if(noticed_ms_.begin(), noticed_ms_.end(),
                               [](double ms) { return ms <= 1e3 * kPeriodS; }));
-    print("unplugged for 50 ms until ready", ready_ms_);
-    print("largest jump of the speed sent [m/s]", jump.speed_mps);
-    print("largest jump of the turn rate sent [rad/s]", jump.yaw_rate_radps);
-    print("largest jump of the turn asked [rad]", jump.turn_rad);
-    print("descriptors", static_cast<double>(settled_.descriptors),
-          static_cast<double>(now.descriptors));
-    print("threads", static_cast<double>(settled_.threads), static_cast<double>(now.threads));
-    print("memory [MiB]", static_cast<double>(settled_.resident_kib) / 1024.0,
-          static_cast<double>(now.resident_kib) / 1024.0);
-    return verdict(now, jump);
-  }
-  int verdict(const test::Weight& now, const Asked& jump) const {
-    std::string wrong;
-    const auto add = [&wrong](bool bad, const char* what) {
-      if (bad) wrong += (wrong.empty() ? "" : ", ") + std::string(what);
-    };
-    add(jump.speed_mps > kJumpMps, "the speed jumped");
-    add(jump.yaw_rate_radps > kJumpRadps, "the turn rate jumped");
-    add(jump.turn_rad > kJumpRad, "the turn asked jumped");
-    if (cycles_ > kSettled) {
-      add(now.descriptors > settled_.descriptors, "descriptors grew");
-      add(now.threads > settled_.threads, "threads grew");
-      add(now.resident_kib - settled_.resident_kib > kGrowthKib, "memory grew");
+    print("unplugged for 50 ms until ready [ms]", ready_ms_);
+    for (std::size_t i = 0; i < jumps.size(); ++i) {
+      std::printf("{\"what\":\"largest jump of the %s\",\"to\":%.4g}\n", kSteady[i].name, jumps[i]);
+      if (jumps[i] > kSteady[i].jump) wrong += std::string(", a jump: ") + kSteady[i].name;
     }
+    grown("descriptors", static_cast<long>(settled_.descriptors),
+          static_cast<long>(now.descriptors), 0);
+    grown("threads", static_cast<long>(settled_.threads), static_cast<long>(now.threads), 0);
+    grown("memory [KiB]", settled_.resident_kib, now.resident_kib, kGrowthKib);
     std::printf("{\"what\":\"verdict: %s\",\"count\":%d}\n",
-                wrong.empty() ? "nothing grew, nothing jumped" : wrong.c_str(), cycles_);
+                wrong.empty() ? "nothing grew, nothing jumped" : wrong.c_str() + 2, cycles_);
     return wrong.empty() ? 0 : 1;
   }
 
@@ -280,23 +219,21 @@ class Replug {
   std::string link_ = folder_.file("robot");
   test::Process robot_;
   bool linked_;
-  test::Process daemon_;
-  std::string port_;
+  Daemon daemon_;
   server::WebClient events_;
   CommandWatch commands_;
   test::Weight settled_{};
   std::vector<double> noticed_ms_, ready_ms_;
-  std::string problem_;
 };
 
 }  // namespace
-}  // namespace tp100
+}  // namespace tp100::bench
 
 int main(int argc, char** argv) try {
   // A thread that is scheduled late would measure its own delay.
   const sched_param fifo{.sched_priority = 5};
   ::sched_setscheduler(0, SCHED_FIFO, &fifo);
-  return tp100::Replug(argc > 1 ? std::atoi(argv[1]) : 1000).run();
+  return tp100::bench::Replug(argc > 1 ? std::atoi(argv[1]) : 1000).run();
 } catch (const std::exception& error) {
   std::fprintf(stderr, "replug: %s\n", error.what());
   return 1;

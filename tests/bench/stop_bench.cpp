@@ -1,285 +1,358 @@
-// stop_bench [ROUNDS [RUNS]]: measures how soon STOP is on the wire while the disk of the
-// recordings is frozen, and while 40 clients read a folder of RUNS runs in a loop; and the longest
-// time in which the service manager receives no watchdog message. Prints rows of JSON [ms]. Needs
-// root and a loop device for the disk.
+// stop_bench PRESSES ROUNDS [RUNS]: measures how soon a STOP has reached the robot. First beside a
+// frozen disk, ROUNDS of each way to stop, with the longest time in which the service manager
+// receives no watchdog message. Then PRESSES on an idle page, and as many while everything is asked
+// for at once: the longest course is chosen again and again, 40 viewers flood the dearest requests,
+// RUNS runs are listed, reports and identifications are made, and the disk hangs. Prints rows of
+// JSON [ms], and the daemon's peak memory [MB]. The load runs at nice 19, as it comes from other
+// machines; who measures runs in real time. Needs root and a loop device for the disk.
 
 #include <fcntl.h>
-#include <sys/socket.h>
+#include <pthread.h>
+#include <sched.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
-#include <sys/un.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <csignal>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
-#include <memory>
-#include <stdexcept>
-#include <string>
+#include <random>
 #include <thread>
-#include <vector>
 
 #include "../live/pty_robot.h"
-#include "../programs/process.h"
 #include "../server/web_client.h"
 #include "../support/frozen_disk.h"
+#include "../support/notify_socket.h"
 #include "../support/temporary_folder.h"
-#include "core/statistics.h"
+#include "rig.h"
 
-namespace tp100 {
+namespace tp100::bench {
 namespace {
 
 using namespace std::chrono_literals;
-using Clock = std::chrono::steady_clock;
+using server::WebClient;
 
-constexpr std::uint32_t kStart = 1, kStop = 3, kRecordStop = 5;
-constexpr int kReaders = 40;
+constexpr std::uint32_t kStart = 1, kStop = 3, kRecordStart = 4, kRecordStop = 5, kChoose = 9,
+                        kFileCheck = 13, kRunReport = 20, kRunIdentify = 23;
+constexpr int kFlooders = 40, kReaders = 4;
 
-double ms_since(Clock::time_point begin) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
-}
-
-void print(const std::string& what, std::vector<double> values_ms) {
-  std::printf("{\"what\":\"%s\",\"count\":%zu,\"p50\":%.2f,\"max\":%.2f}\n", what.c_str(),
-              values_ms.size(), percentile(values_ms, 0.5), percentile(values_ms, 1.0));
-  std::fflush(stdout);
-}
-
-/// A service manager that measures the longest time without WATCHDOG=1.
-class Manager {
+/// A scripted robot with its daemon and a viewer.
+class Rig {
  public:
-  Manager() : socket_(::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
-    const std::string name = "@tp100-stop-bench-" + std::to_string(::getpid());
-    sockaddr_un address{};
-    address.sun_family = AF_UNIX;
-    std::copy(name.begin() + 1, name.end(), address.sun_path + 1);
-    const auto size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + name.size());
-    if (::bind(socket_, reinterpret_cast<const sockaddr*>(&address), size) != 0)
-      throw std::runtime_error("no notify socket");
-    ::setenv("NOTIFY_SOCKET", name.c_str(), 1);
-    ::setenv("WATCHDOG_USEC", "2000000", 1);
-  }
-  ~Manager() { ::close(socket_); }
-  Manager(const Manager&) = delete;
-  Manager& operator=(const Manager&) = delete;
-
-  /// The longest time without WATCHDOG=1 during `time`.
-  double longest_silence_ms(std::chrono::milliseconds time) const {
-    char text[4096];
-    while (::recv(socket_, text, sizeof text, MSG_DONTWAIT) > 0) {
-    }
-    double longest = 0.0;
-    const auto begin = Clock::now();
-    auto last = begin;
-    while (Clock::now() < begin + time) {
-      const ssize_t n = ::recv(socket_, text, sizeof text, MSG_DONTWAIT);
-      if (n > 0 && std::string(text, static_cast<std::size_t>(n)) == "WATCHDOG=1")
-        last = Clock::now();
-      longest = std::max(longest, ms_since(last));
-      std::this_thread::sleep_for(1ms);
-    }
-    return longest;
-  }
-
- private:
-  int socket_;
-};
-
-/// A driving robot with its daemon.
-class Drive {
- public:
-  explicit Drive(const std::string& runs, int keyboard, const std::vector<std::string>& more = {})
-      : link_(folder_.file("robot")), robot_(link_) {
+  explicit Rig(const std::vector<std::string>& arguments, int keyboard = -1)
+      : robot_(link_), daemon_(link_, arguments, keyboard), viewer_(daemon_.port()) {
     robot_.plug_in();
-    std::vector<std::string> arguments = {"tp100d",     "run",      "--port",     link_,
-                                          "--wait",     "--stay",   "--go",       "--course",
-                                          "1-straight", "--listen", "127.0.0.1:0"};
-    if (!runs.empty()) arguments.insert(arguments.end(), {"--record", runs});
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    daemon_ = std::make_unique<test::Process>(arguments, keyboard);
-    const std::string before = "http://127.0.0.1:";
-    if (!daemon_->wait_for(before)) throw std::runtime_error("no page: " + last_line());
-    daemon_->wait_for("/");
-    const std::string& output = daemon_->output();
-    const std::size_t at = output.find(before) + before.size();
-    port_ = output.substr(at, output.find('/', at) - at);
-    viewer_ = std::make_unique<server::WebClient>(port_);
   }
 
-  const std::string& port() const { return port_; }
-  server::WebClient& viewer() { return *viewer_; }
-  test::Process& daemon() { return *daemon_; }
+  Daemon& daemon() { return daemon_; }
+  WebClient& viewer() { return viewer_; }
 
-  /// Requests a start until the robot drives, then waits until a recording has begun.
+  /// Requests a start until the robot drives, and until a recording has begun.
   void start() {
-    robot_.with([](ScriptedRobot& robot) { robot.received = {}; });
+    forget();
     for (int i = 0; i < 600 && !drives(); ++i) {
-      if (i % 10 == 0) viewer_->call(kStart);
+      if (i % 10 == 0) viewer_.call(kStart);
       std::this_thread::sleep_for(20ms);
     }
-    if (!drives()) throw std::runtime_error("it does not drive: " + last_line());
+    if (!drives()) throw std::runtime_error("it does not drive: " + daemon_.process().output());
     std::this_thread::sleep_for(200ms);
-    robot_.with([](ScriptedRobot& robot) { robot.received = {}; });
-    viewer_->drain();
-    static_cast<void>(daemon_->output());
+    viewer_.drain();
   }
   /// Time from `press` until the robot has received a STOP, or the disarm at the end of a run.
   double pressed(const std::function<void()>& press) {
+    forget();
     const auto begin = Clock::now();
     press();
-    for (;;) {
-      const bool received = robot_.with([](ScriptedRobot& robot) {
-        return !robot.received.stops.empty() || !robot.received.disarms.empty();
-      });
-      if (received || ms_since(begin) > 20'000) return ms_since(begin);
-      std::this_thread::sleep_for(200us);
-    }
+    while (ms_since(begin) < 20'000 && !robot_.with([](ScriptedRobot& it) {
+      return !it.received.stops.empty() || !it.received.disarms.empty();
+    }))
+      std::this_thread::sleep_for(100us);
+    return ms_since(begin);
   }
 
  private:
-  std::string last_line() {
-    const std::string& output = daemon_->output();
-    const std::size_t end = output.find_last_not_of('\n');
-    return output.substr(output.rfind('\n', end) + 1);
+  void forget() {
+    robot_.with([](ScriptedRobot& it) { it.received = {}; });
   }
   bool drives() {
-    return robot_.with([](ScriptedRobot& robot) {
-      return !robot.received.commands.empty() && robot.received.commands.back().speed_mps > 0.0F;
+    return robot_.with([](ScriptedRobot& it) {
+      return !it.received.commands.empty() && it.received.commands.back().speed_mps > 0.0F;
     });
   }
 
   test::TemporaryFolder folder_;
-  std::string link_;
+  std::string link_ = folder_.file("robot");
   PtyRobot robot_;
-  std::unique_ptr<test::Process> daemon_;
-  std::string port_;
-  std::unique_ptr<server::WebClient> viewer_;
+  Daemon daemon_;
+  WebClient viewer_;
 };
 
-void beside_a_frozen_disk(int rounds) {
-  test::FrozenDisk disk;
-  if (!disk.available()) {
-    std::fprintf(stderr, "stop_bench: no file system can be frozen here (root, loop device)\n");
-    return;
+/// The longest time without WATCHDOG=1 during 3 s.
+double longest_silence_ms(const test::NotifySocket& manager) {
+  manager.received();
+  double longest = 0.0;
+  const auto begin = Clock::now();
+  for (auto last = begin; ms_since(begin) < 3000.0; std::this_thread::sleep_for(1ms)) {
+    for (const std::string& text : manager.received())
+      if (text == "WATCHDOG=1") last = Clock::now();
+    longest = std::max(longest, ms_since(last));
   }
-  const Manager manager;
-  const std::string runs = disk.path() + "/runs";
+  return longest;
+}
+
+void beside_a_frozen_disk(test::FrozenDisk& disk, int rounds) {
+  const std::string name = "@tp100-stop-bench-" + std::to_string(::getpid());
+  const test::NotifySocket manager(name);
+  ::setenv("NOTIFY_SOCKET", name.c_str(), 1);
+  ::setenv("WATCHDOG_USEC", "2000000", 1);
   int keyboard[2];
   if (::pipe2(keyboard, O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
-  const auto enter = [&] {
-    if (::write(keyboard[1], "\n", 1) != 1) std::perror("enter");
-  };
   std::vector<double> silence;
-  {
-    Drive drive(runs, keyboard[0]);
-    for (const bool page : {true, false}) {
-      std::vector<double> took;
-      for (int i = 0; i < rounds; ++i) {
-        drive.start();
-        disk.freeze();
-        std::this_thread::sleep_for(100ms);
-        // A client ends the recording, which blocks on the disk, and then STOP is pressed.
-        if (page) drive.viewer().call(kRecordStop);
-        took.push_back(drive.pressed([&] { page ? drive.viewer().call(kStop) : enter(); }));
-        silence.push_back(manager.longest_silence_ms(3s));
-        disk.thaw();
-        std::this_thread::sleep_for(1500ms);
-      }
-      print(page ? "frozen disk: STOP of the page" : "frozen disk: Enter", took);
-    }
-  }
-  for (const int signal : {SIGINT, SIGTERM}) {
+  const std::pair<const char*, std::function<void(Rig&)>> ways[] = {
+      {"STOP of the page",
+       [](Rig& rig) {
+         // A client ends the recording, which waits for the disk, and then STOP is pressed.
+         rig.viewer().call(kRecordStop);
+         rig.viewer().call(kStop);
+       }},
+      {"Enter",
+       [&](Rig&) {
+         if (::write(keyboard[1], "\n", 1) != 1) std::perror("enter");
+       }},
+      {"Ctrl-C", [](Rig& rig) { rig.daemon().process().signal(SIGINT); }},
+      {"SIGTERM", [](Rig& rig) { rig.daemon().process().signal(SIGTERM); }}};
+  for (const auto& [way, press] : ways) {
     std::vector<double> took;
     for (int i = 0; i < rounds; ++i) {
-      Drive drive(runs, keyboard[0]);
-      drive.start();
+      Rig rig({"--go", "--course", "1-straight", "--record", disk.path() + "/runs"}, keyboard[0]);
+      rig.start();
       disk.freeze();
       std::this_thread::sleep_for(100ms);
-      took.push_back(drive.pressed([&] { drive.daemon().signal(signal); }));
-      silence.push_back(manager.longest_silence_ms(3s));
+      took.push_back(rig.pressed([&] { press(rig); }));
+      silence.push_back(longest_silence_ms(manager));
       disk.thaw();
-      drive.daemon().wait();
+      rig.daemon().process().signal(SIGTERM);
+      rig.daemon().process().wait();
     }
-    print(signal == SIGINT ? "frozen disk: Ctrl-C" : "frozen disk: SIGTERM", took);
+    print("frozen disk: " + std::string(way), took);
   }
   print("frozen disk: longest silence of the watchdog in 3 s", silence);
   ::unsetenv("NOTIFY_SOCKET");
 }
 
-void give_up() {
+void while_the_statistics_hang() {
   const test::TemporaryFolder folder;
   const std::string pipe = folder.file("stats");
   if (::mkfifo(pipe.c_str(), 0600) != 0) return;
   // Only the first figures are read; writing the next ones blocks forever.
   std::thread first([&] { std::ifstream(pipe).ignore(1 << 20); });
-  Drive drive({}, -1, {"--stats", pipe});
+  Rig rig({"--go", "--course", "1-straight", "--stats", pipe});
   first.join();
-  drive.start();
+  rig.start();
   std::this_thread::sleep_for(1100ms);
-  drive.daemon().signal(SIGTERM);
   const auto begin = Clock::now();
-  const int status = drive.daemon().wait();
+  rig.daemon().process().signal(SIGTERM);
+  const int status = rig.daemon().process().wait();
   print("stats never written: to the end, with status " + std::to_string(status),
         {ms_since(begin)});
 }
 
-void beside_readers(int rounds, int runs) {
-  const test::TemporaryFolder folder;
-  for (int i = 0; i < runs; ++i) {
-    const std::string run = folder.file("run-" + std::to_string(i));
-    std::filesystem::create_directory(run);
-    std::ofstream(run + "/run.mcap") << std::string(i < kReaders ? 1'000'000 : 1, 'x');
-  }
-  Drive drive(folder.path(), -1);
-  std::atomic<bool> over{false};
-  std::atomic<int> answers{0};
-  std::vector<std::thread> readers;
-  for (int i = 0; i < kReaders; ++i)
-    readers.emplace_back([&, i] {
-      const std::string file = "/runs/run-" + std::to_string(i) + "/run.mcap";
-      while (!over) {
-        for (const std::string& target :
-             {std::string("/api/runs"), std::string("/"), std::string("/healthz"), file}) {
-          try {
-            server::http_get(drive.port(),
-                             "GET " + target + " HTTP/1.0\r\nHost: localhost\r\n\r\n");
-            ++answers;
-          } catch (const std::runtime_error&) {
-          }
-        }
-      }
+std::string call_of(std::uint32_t service, const std::string& json) {
+  const std::string bytes = {'\x02', static_cast<char>(service), 0, 0, 0, 1, 0, 0, 0, 4, 0, 0, 0};
+  return bytes + "json" + json;
+}
+
+/// A course of a kilometre.
+std::string longest_course(int segments = 1000, const std::string& line_end = "\n") {
+  std::string text;
+  for (const char* line : {"[fence]", "min_x_m = -5", "max_x_m = 5", "min_y_m = -5", "max_y_m = 5"})
+    text += line + line_end;
+  for (int i = 0; i < segments; ++i)
+    for (const char* line : {"[[segment]]", "type = 'arc'", "radius_m = 0.95", "angle_deg = 60"})
+      text += line + line_end;
+  return text;
+}
+
+/// Everything that others may ask for, until the end of the object.
+class Load {
+ public:
+  Load(std::string port, test::FrozenDisk& disk) : port_(std::move(port)), disk_(disk) {
+    for (int i = 0; i < kFlooders; ++i) add([this, i] { flood(i); });
+    for (int i = 0; i < kReaders; ++i) add([this] { read(); });
+    add([this] {
+      connected([](WebClient& client) {
+        client.write_binary(call_of(kChoose, R"({"course":"longest"})"));
+        std::this_thread::sleep_for(200ms);
+      });
     });
-  std::vector<double> took;
-  for (int i = 0; i < rounds; ++i) {
-    drive.start();
-    took.push_back(drive.pressed([&] { drive.viewer().call(kStop); }));
-    std::this_thread::sleep_for(300ms);
+    add([this] {
+      connected([](WebClient& client) {
+        client.write_binary(call_of(kRunReport, R"({"run":"seen"})"));
+        std::this_thread::sleep_for(700ms);
+        client.write_binary(call_of(kRunIdentify, R"({"runs":"seen"})"));
+        std::this_thread::sleep_for(700ms);
+      });
+    });
+    add([this] {
+      connected([this](WebClient& client) {
+        client.call(kRecordStart);
+        std::this_thread::sleep_for(300ms);
+        disk_.freeze();
+        client.call(kRecordStop);
+        std::this_thread::sleep_for(1s);
+        disk_.thaw();
+      });
+    });
   }
-  over = true;
-  for (std::thread& reader : readers) reader.join();
-  print(std::to_string(kReaders) + " readers of " + std::to_string(runs) + " runs, " +
-            std::to_string(answers) + " answers: STOP of the page",
-        took);
+  ~Load() {
+    over_ = true;
+    for (std::thread& thread : threads_) thread.join();
+  }
+  Load(const Load&) = delete;
+  Load& operator=(const Load&) = delete;
+
+  std::atomic<std::size_t> requests{0}, lists{0};
+
+ private:
+  /// Runs `work` as another machine would: whenever the processors have nothing else to do.
+  template <class Do>
+  void add(Do work) {
+    threads_.emplace_back([work] {
+      const sched_param ordinary{};
+      ::pthread_setschedparam(::pthread_self(), SCHED_OTHER, &ordinary);
+      ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), 19);
+      work();
+    });
+  }
+  template <class Once>
+  void connected(Once once) {
+    while (!over_) {
+      try {
+        WebClient client(port_);
+        while (!over_ && !client.closed()) once(client);
+      } catch (const std::runtime_error&) {
+        std::this_thread::sleep_for(20ms);
+      }
+    }
+  }
+  // Every second one never reads its answers, and is closed once the daemon gives it up.
+  void flood(int number) {
+    std::string all, none;
+    for (std::uint32_t i = 1; i <= messages::kChannelCount; ++i) {
+      const std::string id = std::to_string(i), comma = i > 1 ? "," : "";
+      all += comma + R"({"id":)" + id + R"(,"channelId":)" + id + "}";
+      none += comma + id;
+    }
+    const std::vector<std::string> texts = {
+        R"({"op":"getParameters","parameterNames":[],"id":"a"})",
+        R"({"op":"subscribe","subscriptions":[)" + all + "]}",
+        R"({"op":"unsubscribe","subscriptionIds":[)" + none + "]}",
+        R"({"op":"subscribeParameterUpdates","parameterNames":[]})"};
+    const std::string check = call_of(kFileCheck, R"({"kind":"course","name":"dear","text":")" +
+                                                      longest_course(900, "\\n") + "\"}");
+    std::size_t next = static_cast<std::size_t>(number);
+    connected([&](WebClient& client) {
+      const std::size_t which = next++ % (texts.size() + 1);
+      which < texts.size() ? client.write_text(texts[which]) : client.write_binary(check);
+      if (number % 2 == 0) client.drain();
+      ++requests;
+    });
+  }
+  void read() {
+    while (!over_) {
+      for (const char* target : {"/api/runs", "/api/history/estimate", "/metrics", "/api/setup"}) {
+        try {
+          const std::string answer = server::http_get(
+              port_, std::string("GET ") + target + " HTTP/1.0\r\nHost: localhost\r\n\r\n");
+          if (answer.find("200 OK") != std::string::npos) ++lists;
+        } catch (const std::runtime_error&) {
+        }
+        std::this_thread::sleep_for(5ms);
+      }
+    }
+  }
+
+  std::string port_;
+  test::FrozenDisk& disk_;
+  std::atomic<bool> over_{false};
+  std::vector<std::thread> threads_;
+};
+
+std::vector<double> press(Rig& rig, int presses) {
+  std::vector<double> took;
+  std::mt19937 random(1);
+  std::uniform_int_distribution<int> pause_us(10'000, 20'000);
+  for (int i = 0; i < presses; ++i) {
+    took.push_back(rig.pressed([&] { rig.viewer().call(kStop); }));
+    if (rig.viewer().closed()) throw std::runtime_error("the viewer that presses STOP was closed");
+    rig.viewer().take();
+    std::this_thread::sleep_for(std::chrono::microseconds(pause_us(random)));
+  }
+  return took;
+}
+
+double peak_mb(pid_t pid) {
+  std::ifstream status("/proc/" + std::to_string(pid) + "/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.starts_with("VmHWM:")) return std::stod(line.substr(6)) / 1000.0;
+  return 0.0;
+}
+
+void beside_everything(test::FrozenDisk& disk, int presses, int runs) {
+  const test::TemporaryFolder folder;
+  const std::string kept = disk.path() + "/runs";
+  for (int i = 0; i < runs; ++i) {
+    const std::string run = kept + "/run-" + std::to_string(i);
+    std::filesystem::create_directories(run);
+    std::ofstream(run + "/run.mcap") << 'x';
+  }
+  std::filesystem::create_directories(folder.file("library/courses"));
+  std::ofstream(folder.file("library/courses/longest.toml")) << longest_course();
+  std::ofstream(folder.file("tp100.toml"))
+      << "library = \"" << folder.file("library") << "\"\ncourse = \"longest\"\n";
+  Rig rig({"--config", folder.file("tp100.toml"), "--record", kept});
+  const sched_param first{.sched_priority = 1};
+  ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &first);
+  if (!rig.daemon().process().wait_for("ready")) throw std::runtime_error("no robot");
+  rig.viewer().write_binary(call_of(kRecordStart, R"({"name":"seen"})"));
+  std::this_thread::sleep_for(1s);
+  rig.viewer().call(kRecordStop);
+  std::this_thread::sleep_for(1s);
+  rig.viewer().take();
+  print("an idle daemon: STOP of the page", press(rig, presses));
+  print("peak memory before the load [MB]", {peak_mb(rig.daemon().process().pid())});
+  {
+    const Load load(rig.daemon().port(), disk);
+    std::this_thread::sleep_for(3s);
+    const std::vector<double> took = press(rig, presses);
+    print("beside " + std::to_string(load.requests) + " requests and " +
+              std::to_string(load.lists) + " lists of " + std::to_string(runs) +
+              " runs: STOP of the page",
+          took);
+  }
+  print("peak memory [MB]", {peak_mb(rig.daemon().process().pid())});
+  rig.daemon().process().signal(SIGTERM);
+  rig.daemon().process().wait();
 }
 
 }  // namespace
-}  // namespace tp100
+}  // namespace tp100::bench
 
-int main(int argc, char** argv) {
-  const int rounds = argc > 1 ? std::atoi(argv[1]) : 5;
-  const int runs = argc > 2 ? std::atoi(argv[2]) : 5000;
-  try {
-    tp100::beside_a_frozen_disk(rounds);
-    tp100::give_up();
-    tp100::beside_readers(rounds, runs);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "stop_bench: %s\n", error.what());
-    return 1;
-  }
+int main(int argc, char** argv) try {
+  using namespace tp100::bench;
+  if (argc < 3) throw std::runtime_error("usage: stop_bench PRESSES ROUNDS [RUNS]");
+  std::signal(SIGPIPE, SIG_IGN);
+  while_the_statistics_hang();
+  tp100::test::FrozenDisk disk;
+  if (!disk.available())
+    throw std::runtime_error("no file system can be frozen (root, loop device)");
+  beside_a_frozen_disk(disk, std::atoi(argv[2]));
+  beside_everything(disk, std::atoi(argv[1]), argc > 3 ? std::atoi(argv[3]) : 5000);
   return 0;
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "stop_bench: %s\n", error.what());
+  return 1;
 }

@@ -2,18 +2,25 @@
 // end PROGRAM opens; the argument PORT stands for the name of the pty. Writes a sample frame every
 // 5 ms and waits for the response: the command that answers the sample, or as many bytes as were
 // sent. Prints one JSON object with the response times [us].
+// turnaround_bench --echo PORT is the simplest such program: it sends every frame back.
 
+#include <fcntl.h>
+#include <poll.h>
 #include <sched.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <termios.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "../link/pty_pair.h"
 #include "../link/scripted_robot.h"
-#include "bench_peer.h"
 #include "core/clock.h"
 #include "loop/pacing.h"
 
@@ -32,6 +39,65 @@ int milliseconds_until(HostNs at) {
   return static_cast<int>(std::max<HostNs>(0, at - monotonic_now()) / kNsPerMs);
 }
 
+/// The program under test, in a process group of its own that ends with this object.
+class Peer {
+ public:
+  Peer(const std::vector<std::string>& command, const std::string& port) {
+    std::vector<std::string> words;
+    for (const std::string& word : command) words.push_back(word == "PORT" ? port : word);
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    pid_ = ::fork();
+    if (pid_ != 0) return;
+    ::setpgid(0, 0);
+    // Standard output is reserved for the measured times.
+    ::dup2(STDERR_FILENO, STDOUT_FILENO);
+    ::execvp(arguments[0], arguments.data());
+    ::_exit(127);
+  }
+  ~Peer() {
+    ::setpgid(pid_, pid_);
+    ::kill(-pid_, SIGTERM);
+    for (int i = 0; i < 200 && !ended(); ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    ::kill(-pid_, SIGKILL);
+    if (!ended_) ::waitpid(pid_, nullptr, 0);
+  }
+  Peer(const Peer&) = delete;
+  Peer& operator=(const Peer&) = delete;
+
+  bool ended() {
+    ended_ = ended_ || ::waitpid(pid_, nullptr, WNOHANG) == pid_;
+    return ended_;
+  }
+
+ private:
+  pid_t pid_ = -1;
+  bool ended_ = false;
+};
+
+/// Sends back what ends with a delimiter.
+int echo(const char* name) {
+  const int port = ::open(name, O_RDWR | O_NOCTTY);
+  if (port < 0) return 2;
+  termios settings{};
+  ::tcgetattr(port, &settings);
+  ::cfmakeraw(&settings);
+  ::tcsetattr(port, TCSANOW, &settings);
+  char frame[4096];
+  for (std::size_t used = 0;;) {
+    pollfd wait = {port, POLLIN, 0};
+    ::poll(&wait, 1, -1);
+    const ssize_t n = ::read(port, frame + used, sizeof frame - used);
+    if (n <= 0) return 0;
+    used += static_cast<std::size_t>(n);
+    if (frame[used - 1] != 0 && used < sizeof frame) continue;
+    if (::write(port, frame, used) < 0) return 1;
+    used = 0;
+  }
+}
+
 class Robot {
  public:
   explicit Robot(bool daemon) : daemon_(daemon), robot_(monotonic_now()) { robot_.samples = false; }
@@ -39,7 +105,7 @@ class Robot {
   const std::string& port() const { return pty_.near(); }
 
   /// False if the peer does not respond.
-  bool connect(test::BenchPeer& peer) {
+  bool connect(Peer& peer) {
     const HostNs give_up = monotonic_now() + kConnectNs;
     while (monotonic_now() < give_up && !peer.ended()) {
       // A pty loses nothing: it buffers what is written before the peer is ready.
@@ -94,7 +160,7 @@ class Robot {
 
 int run(bool daemon, double seconds, const std::vector<std::string>& command) {
   Robot robot(daemon);
-  test::BenchPeer peer(command, robot.port());
+  Peer peer(command, robot.port());
   // The priority is set after the fork: the peer requests its own.
   const sched_param fifo{.sched_priority = kPriority};
   const bool before_others = ::sched_setscheduler(0, SCHED_FIFO, &fifo) == 0;
@@ -127,6 +193,7 @@ int run(bool daemon, double seconds, const std::vector<std::string>& command) {
 }  // namespace tp100
 
 int main(int argc, char** argv) {
+  if (argc == 3 && std::string(argv[1]) == "--echo") return tp100::echo(argv[2]);
   const std::string kind = argc > 3 ? argv[1] : "";
   if (kind != "daemon" && kind != "echo") {
     std::fprintf(stderr, "usage: turnaround_bench daemon|echo SECONDS PROGRAM [ARGUMENT...]\n");
