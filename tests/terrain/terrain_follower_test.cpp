@@ -57,6 +57,10 @@ TEST(TerrainFollower, OverARampTheWayIsThatOverItsSurface) {
   const double distance_m = drive(terrain_follower, pose, 1.0, [&](const ContactState& on) {
     steepest = std::max(steepest, on.incline.slope_rad);
     highest = std::max(highest, on.height_m);
+    ASSERT_EQ(on.pitch_rad, -on.incline.slope_rad) << "what the page shows of it";
+    if (on.height_m > 1e-3) {
+      ASSERT_EQ(on.obstacle, ObstacleClass::kRamp);
+    }
   });
   // Each of the two faces is 0.08 / sin(28 deg) long instead of 0.08 / tan(28 deg); rounding the
   // corners shortens the path a little.

@@ -82,16 +82,6 @@ TEST(World, OverACrestItKeepsThePitchThatItHasUntilItsMassIsPastTheEdge) {
   EXPECT_NEAR(world.at(pose).slope_rad, 0.0, 1e-3);
 }
 
-TEST(World, AcrossASlopeTheRobotRolls) {
-  const course::Terrain terrain = one_ramp();
-  const World world(terrain, {});
-  const double foot = 0.7 + terrain.ramps[0].length_m() / 2.0;
-  const ContactPose contact_pose = world.at({.x_m = foot - 0.19, .y_m = -0.8, .yaw_rad = kPi / 2});
-  EXPECT_NEAR(contact_pose.roll_rad, std::atan(std::tan(kUpRad)), 0.02)
-      << "the slope rises to the left";
-  EXPECT_NEAR(contact_pose.pitch_rad, 0.0, 1e-6);
-}
-
 TEST(World, BesideARampTheRobotIsOnTheFloor) {
   const World world(one_ramp(), {});
   EXPECT_EQ(world.at(heading_back(0.7, -0.8 + 0.35)).height_m, 0.0);
