@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "core/arithmetic.h"
-#include "lagging_robot.h"
 #include "support/sequence.h"
 
 namespace tp100::control {
@@ -280,50 +279,6 @@ TEST_F(FenceLimit, StraightAwayFromACornerOfAnAreaNothingIsLimited) {
     const double yaw_rad = yaw_deg * kRadPerDeg;
     EXPECT_EQ(inside(0.005 * std::cos(yaw_rad), 0.005 * std::sin(yaw_rad), yaw_deg, 0.2), 0.2)
         << yaw_deg;
-  }
-}
-
-// A person who wishes anything, and a robot that lags and is blocked now and then.
-TEST(HandDriveInAFence, NeverLeavesItAndKeepsTheLimitsOfTheRobot) {
-  const course::Fence room{-0.5, 0.4, -0.35, 0.3, {}, {{{-0.3, -0.3}, {-0.1, -0.3}, {-0.2, -0.2}}}};
-  const Parameters p;
-  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
-    SCOPED_TRACE(testing::Message() << "seed " << seed);
-    test::Sequence any(seed);
-    HandDrive drive(room);
-    HandDriveState state;
-    LaggingRobot robot;
-    robot.limits = state.limits = {.slip_left = 0.1, .slip_right = 0.05};
-    HostNs now = kNsPerS;
-    drive.restart(now);
-    HandCommand before;
-    VelocityInput wish;
-    double furthest_m = 0.0;
-    bool held = false;
-    for (int i = 0; i < 24000; ++i) {
-      now += from_s(kDt);
-      if (any.chance(0.01)) wish = {0, any.between(-0.3, 0.3), any.between(-1.5, 1.5)};
-      wish.at_ns = now;
-      if (!any.chance(0.1)) drive.take(wish, now);
-      state.pose = robot.pose;
-      state.measured_yaw_rate_radps = robot.twist.yaw_rate_radps;
-      const HandCommand command = drive.update(state, p, now, kDt);
-      ASSERT_LE(std::abs(command.yaw_rate_radps),
-                std::abs(before.yaw_rate_radps) + p.pivot_acceleration_radps2 * kDt + 1e-12);
-      ASSERT_LE(std::abs(command.yaw_rate_radps), state.limits.max_yaw_radps);
-      const double ahead_rad = command.desired_yaw_rad - state.pose.yaw_rad;
-      ASSERT_LE(std::abs(ahead_rad), 8.0 * kRadPerDeg + 1e-9) << "the yaw loop would wind up";
-      const double turn = turn_asked(ahead_rad, command.yaw_rate_radps, state.limits);
-      ASSERT_NEAR(speed_within(command.speed_mps, turn, state.limits), command.speed_mps, 1e-9);
-      held = held || command.at_fence;
-      before = command;
-      robot.obey({.desired_yaw_rad = command.desired_yaw_rad,
-                  .yaw_rate_radps = command.yaw_rate_radps,
-                  .speed_mps = any.chance(0.002) ? 0.0 : command.speed_mps});
-      furthest_m = std::max(furthest_m, course::outside_m(room, robot.pose.x_m, robot.pose.y_m));
-    }
-    EXPECT_LT(furthest_m, 0.002);
-    EXPECT_TRUE(held);
   }
 }
 

@@ -5,10 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <initializer_list>
-#include <limits>
 #include <string>
-#include <utility>
 
 #include "lagging_robot.h"
 #include "support/sequence.h"

@@ -236,59 +236,5 @@ TEST_F(EncoderMonitorTest, ARobotThatIsHeldForLessThanHalfASecondGoesOn) {
   }
 }
 
-// The resistance against turning falls slowly with the radius (Nikitin's formula); on soft tracks
-// wide arcs take a third of the duty of the spot.
-TEST_F(EncoderMonitorTest, TheResistanceOfAnArcIsNoFault) {
-  constexpr double kOnTheSpotDuty = 0.36, kGaugeM = 0.155, kWheelbaseM = 0.274;
-  for (const double mps : {0.05, 0.1, 0.15}) {
-    for (const double radius_m : {0.4, 0.8, 1.2, 1.6, 2.4, 4.0}) {
-      monitor_.restart();
-      seen_.gyro_yaw_rate_radps = seen_.encoder_yaw_rate_radps = 0.0;
-      drive(mps);
-      EXPECT_EQ(run(3.0), 0u);
-      const double rate_radps = mps / radius_m;
-      const double scrub_duty = kOnTheSpotDuty / (0.925 + 0.15 * radius_m / kGaugeM);
-      seen_.gyro_yaw_rate_radps = seen_.encoder_yaw_rate_radps = rate_radps;
-      seen_.left_mps = seen_.commanded_left_mps = mps - rate_radps * kWheelbaseM / 2.0;
-      seen_.right_mps = seen_.commanded_right_mps = mps + rate_radps * kWheelbaseM / 2.0;
-      sample_.left_duty = 0.08 + 3.1 * seen_.left_mps - scrub_duty;
-      sample_.right_duty = 0.08 + 3.1 * seen_.right_mps + scrub_duty;
-      EXPECT_EQ(run(20.0), 0u) << mps << " m/s, radius " << radius_m << " m";
-    }
-  }
-}
-
-TEST_F(EncoderMonitorTest, ARobotsFileMayBeOffByAThird) {
-  for (const double factor : {0.6, 0.8, 1.3}) {
-    for (const double track_mps : {0.036, 0.0714, 0.119, 0.2}) {
-      monitor_.restart();
-      drive(track_mps);
-      sample_.left_duty = sample_.right_duty = 0.09 + factor * 3.4 * track_mps;
-      EXPECT_EQ(run(30.0), 0u) << factor << " " << track_mps;
-    }
-  }
-}
-
-// A track that spins freely needs less than the dead band of the robot's file: at 0.03 m/s this
-// looks like a gain of 0.7.
-TEST_F(EncoderMonitorTest, AGainLearntAtALowSpeedIsNotThatOfAHigherOne) {
-  seen_.gyro_in_use = false;
-  for (const double slow_mps : {0.03, 0.036, 0.05}) {
-    for (const double fast_mps : {0.06, 0.1, 0.2}) {
-      for (const double gain : {0.9, 1.0, 1.2}) {
-        monitor_.restart();
-        for (int i = 0; i < 3; ++i) {
-          drive(slow_mps);
-          sample_.left_duty = sample_.right_duty = 0.09 + gain * 3.4 * slow_mps - 0.03;
-          EXPECT_EQ(run(5.0), 0u) << slow_mps;
-          drive(fast_mps);
-          sample_.left_duty = sample_.right_duty = 0.09 + gain * 3.4 * fast_mps;
-          EXPECT_EQ(run(20.0), 0u) << slow_mps << " " << fast_mps << " " << gain;
-        }
-      }
-    }
-  }
-}
-
 }  // namespace
 }  // namespace tp100::control

@@ -132,23 +132,6 @@ TEST(Tracker, SeesThatTheRobotLeavesATurnOnTheSpot) {
   EXPECT_NEAR(off_path_of_a_runaway_m(corner, 0.1, 0.497, 0.3), 0.3, 0.01);
 }
 
-TEST(Tracker, OffThePathIsAsFarAsAcrossItWhereProgressIsRight) {
-  const course::Course course =
-      make_course({course::Line{0.3}, course::Arc{0.3, 7.0}, course::Line{0.3}});
-  const course::Path path(course);
-  Tracker tracker(Parameters{}, path, {.speed_mps = course.speed_mps});
-  LaggingRobot robot;
-  robot.pose.y_m = 0.02;
-  for (int i = 0; i < 10000; ++i) {
-    const Target& target = tracker.update(robot.pose, robot.twist, kDt);
-    if (target.done) return;
-    // The robot may overrun the end slightly when it stops.
-    ASSERT_NEAR(target.off_path_m, std::abs(target.cross_track_m), 1e-3) << target.progress_m;
-    robot.obey(target);
-  }
-  FAIL() << "the course was not finished";
-}
-
 // The yaw of an estimate may contain any number of whole turns. Two of the laws are linear in the
 // heading error.
 TEST(Tracker, AWholeTurnMoreOfThePosesYawChangesNothing) {
