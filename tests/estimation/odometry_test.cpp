@@ -74,24 +74,6 @@ TEST_F(OdometryTest, AMotionEndsAfterTheOneBeforeUntilTheSamplesBeginAnew) {
   EXPECT_EQ(odometry.advance({.end_ns = 1, .dt_s = kDt}).end_ns, 1);
 }
 
-TEST_F(OdometryTest, WithoutAGyroItIsTheExtendedModel) {
-  // Turns of every shape, each with its own wheelbase.
-  tracks_.slip_left = 0.3;
-  tracks_.wheelbase_medium_m = 0.28;
-  tracks_.wheelbase_tight_m = 0.30;
-  tracks_.wheelbase_spin_m = 0.35;
-  Odometry odometry(tracks_, noise_);
-  model::TrackModel model(tracks_, model::Mode::kExtended);
-  for (int i = 0; i < 150; ++i) {
-    const double left = 0.1 + 0.001 * i, right = 0.12 - 0.001 * i;
-    odometry.advance({.dt_s = 0.1, .tracks = {left, right}, .ground = {.slip = {0.3, 0.2}}});
-    model.advance(left, right, 0.1);
-  }
-  EXPECT_NEAR(odometry.pose().x_m, model.pose().x_m, 1e-12);
-  EXPECT_NEAR(odometry.pose().y_m, model.pose().y_m, 1e-12);
-  EXPECT_NEAR(odometry.pose().yaw_rad, model.pose().yaw_rad, 1e-12);
-}
-
 // A gyro that warms up by 6 K with up to 0.002 rad/s/K: integrated alone it would turn the robot by
 // 0.4 rad and take it two metres beside a straight line of 12 m. On an even floor the tracks show
 // the drift; on an uneven one they must not degrade the yaw of the gyro.
@@ -252,21 +234,6 @@ TEST_F(OdometryTest, ATurnThatTheTracksDidNotMakeIsFollowed) {
     drive(odometry, 0.1, 0.0, 0.02, 5.0);
     EXPECT_NEAR(odometry.pose().yaw_rad, 0.26, 0.03) << rate;
   }
-}
-
-// The gyro measured the turn of a push, but no sensor the displacement.
-TEST_F(OdometryTest, APushLeavesTheHeadingKnownAndThePlaceUnknown) {
-  Odometry odometry(tracks_, noise_);
-  rest(odometry, 0.02);
-  odometry.begin({});
-  drive(odometry, 0.1, 0.0, 0.02, 2.0);
-  const auto sd = [&](Eigen::Index of) { return std::sqrt(odometry.state().covariance(of, of)); };
-  const double before_m = sd(kX), before_rad = sd(kYaw);
-  drive(odometry, 0.1, 0.0, 0.02 + 0.9, 0.3);
-  drive(odometry, 0.1, 0.0, 0.02, 1.0);
-  EXPECT_GT(sd(kX), before_m + 0.02);
-  EXPECT_LT(sd(kX), before_m + 0.08);
-  EXPECT_LT(sd(kYaw), before_rad + 1.0 * kRadPerDeg);
 }
 
 TEST_F(OdometryTest, AResumedRobotOnASlopeHasNotTipped) {

@@ -59,15 +59,5 @@ TEST(SlipWalk, ForgetsAnEvenFloorWithinSomeWindowsOfAnUnevenOne) {
   EXPECT_GT(walk.step_rtm(), 5e-3);
 }
 
-TEST(SlipWalk, GoesOnFromWhatWasCarried) {
-  SlipWalk walk;
-  for (int i = 0; i < 7; ++i) walk.add(1e-3 * i, kNoise, kWayM);
-  SlipWalk again(walk.log_likelihoods());
-  EXPECT_EQ(again.step_rtm(), walk.step_rtm());
-  walk.add(2e-3, kNoise, kWayM);
-  again.add(2e-3, kNoise, kWayM);
-  EXPECT_EQ(again.log_likelihoods(), walk.log_likelihoods());
-}
-
 }  // namespace
 }  // namespace tp100::estimation

@@ -125,10 +125,13 @@ TEST(ObstacleState, StepsOfEveryHeightAreSteps) {
 // first four centimetres uphill are judged.
 TEST(ObstacleState, AStepIsToldByTheSteepestCentimetreOfItsFirstFour) {
   const auto climbed = [](double before, double change_m, double after, double end_m) {
-    Follower follower;
-    follower.level(0.05);
-    follower.climb(before, change_m, after, end_m);
-    return follower.state();
+    Follower forward(kSpeedMps), backward(-kSpeedMps);
+    for (Follower* each : {&forward, &backward}) {
+      each->level(0.05);
+      each->climb(before, change_m, after, end_m);
+    }
+    EXPECT_EQ(forward.state(), backward.state());
+    return forward.state();
   };
   EXPECT_EQ(climbed(0.55, 1.0, 0.0, 0.06), ObstacleClass::kRamp);
   EXPECT_EQ(climbed(0.57, 1.0, 0.0, 0.06), ObstacleClass::kBlock);
