@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "core/arithmetic.h"
 #include "core/error.h"
@@ -44,8 +45,10 @@ TEST(ClimbLimit, IsWhereTheTipAngleCeasesToExist) {
 }
 
 TEST(ClimbLimit, IsTheHighestStepOfACoarseSearchOverAllAngles) {
-  for (const double com_m : {0.004, 0.022, 0.05, 0.09}) {
-    const ClimbGeometry g = with_com_height(com_m);
+  for (const auto& [com_m, forward_m] : {std::pair{0.004, 0.0665}, std::pair{0.022, 0.0665},
+                                         std::pair{0.09, 0.0665}, std::pair{0.02, 0.01}}) {
+    ClimbGeometry g = with_com_height(com_m);
+    g.com_forward_m = forward_m;
     double best = 0.0;
     // Up to where the edge leaves the flat of the track.
     const double last = std::atan2(g.com_forward_m, g.com_height_m);

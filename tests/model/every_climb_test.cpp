@@ -114,6 +114,8 @@ TEST_P(EveryClimb, PassesThePhasesInOrder) {
   EXPECT_EQ(begin_of(states, ClimbPhase::kRiser) != nullptr, riser);
   EXPECT_EQ(seen.size(), 8u + (riser ? 1u : 0u) + (flat ? 1u : 0u));
   EXPECT_TRUE(flat || what.block.depth_m < 0.1);
+  const StepClimb climb(what.geometry, what.block, what.form, what.tip_start);
+  EXPECT_NEAR(climb.touch_x_m(), climb.state().reference_m.x, 1e-12) << "it begins at first touch";
 }
 
 TEST_P(EveryClimb, MovesWithoutAJumpInPositionOrPitch) {

@@ -21,24 +21,6 @@ TEST(ModelForm, EachIsFixedOrHasConstants) {
   EXPECT_EQ(baseline("none"), kBaselines.size());
 }
 
-TEST(ModelForm, HasTheParametersOfItsRows) {
-  ModelForm form;
-  EXPECT_EQ(form.constants(), 0);
-  EXPECT_FALSE(form.one_slip || form.yaw_from_gyro);
-  form.fitted = rows_of({&TrackParameters::slip_left, &TrackParameters::turn_loss});
-  EXPECT_EQ(form.constants(), 2);
-  const auto motion = rows_of_motion();
-  std::size_t row = 0;
-  for (const ParameterRow& of : kTrackParameters) {
-    EXPECT_EQ(form.has(of.value), row_of(of.value) == row_of(&TrackParameters::slip_left) ||
-                                      of.value == &TrackParameters::turn_loss)
-        << of.key;
-    EXPECT_EQ(motion[row], of.value != &TrackParameters::gyro_scale) << of.key;
-    EXPECT_EQ(row_of(of.value), row++) << of.key;
-  }
-  EXPECT_EQ(row_of(nullptr), kTrackParameters.size());
-}
-
 TEST(ModelForm, WhatAFormDoesNotHaveIsSwitchedOff) {
   TrackParameters all;
   for (const ParameterRow& row : kTrackParameters) all.*row.value = 0.3;

@@ -101,6 +101,28 @@ TEST(StepClimb, DrivingBackOffTheBlockTipsBackOntoTheRear) {
   EXPECT_EQ(climb.state().phase, ClimbPhase::kApproach);
 }
 
+// The blow of that edge has no lever about it. The body then turns about a nearer point, and
+// faster.
+TEST(StepClimb, LandingBeyondAShortBlockItKeepsItsAngularMomentumAboutTheFarEdge) {
+  constexpr double kDepthM = 0.01, kHeightM = 0.037;
+  StepClimb climb({}, {kHeightM, kDepthM});
+  const auto momentum = [&] {
+    const ClimbState& s = climb.state();
+    return (s.com_m.x - kDepthM) * s.com_mps.z - (s.com_m.z - kHeightM) * s.com_mps.x -
+           gyration_squared_m2({}) * s.pitch_rate_radps;
+  };
+  double before = 0.0, rate_before = 0.0;
+  while (climb.state().phase != ClimbPhase::kTipOff) {
+    ASSERT_LT(climb.state().travel_m, 0.5);
+    before = momentum();
+    rate_before = climb.state().pitch_rate_radps;
+    climb.advance(1e-6, 1e-5);
+  }
+  EXPECT_GT(rate_before, 3.0);
+  EXPECT_NEAR(momentum(), before, 1e-3 * std::abs(before));
+  EXPECT_GT(climb.state().pitch_rate_radps, 1.02 * rate_before);
+}
+
 TEST(StepClimb, StandsStillWhileTheTracksStandExceptWhereItFalls) {
   StepClimb climb({}, {});
   std::map<ClimbPhase, int> held;
