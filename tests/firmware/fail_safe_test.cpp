@@ -188,6 +188,10 @@ TEST(FailSafeAlone, DrivesOnlyWhileEnabledAndIsEnabledOnlyWithAFreshCommand) {
   EXPECT_TRUE(fail_safe.enable());
   fail_safe.drive(300, -200);
   EXPECT_EQ(hal.duties, (ScriptedHal::Duties{300, -200}));
+  fail_safe.disable();
+  EXPECT_EQ(hal.duties, ScriptedHal::Duties{}) << "not at once";
+  EXPECT_TRUE(fail_safe.enable());
+  fail_safe.drive(300, -200);
   for (int i = 0; i < 50; ++i) {
     hal.now_us += 1000;
     fail_safe.beat();

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "rig.h"
@@ -11,6 +12,7 @@ namespace {
 
 using wire::Fault;
 
+// After 0.3 s of motion, the track is blocked for stall_ms.
 TEST(TrackMonitorAlone, ATrackThatStandsAtItsStallDutyIsStalledAndBelowItNot) {
   wire::Parameters p = test::good_parameters();
   p.feed_forward = 0.0f;  // the duty gives no estimate of the speed
@@ -19,16 +21,17 @@ TEST(TrackMonitorAlone, ATrackThatStandsAtItsStallDutyIsStalledAndBelowItNot) {
     p.stall_duty = static_cast<std::uint16_t>(stall_duty);
     for (const int sign : {1, -1}) {
       TrackMonitor at, below;
-      TrackMonitor::Verdict verdict = TrackMonitor::kGood;
-      for (int ms = 0; ms <= 1010; ms += 5) {
-        EXPECT_EQ(verdict, TrackMonitor::kGood) << ms;
-        verdict = at.update(static_cast<std::int16_t>(sign * stall_duty), 0, 5, 0.0f, true, p);
-        EXPECT_EQ(
-            below.update(static_cast<std::int16_t>(sign * (stall_duty - 1)), 0, 5, 0.0f, true, p),
-            TrackMonitor::kGood);
-        if (verdict != TrackMonitor::kGood) break;
+      int ms = 0;
+      const auto verdict = [&](TrackMonitor& monitor, int duty) {
+        return monitor.update(static_cast<std::int16_t>(sign * duty), sign * std::min(ms, 300), 5,
+                              0.0f, true, p);
+      };
+      while (verdict(at, stall_duty) == TrackMonitor::kGood && ms < 2000) {
+        EXPECT_EQ(verdict(below, stall_duty - 1), TrackMonitor::kGood);
+        ms += 5;
       }
-      EXPECT_EQ(verdict, TrackMonitor::kStalled) << stall_duty << " " << sign;
+      EXPECT_NEAR(ms, 1300, 25) << stall_duty << " " << sign;
+      EXPECT_EQ(verdict(at, stall_duty), TrackMonitor::kStalled);
     }
   }
 }
@@ -338,14 +341,16 @@ TEST(FailSafe, CountsThatJumpAgainAreAnEncoderThatFailsAndOneJumpIsNot) {
 }
 
 TEST(FailSafe, CountsThatGoBackAgainAreAnEncoderThatFailsAndOnceIsNot) {
-  for (const bool again : {false, true}) {
-    DrivingRig rig;
-    for (int ms = 0; ms < 1000; ms += 5) {
-      // The counts change no faster than a track can move.
-      if (ms % 500 < 50 && (again || ms < 500)) rig.jumped_m -= 0.0016;
-      rig.driven_m(5);
+  for (const int back_ms : {50, 120}) {
+    for (const bool again : {false, true}) {
+      DrivingRig rig;
+      for (int ms = 0; ms < 1000; ms += 5) {
+        // The counts change no faster than a track can move.
+        if (ms % 500 < back_ms && (again || ms < 500)) rig.jumped_m -= 0.0016;
+        rig.driven_m(5);
+      }
+      EXPECT_EQ(rig.program.faults(), again ? mask(Fault::stalled_left) : 0) << back_ms;
     }
-    EXPECT_EQ(rig.program.faults(), again ? mask(Fault::stalled_left) : 0);
   }
 }
 
