@@ -99,6 +99,24 @@ TEST(OverheadCamera, APitchedMarkerFallsBackAndARaisedOneLooksFurtherOut) {
   EXPECT_LT(watch(perfect(), rolled, 0.5).back().sample.y_m, -0.010);
 }
 
+// The front of a marker that is pitched down is further from the camera than its back, so that
+// beside the camera's axis the marker seems turned.
+TEST(OverheadCamera, APitchedMarkerBesideTheAxisSeemsTurned) {
+  const course::EmulatedCamera values = perfect();
+  const Pose pose{.x_m = 0.8, .y_m = 0.6, .pitch_rad = 20.0 * kRadPerDeg};
+  const double up_m = values.marker_height_m, to_floor_m = values.height_m - up_m;
+  const auto image = [&](double ahead_m) {
+    const double s = std::sin(pose.pitch_rad), c = std::cos(pose.pitch_rad);
+    const double stretch = to_floor_m / (values.height_m + s * ahead_m - c * up_m);
+    return std::pair{(pose.x_m + c * ahead_m + s * up_m) * stretch, pose.y_m * stretch};
+  };
+  const auto [front_x, front_y] = image(values.marker_size_m / 2.0);
+  const auto [back_x, back_y] = image(-values.marker_size_m / 2.0);
+  const double yaw_rad = std::atan2(front_y - back_y, front_x - back_x);
+  EXPECT_GT(std::abs(yaw_rad), 0.02);
+  EXPECT_NEAR(watch(values, pose, 0.5).back().sample.yaw_rad, yaw_rad, 1e-9);
+}
+
 TEST(OverheadCamera, OutliersAreFarOff) {
   course::EmulatedCamera values = perfect();
   values.outliers = 0.1;
