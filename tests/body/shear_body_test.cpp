@@ -202,20 +202,6 @@ TEST(ShearBody, LeftAndRightAreExactMirrorImages) {
   EXPECT_GT(a.pose.yaw_rad, 0.1);
 }
 
-TEST(ShearBody, TheSameCallsGiveTheSameBits) {
-  ShearBody one(robot(), {}, false);
-  ShearBody other(robot(), {}, false);
-  ShearBody beside(robot(0.005), {}, false);
-  for (int i = 0; i < 2000; ++i) {
-    one.step(0.1, 0.05);
-    other.step(0.1, 0.05);
-    beside.step(-0.1, 0.05);
-  }
-  EXPECT_EQ(one.state().pose.x_m, other.state().pose.x_m);
-  EXPECT_EQ(one.state().pose.y_m, other.state().pose.y_m);
-  EXPECT_EQ(one.state().pose.yaw_rad, other.state().pose.yaw_rad);
-}
-
 TEST(ShearBody, ADisturbanceMovesItAsFarAsAskedAndTheGyroSeesTheTurn) {
   course::Emulated values = robot();
   values.body.com_forward_m = 0.012;

@@ -121,20 +121,6 @@ TEST(Drive, IntegratorsStartClearedAfterAnArm) {
   EXPECT_EQ(rig.hal.nonzero_writes, writes);
 }
 
-TEST(Drive, ADutyIsNeverMoreThanFull) {
-  Rig rig;
-  rig.parameters.stall_duty = 0;
-  rig.tracks_follow = true;
-  rig.left_blocked = rig.right_blocked = true;
-  rig.drive(0.2f);
-  int most = 0;
-  for (int ms = 0; ms < 1000; ++ms) {
-    rig.run(1);
-    most = std::max(most, std::abs(int{rig.hal.duties.left}));
-  }
-  EXPECT_EQ(most, wire::kFullDuty);
-}
-
 // Right minus left duty, 30 ms after a command that answers a sample 50 ms old. The gyro reads
 // `rate_radps` until the command arrives.
 int turning_duty(float rate_radps, float desired_yaw_rad, float bias_radps = 0.0f) {
