@@ -41,6 +41,11 @@ TEST_F(StepTest, DrivesACourseToItsEndWithTrackSpeedsThatTheRobotMakesOfItsComma
   EXPECT_FALSE(robot.armed);
   EXPECT_NEAR(robot.x_m, 0.8, 0.02);
   EXPECT_NEAR(robot.y_m, 0.3, 0.02);
+  for (const PoseSource source : kPoseSources) {
+    const PlanarCovariance& of = tick(step, robot).snapshot.estimates[source].covariance;
+    EXPECT_GT(std::sqrt(of.xx), 0.012) << to_string(source) << ": the way makes it uncertain";
+    EXPECT_LT(std::sqrt(of.xx), 0.2) << to_string(source);
+  }
   EXPECT_GT(moving, 500);
   EXPECT_EQ(limited, 0) << "the tracker commands more than the tracks can do";
 }
@@ -160,6 +165,45 @@ TEST_F(StepTest, ALostLinkEndsTheRunAndNothingMovesUntilTheNextStart) {
   EXPECT_EQ(robot.x_m, x_m);
   start(step, robot);
   EXPECT_EQ(run(step, robot, 1.0), RunState::kRunning);
+}
+
+// After a reboot its counts begin at 0.
+TEST_F(StepTest, CountsOfANewSessionAreNoMotion) {
+  Step step(parameters_, course_);
+  KinematicRobot robot(parameters_);
+  begin(step, robot);
+  tick(step, robot, {OperatorRequest::kStop});
+  run(step, robot, 1.0);
+  const double x_m = tick(step, robot).snapshot.estimates[PoseSource::kOdometry].pose.x_m;
+  EXPECT_GT(x_m, 0.05);
+  KinematicRobot rebooted(parameters_);
+  ++session_;
+  for (int i = 0; i < 20; ++i) tick(step, rebooted);
+  const PerSource<Estimate>& estimates = tick(step, rebooted).snapshot.estimates;
+  EXPECT_NEAR(estimates[PoseSource::kOdometry].pose.x_m, x_m, 1e-3);
+  EXPECT_NEAR(estimates[PoseSource::kFused].pose.x_m, x_m, 1e-2);
+}
+
+// On a flat floor a virtual ramp holds the virtual robot back.
+TEST_F(StepTest, ASecondStartForgetsWhatTheVirtualRobotWasBehind) {
+  auto course = std::make_shared<course::Course>(*course_);
+  course->path = {course::Line{1.2}};
+  course->terrain.ramps.push_back(
+      {{0.5, 0.0, 0.0}, 0.08, 28 * kRadPerDeg, 0.2, 28 * kRadPerDeg, 0.4});
+  Step step(parameters_, course);
+  KinematicRobot robot(parameters_);
+  const auto behind_m = [](const Snapshot& snapshot) {
+    return snapshot.estimates[PoseSource::kOdometry].pose.x_m - snapshot.world.x_m;
+  };
+  start(step, robot);
+  ASSERT_EQ(run(step, robot, 60.0), RunState::kFinished);
+  for (int i = 0; i < 100; ++i) tick(step, robot);
+  EXPECT_GT(behind_m(tick(step, robot).snapshot), 0.03);
+  start(step, robot);
+  ASSERT_EQ(run(step, robot, 0.5), RunState::kRunning);
+  const Snapshot& snapshot = tick(step, robot).snapshot;
+  EXPECT_NEAR(behind_m(snapshot), 0.0, 1e-6);
+  EXPECT_LT(snapshot.world.x_m, 0.2);
 }
 
 TEST_F(StepTest, SamplesThatComeTooLateOrNotAtAllEndTheRunAfter200Ms) {
