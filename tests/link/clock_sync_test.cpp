@@ -196,10 +196,10 @@ TEST(ClockSync, DriftIsFoundWithinAFewPpm) {
   EXPECT_NEAR(line.sync.state().uncertainty_us, 50, 15) << "half of the way there and back";
 }
 
-// A jump of 3 ms: from the fourth exchange in a row on it is another clock.
+// Beyond 2 ms: from the fourth exchange in a row on it is another clock.
 TEST(ClockSync, FollowsALastingJumpOfTheDeviceClockAndNoShortOne) {
   for (const int lasts : {1, 3, 4}) {
-    for (const DeviceUs jump_us : {-3000, 3000}) {
+    for (const DeviceUs jump_us : {-2050, 2050}) {
       Line line;
       line.exchange(20, {});
       line.offset_us += jump_us;
@@ -219,6 +219,15 @@ TEST(ClockSync, FollowsALastingJumpOfTheDeviceClockAndNoShortOne) {
   }
 }
 
+TEST(ClockSync, TakesASmallJumpAsAnError) {
+  for (const DeviceUs jump_us : {-1950, 1950}) {
+    Line line;
+    line.exchange(20, {});
+    line.offset_us += jump_us;
+    EXPECT_EQ(line.exchange({}), Verdict::kAccepted);
+  }
+}
+
 // The gate is 0.5 ms, and five times what is usual, above the best of the last exchanges.
 TEST(ClockSync, AnExchangeFarAboveTheUsualTripIsNotUsed) {
   const auto verdict = [](HostNs usual_us, HostNs late_us) {
@@ -232,6 +241,15 @@ TEST(ClockSync, AnExchangeFarAboveTheUsualTripIsNotUsed) {
   EXPECT_EQ(verdict(0, 1020), Verdict::kOutlier);
   EXPECT_EQ(verdict(400, 1800), Verdict::kAccepted);
   EXPECT_EQ(verdict(400, 2200), Verdict::kOutlier);
+  // What is usual is a mean with a weight of 1/8: after 8 exchanges that are 0.4 ms late each way
+  // it is 0.4 (1 - (7/8)^8) = 0.26 ms, and the gate (0.5 + 5 * 0.26) ms each way, 3.62 ms both.
+  for (const HostNs late_us : {3500, 3750}) {
+    Line line;
+    line.exchange(8, {});
+    line.exchange(8, {.back = 800});
+    EXPECT_EQ(line.exchange({.back = late_us}),
+              late_us < 3620 ? Verdict::kAccepted : Verdict::kOutlier);
+  }
 }
 
 TEST(ClockSync, TakesTheRequestsWireTimeFromItsBeginningAndTheReplysFromItsEnd) {

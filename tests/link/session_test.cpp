@@ -201,6 +201,13 @@ TEST(Session, ChangesInQuickSuccessionAreNotSlowedDown) {
     rig.run(20);
     EXPECT_EQ(rig.session.state(), SessionState::kSyncing) << i;
   }
+  // Nor by the wait after a session that did not last.
+  rig.robot.state = wire::State::kHello;
+  rig.run(5);
+  EXPECT_EQ(rig.session.state(), SessionState::kParameters);
+  rig.session.use(SessionRig::settings().parameters, rig.now);
+  rig.run(20);
+  EXPECT_EQ(rig.session.state(), SessionState::kSyncing);
 }
 
 TEST(Session, OtherParametersWithoutARobotWaitForOne) {

@@ -73,11 +73,16 @@ TEST(SessionCommands, AreNewHoweverManyWereRefusedBefore) {
   for (const int refused : {1'000, 16'400, 33'000, 66'000, 140'000}) {
     auto& commands = rig.robot.received.commands;
     const std::uint16_t accepted = commands.back().sequence;
+    std::uint16_t last = accepted;
+    int begun_anew = 0;
     for (int ms = 0; ms < refused; ++ms) {
       rig.run(1);
+      begun_anew += wrapped_difference(commands.back().sequence, last) == 1 ? 0 : 1;
+      last = commands.back().sequence;
       // The robot has accepted none of them.
       commands.back().sequence = accepted;
     }
+    EXPECT_LE(begun_anew, refused / 16'384) << "those under way would look old";
     rig.run(20);
     EXPECT_GT(wrapped_difference(commands.back().sequence, accepted), 0) << refused;
     for (std::size_t i = commands.size() - 10; i < commands.size(); ++i)
@@ -213,6 +218,31 @@ TEST(SampleWrap, SequenceTimeAndCountsRunThroughTheirWraps) {
     ASSERT_NEAR(static_cast<double>(rig.samples[i].left_counts - rig.samples[i - 1].left_counts),
                 557.0, 1.0);
     ASSERT_NEAR(to_s(rig.samples[i].measured_ns - rig.samples[i - 1].measured_ns), 0.005, 1e-4);
+  }
+}
+
+// Three times 0.2 m/s, at 10 000 counts a metre, are 30 counts in 5 ms; an interrupt may move 4
+// more.
+TEST(Session, CountsBeyondWhatTheTracksCanDoAreAJump) {
+  for (const bool changed : {false, true}) {
+    for (const int counts : {34, 35}) {
+      SessionSettings settings = SessionRig::settings();
+      settings.parameters.counts_per_metre = 10'000.0F;
+      settings.parameters.max_track_mps = changed ? 5.0F : 0.2F;
+      SessionRig rig(settings);
+      rig.connect();
+      if (changed) {
+        settings.parameters.max_track_mps = 0.2F;
+        rig.session.use(settings.parameters, rig.now);
+        rig.run(1000);
+      }
+      for (const std::size_t before = rig.samples.size(); rig.samples.size() == before;) rig.step();
+      rig.now += 5 * kNsPerMs;
+      wire::Sample sample = rig.robot.sample(rig.now);
+      sample.left_counts += counts;
+      rig.session.receive(frame_of(sample), rig.now);
+      EXPECT_EQ(rig.session.counters().implausible, counts > 34 ? 1U : 0U) << changed;
+    }
   }
 }
 
