@@ -6,6 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <vector>
 
 #include "fixtures.h"
 #include "messages/foxglove.h"
@@ -135,6 +136,39 @@ TEST(Channels, MessagesHaveNoFieldThatTheirSchemaDoesNotName) {
     const auto found = examples.find(text.topic);
     if (found != examples.end())
       expect_described(Json::parse(text.schema), Json::parse(found->second), text.topic);
+  }
+}
+
+// 40 steps of 5 ms with two samples each. A recording holds every step itself, and so needs poses
+// at a display's rate only.
+TEST(StepMessages, SendEachSampleAndATruthOnceAndFewerPosesToARecording) {
+  const Messages messages(example_subject(), example_clock());
+  for (const bool recorded : {false, true}) {
+    StepMessages step_messages(messages, recorded);
+    std::map<Channel, std::vector<Json>> sent;
+    StepRecord record = example_record();
+    step_messages.take_truth({record.now_ns, {.x_m = 0.44}});
+    for (std::uint16_t i = 0; i < 40; ++i) {
+      record.now_ns += 5 * kNsPerMs;
+      Sample samples[2];
+      samples[0].sequence = static_cast<std::uint16_t>(2 * i);
+      samples[1].sequence = static_cast<std::uint16_t>(2 * i + 1);
+      record.inputs.samples.assign(samples);
+      step_messages.take(
+          record, [](Channel channel) { return channel != Channel::kCommand; },
+          [&](Channel channel, HostNs at, const std::string& json) {
+            EXPECT_EQ(at, record.now_ns);
+            sent[channel].push_back(Json::parse(json));
+          });
+    }
+    ASSERT_EQ(sent[Channel::kSample].size(), 80U);
+    for (std::size_t i = 0; i < 80; ++i) EXPECT_EQ(sent[Channel::kSample][i]["sequence"], i);
+    EXPECT_EQ(sent[Channel::kEstimate].size(), 40U);
+    EXPECT_EQ(sent[Channel::kSlip].size(), 4U);
+    EXPECT_EQ(sent[Channel::kTransforms].size(), recorded ? 10U : 40U);
+    EXPECT_EQ(sent[pose_channel(PoseSource::kFused)].size(), recorded ? 10U : 40U);
+    EXPECT_EQ(sent[Channel::kPoseTruth].size(), 1U);
+    EXPECT_TRUE(sent[Channel::kCommand].empty()) << "nobody wants it";
   }
 }
 
