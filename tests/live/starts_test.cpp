@@ -248,6 +248,29 @@ TEST_F(Starts, AMegasHelloBehindAPtyStartsWithGo) {
   run([&] { ASSERT_TRUE(starts_to_move()); });
 }
 
+// --go is the consent of a person for the robot that stood there when the program was started.
+TEST_F(Starts, GoDoesNotStartARobotThatIsPluggedInLater) {
+  options_.go = options_.wait = true;
+  for (const bool was_there : {true, false}) {
+    std::filesystem::remove(options_.stats);
+    forget();
+    robot_->with([&](ScriptedRobot& robot) { robot.answers_parameters = !was_there; });
+    if (was_there) with_board(wire::BoardType::kMega2560);
+    run([&] {
+      if (was_there) says_of_itself("\"session\": \"parameters\"");
+      robot_->unplug();
+      says_of_itself("\"session\": \"closed\"");
+      robot_->with([](ScriptedRobot& robot) { robot.answers_parameters = true; });
+      robot_->plug_in();
+      ASSERT_TRUE(ready());
+      ASSERT_TRUE(after_commands(100));
+      EXPECT_EQ(arms(), 0U);
+    });
+    EXPECT_TRUE(logged("nothing starts by itself")) << log_;
+    robot_->unplug();
+  }
+}
+
 TEST_F(Starts, ALaterDriveOfTheSameProgramTakesTheWord) {
   options_.ran_before = true;
   with_board(wire::BoardType::kMega2560);
