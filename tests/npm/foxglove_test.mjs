@@ -1,9 +1,9 @@
-// Tests tp100d and an emulated robot with Foxglove's own client.
+// Foxglove's own client on tp100d and an emulated robot.
 import assert from 'node:assert/strict';
 import { once } from 'node:events';
 import test from 'node:test';
-import { startPair } from './bench_pair.mjs';
 import { load } from './packages.mjs';
+import { withRobot } from './programs.mjs';
 
 const { FoxgloveClient } = load('@foxglove/ws-protocol');
 const { WebSocket } = load('ws');
@@ -37,8 +37,7 @@ class Viewer {
     on('serviceCallResponse', (answer) => this.answers.push(answer));
     on('serviceCallFailure', (failure) => this.answers.push(failure));
     on('message', ({ subscriptionId, timestamp, data }) => {
-      this.messages.get(subscriptionId)?.push(
-        { timestamp, value: JSON.parse(text.decode(data)) });
+      this.messages.get(subscriptionId)?.push({ timestamp, value: JSON.parse(text.decode(data)) });
     });
     this.error = new Promise((_, reject) => this.client.on('error', reject));
     this.error.catch(() => {});
@@ -65,7 +64,7 @@ class Viewer {
     this.messages.set(this.client.subscribe(this.channels.get(topic).id), list);
     return list;
   }
-  /** Same as until, for a moving robot. If the robot had to stop because the machine was busy, it is started again. */
+  /** Same as until, for a moving robot. If the robot stands or had to stop because the machine was busy, it is started. */
   untilDriven(states, condition) {
     let seen;
     return this.until(() => {
@@ -93,130 +92,88 @@ class Viewer {
   }
 }
 
-async function withPair(options, body) {
-  const pair = await startPair(options);
-  try {
-    await body(pair);
-  } finally {
-    await pair.end();
-  }
-}
+test("Foxglove's client works with tp100d", { timeout: 240_000 }, (t) => withRobot(async ({ daemon }) => {
+  const { said, lines } = await daemon('', ['--wait', '--stay', '--course', '3', '--listen', '127.0.0.1:0']);
+  await said(/page: /);
+  const [, url] = lines.map((line) => /page: (\S+)/.exec(line)).find(Boolean);
 
-const limits = { timeout: 120_000 };
-
-for (const protocol of ['foxglove.websocket.v1', 'foxglove.sdk.v1']) {
-  test(`lists the channels over ${protocol}`, limits, () => withPair({ course: '3' }, async ({ url }) => {
+  /** A test with a viewer of its own. */
+  const viewed = (name, work, protocol = 'foxglove.sdk.v1') => t.test(name, async () => {
     const viewer = await new Viewer(url, protocol).open();
-    assert.equal(viewer.socket.protocol, protocol);
-    assert.equal(viewer.info.name, 'tp100d');
-    assert.equal(viewer.info.metadata.course, '3');
-    const names = { '/tf': 'foxglove.FrameTransforms', '/pose/odometry': 'foxglove.PoseInFrame',
-      '/path': 'foxglove.PosesInFrame', '/scene': 'foxglove.SceneUpdate', '/log': 'foxglove.Log',
-      '/estimate': 'tp100.Estimate', '/sample': 'tp100.Sample', '/command': 'tp100.Command',
-      '/slip': 'tp100.Slip', '/link': 'tp100.Link', '/loop': 'tp100.Loop', '/state': 'tp100.State' };
-    for (const [topic, schema] of Object.entries(names)) {
-      assert.equal(viewer.channels.get(topic)?.schemaName, schema, topic);
-      assert.equal(viewer.channels.get(topic).encoding, 'json');
-    }
-    const scene = viewer.subscribe('/scene');
-    await viewer.until(() => scene.length > 0);
-    const ids = scene[0].value.entities.map((entity) => entity.id);
-    for (const id of ['course/path', 'course/ramp/0', 'course/block/0', 'robot/body'])
-      assert.ok(ids.includes(id), id);
+    await work(viewer);
     await viewer.close();
-  }));
-}
-
-test('receives every pose of a moving robot, 200 a second', limits, () => withPair({}, async ({ url }) => {
-  const viewer = await new Viewer(url, 'foxglove.websocket.v1').open();
-  const poses = viewer.subscribe('/pose/odometry');
-  const estimates = viewer.subscribe('/estimate');
-  const states = viewer.subscribe('/state');
-  await viewer.untilDriven(states, () => (poses.at(-1)?.value.pose.position.x ?? 0) > 0.1);
-  assert.equal(poses[0].value.frame_id, 'world');
-  // The test uses the time stamps, because a busy machine delays messages and may drop some of them.
-  const gaps = poses.slice(1).map((each, i) => Number(each.timestamp - poses[i].timestamp));
-  gaps.sort((a, b) => a - b);
-  assert.ok(Math.abs(gaps[gaps.length >> 1] - 5e6) < 5e5, `median ${gaps[gaps.length >> 1]} ns`);
-  const steps = estimates.map((each) => each.value.step);
-  steps.slice(1).forEach((step, i) => assert.ok(step > steps[i]));
-  // The pose of a step must equal the estimate of the same step.
-  const match = estimates.find((each) => each.timestamp === poses.at(-10).timestamp);
-  assert.equal(match.value.odometry.x_m, poses.at(-10).value.pose.position.x);
-  await viewer.close();
-}));
-
-test('sets a parameter within its limits', limits, () => withPair({ course: '' }, async ({ url }) => {
-  const viewer = await new Viewer(url, 'foxglove.websocket.v1').open();
-  const name = 'control.cross_track_gain_1ps';
-  const list = viewer.subscribe('/parameter');
-  const listed = await viewer.until(() => list.at(-1)?.value.parameters.find((p) => p.name === name));
-  assert.deepEqual([listed.unit, listed.min, listed.max, listed.live], ['1/s', 0, 50, true]);
-
-  const value = async (id) => {
-    const answer = await viewer.until(() => viewer.parameters.find((each) => each.id === id));
-    return answer.parameters[0].value;
-  };
-  viewer.client.setParameters([{ name, value: 12.5 }], 'good');
-  assert.equal(await value('good'), 12.5);
-  await viewer.until(() => list.at(-1).value.parameters.find((p) => p.name === name).value === 12.5);
-  viewer.client.setParameters([{ name, value: 50.5 }], 'large');
-  assert.equal(await value('large'), 12.5);
-  assert.match(viewer.status.at(-1).message, /0 to 50 1\/s/);
-  viewer.client.setParameters([{ name: 'loop.rate_hz', value: 100 }], 'fixed');
-  assert.equal(await value('fixed'), 200);
-  await viewer.close();
-}));
-
-test('calls stop, and the robot acknowledges', limits, () => withPair({}, async ({ url }) => {
-  const viewer = await new Viewer(url, 'foxglove.sdk.v1').open();
-  const states = viewer.subscribe('/state');
-  const commands = viewer.subscribe('/command');
-  await viewer.untilDriven(states, () => (commands.at(-1)?.value.speed_mps ?? 0) > 0.05);
-  states.length = 0;
-  const answer = await viewer.call('stop');
-  assert.equal(answer.acknowledged, true);
-  assert.ok(answer.acknowledged_ms > 0);
-  const state = await viewer.until(() => states.find((each) => each.value.run === 'aborted'));
-  assert.deepEqual(state.value.faults.map((fault) => fault.name), ['stop_requested']);
-  const last = (await viewer.until(() => states.find(
-    (each) => each.value.stop.status === 'acknowledged'))).value;
-  assert.equal(last.stop.acknowledged_ms, answer.acknowledged_ms);
-  assert.equal(last.stop.latched, true);
-  // Only a start ends the latched stop.
-  await viewer.until(() => states.at(-1).value.can.start);
-  assert.deepEqual(await viewer.call('start', consent(states.at(-1))), { accepted: true });
-  await viewer.until(() => states.at(-1).value.run === 'running');
-  assert.equal(states.at(-1).value.stop.latched, false);
-  await viewer.close();
-}));
-
-test('a robot that is gone does not acknowledge', limits, () => withPair({}, async ({ url, robot }) => {
-  const viewer = await new Viewer(url, 'foxglove.sdk.v1').open();
-  const states = viewer.subscribe('/state');
-  await viewer.until(() => states.at(-1)?.value.session === 'ready');
-  robot.kill('SIGKILL');
-  await once(robot, 'exit');
-  const answer = await viewer.call('stop');
-  assert.deepEqual(answer, { acknowledged: false });
-  const last = await viewer.until(() => states.find(
-    (each) => each.value.stop.status === 'not_acknowledged'));
-  assert.equal(last.value.stop.latched, true);
-  await viewer.close();
-}));
-
-test('refuses a foreign page and a foreign name', limits, () => withPair({ course: '' }, async ({ url }) => {
-  const address = url.replace('http', 'ws');
-  const refused = (options) => new Promise((resolve, reject) => {
-    const socket = new WebSocket(address, ['foxglove.sdk.v1'], options);
-    socket.on('open', () => reject(new Error('accepted')));
-    socket.on('unexpected-response', (_, response) => resolve(response.statusCode));
-    socket.on('error', () => {});
   });
-  assert.equal(await refused({ origin: 'http://evil.example' }), 403);
-  assert.equal(await refused({ headers: { Host: 'evil.example' } }), 403);
-  const page = await fetch(url);
-  assert.equal(page.status, 200);
-  assert.match(page.headers.get('content-type'), /text\/html/);
-  assert.equal((await (await fetch(`${url}healthz`)).json()).ok, true);
+
+  for (const protocol of ['foxglove.websocket.v1', 'foxglove.sdk.v1'])
+    await viewed(`it lists the channels over ${protocol}`, async (viewer) => {
+      assert.equal(viewer.socket.protocol, protocol);
+      assert.equal(viewer.info.name, 'tp100d');
+      assert.equal(viewer.info.metadata.course, '3');
+      const names = { '/tf': 'foxglove.FrameTransforms', '/pose/odometry': 'foxglove.PoseInFrame',
+        '/path': 'foxglove.PosesInFrame', '/scene': 'foxglove.SceneUpdate', '/log': 'foxglove.Log',
+        '/estimate': 'tp100.Estimate', '/sample': 'tp100.Sample', '/command': 'tp100.Command',
+        '/slip': 'tp100.Slip', '/link': 'tp100.Link', '/loop': 'tp100.Loop', '/state': 'tp100.State' };
+      for (const [topic, schema] of Object.entries(names)) {
+        assert.equal(viewer.channels.get(topic)?.schemaName, schema, topic);
+        assert.equal(viewer.channels.get(topic).encoding, 'json');
+      }
+      const scene = viewer.subscribe('/scene');
+      await viewer.until(() => scene.length > 0);
+      const ids = scene[0].value.entities.map((entity) => entity.id);
+      for (const id of ['course/path', 'course/ramp/0', 'course/block/0', 'robot/body']) assert.ok(ids.includes(id), id);
+    }, protocol);
+
+  await viewed('it receives every pose of a moving robot, 200 a second', async (viewer) => {
+    const poses = viewer.subscribe('/pose/odometry');
+    const estimates = viewer.subscribe('/estimate');
+    const states = viewer.subscribe('/state');
+    await viewer.untilDriven(states, () => (poses.at(-1)?.value.pose.position.x ?? 0) > 0.1);
+    assert.equal(poses[0].value.frame_id, 'world');
+    // The test uses the time stamps, because a busy machine delays messages and may drop some of them.
+    const gaps = poses.slice(1).map((each, i) => Number(each.timestamp - poses[i].timestamp));
+    gaps.sort((a, b) => a - b);
+    assert.ok(Math.abs(gaps[gaps.length >> 1] - 5e6) < 5e5, `median ${gaps[gaps.length >> 1]} ns`);
+    const steps = estimates.map((each) => each.value.step);
+    steps.slice(1).forEach((step, i) => assert.ok(step > steps[i]));
+    // The pose of a step must equal the estimate of the same step.
+    const match = estimates.find((each) => each.timestamp === poses.at(-10).timestamp);
+    assert.equal(match.value.odometry.x_m, poses.at(-10).value.pose.position.x);
+  });
+
+  await viewed('it sets a parameter within its limits', async (viewer) => {
+    const name = 'control.cross_track_gain_1ps';
+    const list = viewer.subscribe('/parameter');
+    const listed = await viewer.until(() => list.at(-1)?.value.parameters.find((p) => p.name === name));
+    assert.deepEqual([listed.unit, listed.min, listed.max, listed.live], ['1/s', 0, 50, true]);
+    const value = async (id) => {
+      const answer = await viewer.until(() => viewer.parameters.find((each) => each.id === id));
+      return answer.parameters[0].value;
+    };
+    viewer.client.setParameters([{ name, value: 4.5 }], 'good');
+    assert.equal(await value('good'), 4.5);
+    await viewer.until(() => list.at(-1).value.parameters.find((p) => p.name === name).value === 4.5);
+    viewer.client.setParameters([{ name, value: 50.5 }], 'large');
+    assert.equal(await value('large'), 4.5);
+    assert.match(viewer.status.at(-1).message, /0 to 50 1\/s/);
+  });
+
+  await viewed('it calls stop, which the robot acknowledges, and then start', async (viewer) => {
+    const states = viewer.subscribe('/state');
+    const commands = viewer.subscribe('/command');
+    await viewer.untilDriven(states, () => (commands.at(-1)?.value.speed_mps ?? 0) > 0.05);
+    states.length = 0;
+    const answer = await viewer.call('stop');
+    assert.equal(answer.acknowledged, true);
+    assert.ok(answer.acknowledged_ms > 0);
+    const state = await viewer.until(() => states.find((each) => each.value.run === 'aborted'));
+    assert.deepEqual(state.value.faults.map((fault) => fault.name), ['stop_requested']);
+    const last = (await viewer.until(() => states.find((each) => each.value.stop.status === 'acknowledged'))).value;
+    assert.equal(last.stop.acknowledged_ms, answer.acknowledged_ms);
+    assert.equal(last.stop.latched, true);
+    // Only a start ends the latched stop.
+    await viewer.until(() => states.at(-1).value.can.start);
+    assert.deepEqual(await viewer.call('start', consent(states.at(-1))), { accepted: true });
+    await viewer.until(() => states.at(-1).value.run === 'running');
+    assert.equal(states.at(-1).value.stop.latched, false);
+  });
 }));

@@ -1,26 +1,17 @@
 // Another implementation of the format must accept every recording, read as a stream and through its index, with every
 // CRC checked.
 import assert from 'node:assert/strict';
-import { execFileSync, spawn } from 'node:child_process';
-import { mkdtemp, readdir, readFile, rm } from 'node:fs/promises';
-import { tmpdir } from 'node:os';
+import { execFileSync } from 'node:child_process';
+import { readdir, readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import test from 'node:test';
+import { readMcap } from './mcap_file.mjs';
 import { load } from './packages.mjs';
+import { inFolder, lineCourse, pause, program, withRobot } from './programs.mjs';
 
-const { McapIndexedReader, McapStreamReader } = load('@mcap/core');
+const { McapStreamReader } = load('@mcap/core');
 const { decompress } = load('fzstd');
 const decompressHandlers = { zstd: (bytes, size) => decompress(bytes, new Uint8Array(Number(size))) };
-const program = (name) => join(process.env.TP100_BIN, name);
-
-async function inFolder(work) {
-  const folder = await mkdtemp(join(tmpdir(), 'tp100-npm-'));
-  try {
-    return await work(folder);
-  } finally {
-    await rm(folder, { recursive: true, force: true });
-  }
-}
 
 /** The only run that was recorded into `folder`. */
 async function recorded(folder) {
@@ -77,33 +68,20 @@ function checkAgainst(schema, value, where) {
   }
 }
 
-async function readThroughIndex(bytes) {
-  const readable = {
-    size: async () => BigInt(bytes.length),
-    read: async (offset, length) =>
-      new Uint8Array(bytes.buffer, bytes.byteOffset + Number(offset), Number(length)),
-  };
-  const reader = await McapIndexedReader.Initialize({ readable, decompressHandlers });
-  const counts = new Map();
-  let last = 0n;
-  for await (const message of reader.readMessages({ validateCrcs: true })) {
-    assert.ok(message.logTime >= last);
-    last = message.logTime;
-    const topic = reader.channelsById.get(message.channelId).topic;
-    counts.set(topic, (counts.get(topic) ?? 0) + 1);
-  }
-  const attachments = [];
+async function readThroughIndex(file) {
+  const { reader, topics } = await readMcap(file);
+  const attachments = [], metadata = [];
   for await (const entry of reader.readAttachments({ validateCrcs: true })) attachments.push(entry.name);
-  const metadata = [];
   for await (const entry of reader.readMetadata()) metadata.push(entry.metadata);
-  return { counts, attachments, metadata, statistics: reader.statistics };
+  return { topics, attachments, metadata, statistics: reader.statistics };
 }
 
 async function check(file) {
-  const bytes = await readFile(file);
-  const streamed = readAsStream(bytes);
-  const indexed = await readThroughIndex(bytes);
-  assert.deepEqual(streamed.counts, indexed.counts);
+  const streamed = readAsStream(await readFile(file));
+  const indexed = await readThroughIndex(file);
+  assert.deepEqual(streamed.counts, new Map([...indexed.topics].map(([topic, messages]) => [topic, messages.length])));
+  for (const messages of indexed.topics.values())
+    messages.forEach(({ logTime }, i) => assert.ok(i === 0 || logTime >= messages[i - 1].logTime));
   assert.deepEqual(streamed.attachments, indexed.attachments);
   assert.deepEqual(streamed.metadata, indexed.metadata);
   const total = [...streamed.counts.values()].reduce((sum, count) => sum + count, 0);
@@ -124,43 +102,28 @@ test('a course in virtual time', () => inFolder(async (folder) => {
   assert.equal(metadata[0].get('seed'), '1');
 }));
 
-test('a live run, whole and killed', () => inFolder(async (folder) => {
-  const robot = spawn(program('tp100-sim'), ['robot', '--link', join(folder, 'port'), '--course', '1-straight'],
-    { stdio: ['ignore', 'pipe', 'pipe'] });
-  try {
-    await new Promise((resolve) => robot.stdout.once('data', resolve));
-    const configuration = join(folder, 'tp100.toml');
-    await (await import('node:fs/promises')).writeFile(configuration,
-      '[loop]\npriority = 0\nlock_memory = false\nspin_us = 0\n');
-    const course = join(folder, 'short.toml');
-    await (await import('node:fs/promises')).writeFile(course,
-      'description = "short"\nspeed_mps = 0.1\n[[segment]]\ntype = "line"\nlength_m = 0.3\n'
-      + '[fence]\nmin_x_m = -1.0\nmax_x_m = 1.0\nmin_y_m = -1.0\nmax_y_m = 1.0\n');
-    const run = (name, more, kill) => new Promise((resolve) => {
-      const daemon = spawn(program('tp100d'), ['run', '--config', configuration, '--port', join(folder, 'port'),
-        '--listen', '127.0.0.1:0', '--record', join(folder, name), ...more], { stdio: 'ignore' });
-      daemon.once('exit', resolve);
-      if (kill) setTimeout(() => daemon.kill('SIGKILL'), 3000);
-    });
-    // On a busy machine commands may arrive too late; then the run is aborted, and the recording says so.
-    const end = await run('whole', ['--course', course, '--duration', '30'], false) === 0 ? 'finished' : 'aborted';
-    const { counts, events, steps } = await check(await recorded(join(folder, 'whole')));
-    assert.ok(counts.get('/step') > 100);
-    for (const change of ['idle -> arming', 'arming -> running', `running -> ${end}`]) {
-      const at = events.get(`state: ${change}`);
-      assert.ok(at >= steps[0] && at <= steps.at(-1), change);
-    }
-
-    for (const topic of ['/event', '/log', '/state', '/link', '/loop', '/parameter'])
-      assert.ok(counts.get(topic) > 0, topic);
-    assert.equal(counts.get('/event'), counts.get('/log'));
-
-    await run('killed', [], true);
-    const cut = await recorded(join(folder, 'killed'));
-    execFileSync(program('tp100d'), ['recover', cut]);
-    const saved = await check(cut.replace('.mcap', '-recovered.mcap'));
-    assert.ok(saved.counts.get('/step') > 50);
-  } finally {
-    robot.kill();
+test('a live run, whole and killed', () => withRobot(async ({ folder, daemon }) => {
+  const records = (name) => ['--record', join(folder, name)];
+  const whole = await daemon('', ['--course', await lineCourse(folder, 0.3), '--duration', '30', ...records('whole')]);
+  // On a busy machine commands may arrive too late; then the run is aborted, and the recording says so.
+  const [status] = await whole.exit;
+  const end = status === 0 && !whole.lines.some((line) => line.includes('running -> aborted')) ? 'finished' : 'aborted';
+  const { counts, events, steps } = await check(await recorded(join(folder, 'whole')));
+  assert.ok(counts.get('/step') > 100);
+  for (const change of ['idle -> arming', 'arming -> running', `running -> ${end}`]) {
+    const at = events.get(`state: ${change}`);
+    assert.ok(at >= steps[0] && at <= steps.at(-1), change);
   }
+  for (const topic of ['/event', '/log', '/state', '/link', '/loop', '/parameter']) assert.ok(counts.get(topic) > 0, topic);
+  assert.equal(counts.get('/event'), counts.get('/log'));
+
+  const killed = await daemon('', records('killed'));
+  await killed.said(/state: syncing -> ready/);
+  await pause(2000);
+  killed.child.kill('SIGKILL');
+  await killed.exit;
+  const cut = await recorded(join(folder, 'killed'));
+  execFileSync(program('tp100d'), ['recover', cut]);
+  const saved = await check(cut.replace('.mcap', '-recovered.mcap'));
+  assert.ok(saved.counts.get('/step') > 50);
 }));

@@ -1,17 +1,16 @@
 // A recording as a rosbag2 bag, read by packages of other authors: every field is compared with its channels.
 import assert from 'node:assert/strict';
 import { execFileSync, spawnSync } from 'node:child_process';
-import { mkdtemp, readFile, readdir, rm, writeFile } from 'node:fs/promises';
-import { tmpdir } from 'node:os';
+import { readFile, readdir, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import test from 'node:test';
 import { readMcap } from './mcap_file.mjs';
 import { load } from './packages.mjs';
+import { inFolder, lineCourse, program } from './programs.mjs';
 import { angles, decode, definitionsOf, difference, elsewhere, nanoseconds, planarVariances, quaternion } from './ros2.mjs';
 
 const { parse } = load('@foxglove/rosmsg');
 const { parse: parseYaml } = load('yaml');
-const program = (name) => join(process.env.TP100_BIN, name);
 
 const near = (actual, expected, what, tolerance = 1e-6) =>
   assert.ok(Math.abs(actual - expected) <= tolerance, `${what}: ${actual}, expected ${expected}`);
@@ -34,37 +33,30 @@ async function robotFile(name) {
   return sections;
 }
 
-const short = 'short.toml';
-const shortCourse = 'description = "short"\nspeed_mps = 0.1\n[[segment]]\ntype = "line"\nlength_m = 0.05\n'
-  + '[fence]\nmin_x_m = -1.0\nmax_x_m = 1.0\nmin_y_m = -1.0\nmax_y_m = 1.0\n';
-
-/** Records a course in virtual time, which ends with `status`, and calls `work` with its channels and with its bag. */
-async function bagOf(options, work, status = 0) {
-  const folder = await mkdtemp(join(tmpdir(), 'tp100-npm-'));
-  try {
-    await writeFile(join(folder, short), shortCourse);
-    const course = spawnSync(program('tp100-sim'), ['course', ...options, '--record', join(folder, 'runs')],
-      { cwd: folder, encoding: 'utf8', stdio: ['ignore', 'ignore', 'pipe'] });
-    assert.equal(course.status, status, course.stderr);
-    const [run] = await readdir(join(folder, 'runs'));
-    const bag = join(folder, 'bag');
-    execFileSync(program('tp100d'), ['export', join(folder, 'runs', run), '--ros2', bag]);
-    assert.deepEqual((await readdir(bag)).sort(), ['bag_0.mcap', 'metadata.yaml']);
-    const recording = await readMcap(join(folder, 'runs', run, 'run.mcap'));
-    const json = (topic) => recording.topics.get(topic).map(({ logTime, data }) =>
-      ({ logTime, value: JSON.parse(new TextDecoder().decode(data)) }));
-    let facts;
-    for await (const { metadata } of recording.reader.readMetadata({ name: 'tp100' })) facts = Object.fromEntries(metadata);
-    const { reader, topics } = await readMcap(join(bag, 'bag_0.mcap'));
-    const types = new Map([...reader.channelsById.values()].map((channel) =>
-      [channel.topic, reader.schemasById.get(channel.schemaId).name]));
-    const messages = (topic) => topics.get(topic).map(({ logTime, data }) =>
-      ({ logTime, value: decode(types.get(topic), data) }));
-    await work({ folder, reader, topics, types, json, facts, messages, metadata: await readFile(join(bag, 'metadata.yaml'), 'utf8') });
-  } finally {
-    await rm(folder, { recursive: true, force: true });
-  }
-}
+/**
+ * Records a course in virtual time, which ends with `status`, and calls `work` with its channels and with its bag. Without
+ * a name of a course it is a short one.
+ */
+const bagOf = (options, work, { course, status = 0 } = {}) => inFolder(async (folder) => {
+  const name = course ?? await lineCourse(folder, 0.05);
+  const ended = spawnSync(program('tp100-sim'), ['course', name, ...options, '--record', join(folder, 'runs')],
+    { encoding: 'utf8', stdio: ['ignore', 'ignore', 'pipe'] });
+  assert.equal(ended.status, status, ended.stderr);
+  const [run] = await readdir(join(folder, 'runs'));
+  const bag = join(folder, 'bag');
+  execFileSync(program('tp100d'), ['export', join(folder, 'runs', run), '--ros2', bag]);
+  assert.deepEqual((await readdir(bag)).sort(), ['bag_0.mcap', 'metadata.yaml']);
+  const recording = await readMcap(join(folder, 'runs', run, 'run.mcap'));
+  const json = (topic) => recording.topics.get(topic).map(({ logTime, data }) =>
+    ({ logTime, value: JSON.parse(new TextDecoder().decode(data)) }));
+  let facts;
+  for await (const { metadata } of recording.reader.readMetadata({ name: 'tp100' })) facts = Object.fromEntries(metadata);
+  const { reader, topics } = await readMcap(join(bag, 'bag_0.mcap'));
+  const types = new Map([...reader.channelsById.values()].map((channel) =>
+    [channel.topic, reader.schemasById.get(channel.schemaId).name]));
+  const messages = (topic) => topics.get(topic).map(({ logTime, data }) => ({ logTime, value: decode(types.get(topic), data) }));
+  await work({ folder, reader, topics, types, json, facts, messages, metadata: await readFile(join(bag, 'metadata.yaml'), 'utf8') });
+});
 
 // As written by rosbag2: policies of rmw as numbers, and the largest duration for "none".
 const wholeNumbers = { intAsBigInt: true };
@@ -77,7 +69,7 @@ const qosOf = (topic) => ({
   liveliness_lease_duration: endless, avoid_ros_namespace_conventions: false,
 });
 
-test('the bag is what rosbag2 reads', () => bagOf([short], async ({ reader, topics, types, metadata }) => {
+test('the bag is what rosbag2 reads', () => bagOf([], async ({ reader, topics, types, metadata }) => {
   assert.equal(reader.header.profile, 'ros2');
   assert.deepEqual([...types.keys()].sort(), ['/battery_state', '/clock', '/ground_truth', '/imu/data', '/joint_states', '/odom',
     '/path', '/pose/fused', '/robot_description', '/tf', '/tf_static', '/tp100/state']);
@@ -223,7 +215,7 @@ const runs = [
     options: ['--robot', 'large', '--setup', 'terrain', '--fault', 'imu-frozen@6'] },
 ];
 for (const { what, options, robot = 'end-loaded', status = 0 } of runs)
-  test(`every field is the recording's own, ${what}`, () => bagOf(['3', ...options], async ({ json, facts, messages, topics }) => {
+  test(`every field is the recording's own, ${what}`, () => bagOf(options, async ({ json, facts, messages, topics }) => {
     const { shape, drive } = await robotFile(robot);
     const expected = expectedBag(json, shape.wheel_radius_m, drive.counts_per_metre);
     const others = ['/robot_description', '/tp100/state'];
@@ -265,12 +257,12 @@ for (const { what, options, robot = 'end-loaded', status = 0 } of runs)
     const shift = Math.max(...messages('/tf').map(({ value }) => Math.hypot(value.transforms[0].transform.translation.x,
       value.transforms[0].transform.translation.y)));
     assert.ok(camera ? shift > 1e-4 : shift === 0, `shift ${shift}`);
-  }, status));
+  }, { course: '3', status }));
 
 test("every robot's description is a tree from base_link with the sizes of its file", async () => {
   const folder = new URL('../../config/robots/', import.meta.url);
   for (const robot of (await readdir(folder)).map((name) => name.replace('.toml', '')))
-    await bagOf([short, '--robot', robot], async ({ folder: at, messages }) => {
+    await bagOf(['--robot', robot], async ({ folder: at, messages }) => {
       const [{ value: { data: urdf } }] = messages('/robot_description');
       await writeFile(join(at, 'robot.urdf'), urdf);
       // ROS's own reader.

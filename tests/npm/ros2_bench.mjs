@@ -2,13 +2,14 @@
 // robot is commanded to stop and stands after each kind of loss of the driver (or only LOSS), as JSON rows; 0 leaves a
 // part out. Run it in_network.
 import { execFileSync } from 'node:child_process';
-import { readFile, readdir, writeFile } from 'node:fs/promises';
+import { readFile, readdir } from 'node:fs/promises';
 import { cpus } from 'node:os';
 import { join } from 'node:path';
 import { readMcap } from './mcap_file.mjs';
+import { lineCourse, pause, program, withRobot } from './programs.mjs';
 import { decode, nanoseconds } from './ros2.mjs';
 import { loseDriver, losses, movedAfter } from './ros2_driver.mjs';
-import { Peer, latched, percentile, program, ros2On, topics, withRobot, withSecondHost } from './ros2_network.mjs';
+import { Peer, latched, percentile, ros2On, topics, withSecondHost } from './ros2_network.mjs';
 
 const [seconds, rounds, trials] = process.argv.slice(2, 5).map(Number);
 const ways = process.argv[5] ? [process.argv[5]] : Object.keys(losses);
@@ -19,18 +20,10 @@ function printTimes(what, values, unit, counts = {}) {
   print({ what, unit, count: values.length, p50: percentile(values, 0.5), p99: percentile(values, 0.99), max: percentile(values, 1), ...counts });
 }
 
-/** A course that takes at least `duration` seconds. */
-async function slowCourse(folder, duration) {
-  const file = join(folder, 'slow.toml'), length = 0.05 * duration;
-  await writeFile(file, `description = "slow"\nspeed_mps = 0.05\n[[segment]]\ntype = "line"\nlength_m = ${length}\n`
-    + `[fence]\nmin_x_m = -1.0\nmax_x_m = ${length + 1}\nmin_y_m = -1.0\nmax_y_m = 1.0\n`);
-  return file;
-}
-
 /** Measures every topic while the robot drives: lost messages, and the age of those that arrive. */
 const measureTopics = (pacing) => withRobot(async ({ folder, daemon }) => {
   const peer = await Peer.ofEverything('42timed');
-  const course = await slowCourse(folder, seconds + 5);
+  const course = await lineCourse(folder, 0.05 * (seconds + 5), 0.05);
   const run = await daemon(ros2On, ['--course', course, '--record', join(folder, 'runs'), '--duration', String(seconds + 5)],
     `pacing = "${pacing}"`);
   await run.exit;
@@ -97,7 +90,7 @@ async function loopRun({ ros2, subscriber, dds_cpu }) {
     const together = [];
     let after = before;
     while (Date.now() - began < (duration - 3) * 1000) {
-      await new Promise((resolve) => { setTimeout(resolve, 100); });
+      await pause(100);
       after = await threadsOf(run.child.pid);
       together.push(after.find(({ loop }) => loop)?.cpu === after.find(({ name }) => name === 'ros2')?.cpu);
     }

@@ -2,8 +2,9 @@
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import test from 'node:test';
-import { Driver, loseDriver, losses, movedAfter, pause, twist, twistStamped } from './ros2_driver.mjs';
-import { Peer, ddsType, ros2On, withRobot, withSecondHost } from './ros2_network.mjs';
+import { pause, withRobot } from './programs.mjs';
+import { Driver, loseDriver, losses, movedAfter, twist, twistStamped } from './ros2_driver.mjs';
+import { Peer, ddsType, ros2On, withSecondHost } from './ros2_network.mjs';
 
 const limits = { timeout: 120_000 };
 const stays = ['--stay', '--wait'];

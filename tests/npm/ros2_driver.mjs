@@ -3,14 +3,13 @@ import { execFileSync } from 'node:child_process';
 import { readdir } from 'node:fs/promises';
 import { join } from 'node:path';
 import { readMcap } from './mcap_file.mjs';
+import { pause } from './programs.mjs';
 import { angles, decode } from './ros2.mjs';
 import { Peer, ddsType } from './ros2_network.mjs';
 
 const odometry = 'nav_msgs/msg/Odometry', bool = 'std_msgs/msg/Bool', truth = 'geometry_msgs/msg/PoseStamped';
 export const twist = 'geometry_msgs/msg/Twist', twistStamped = 'geometry_msgs/msg/TwistStamped';
 const periodMs = 25;
-
-export const pause = (ms) => new Promise((resolve) => { setTimeout(resolve, ms); });
 
 export class Driver {
   /** `under`: prefix of its command. */

@@ -4,15 +4,16 @@ import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { once } from 'node:events';
 import { readFileSync, readdirSync } from 'node:fs';
-import { mkdtemp, readdir, rm, writeFile } from 'node:fs/promises';
-import { cpus, tmpdir } from 'node:os';
+import { readdir, writeFile } from 'node:fs/promises';
+import { cpus } from 'node:os';
 import { join } from 'node:path';
 import test from 'node:test';
 import { readMcap } from './mcap_file.mjs';
 import { load } from './packages.mjs';
+import { inFolder, lineCourse, ordinary, program, start, withRobot } from './programs.mjs';
 import { decode, nanoseconds } from './ros2.mjs';
 import { Driver } from './ros2_driver.mjs';
-import { Peer, ddsType, discovery, latched, ordinary, percentile, program, ros2On, start, topics, withRobot, withSecondHost } from './ros2_network.mjs';
+import { Peer, ddsType, discovery, latched, ros2On, topics, withSecondHost } from './ros2_network.mjs';
 
 const { parse } = load('@foxglove/rosmsg');
 const { MessageReader } = load('@foxglove/rosmsg2-serialization');
@@ -24,56 +25,43 @@ async function bagOf(folder) {
   return readMcap(join(folder, 'bag', 'bag_0.mcap'));
 }
 
-const shortCourse = 'description = "short"\nspeed_mps = 0.1\n[[segment]]\ntype = "line"\nlength_m = 0.3\n'
-  + '[fence]\nmin_x_m = -1.0\nmax_x_m = 1.0\nmin_y_m = -1.0\nmax_y_m = 1.0\n';
-
 /** DDS pads a message to a multiple of four bytes. */
 const same = (received, written) => received.length - written.length < 4
   && received.subarray(0, written.length).equals(written);
 
-test('another implementation receives every message of a run', limits, (t) => withRobot(async ({ folder, daemon }) => {
-  const listener = await Peer.ofEverything(42);
-  try {
-    const course = join(folder, 'short.toml');
-    await writeFile(course, shortCourse);
-    const run = await daemon(ros2On, ['--course', course, '--record', join(folder, 'runs')]);
-    await run.exit;
-    await listener.end();
-    const { reader, topics: bag } = await bagOf(folder);
-
-    for (const [topic, [, qos]] of topics) {
-      const received = listener.messages(topic), sent = bag.get(topic).map(({ data }) => Buffer.from(data));
-      assert.ok(received.length > 0, topic);
-      if (qos[0] === 'B') {
-        // Best effort: some messages may be lost, but none may be altered or repeated.
-        let at = -1;
-        for (const bytes of received) {
-          at = sent.findIndex((each, i) => i > at && same(bytes, each));
-          assert.ok(at >= 0, `${topic}: an unknown message`);
-        }
-        t.diagnostic(`${topic}: ${received.length} of ${sent.length}`);
-        continue;
+/** Expects every message of a bag on its topic, once and in order; the first ones may precede the meeting of both ends. */
+function sameAsBag(listener, bag, all, t) {
+  for (const [topic, [, qos]] of all) {
+    const received = listener.messages(topic), sent = bag.get(topic).map(({ data }) => Buffer.from(data));
+    assert.ok(received.length > 0, topic);
+    t.diagnostic(`${topic}: ${received.length} of ${sent.length}`);
+    if (latched.includes(topic)) {
+      // Its stamp is the daemon's start; the bag's is that of its first step.
+      assert.equal(received.length, 1, topic);
+    } else if (qos[0] === 'B') {
+      // Best effort: some messages may be lost, but none may be altered or repeated.
+      let at = -1;
+      for (const bytes of received) {
+        at = sent.findIndex((each, i) => i > at && same(bytes, each));
+        assert.ok(at >= 0, `${topic}: an unknown message`);
       }
-      if (latched.includes(topic)) {
-        // Its stamp is the daemon's start; the bag's is that of its first step.
-        assert.equal(received.length, 1, topic);
-        continue;
-      }
-      // Nothing is lost once both ends have met.
+    } else {
       const missed = sent.findIndex((each) => same(received[0], each));
       assert.ok(missed >= 0, `${topic}: an unknown message`);
       assert.equal(received.length, sent.length - missed, topic);
       received.forEach((bytes, i) => assert.ok(same(bytes, sent[missed + i]), `${topic} ${i}`));
-      t.diagnostic(`${topic}: ${received.length} of ${sent.length}, ${missed} of them before both ends had met`);
     }
-    const ages = listener.found.filter(({ message }) => message === 'rt/odom').map((each) => ({
-      network: Number(BigInt(each.received_ns) - BigInt(each.sent_ns)) / 1e6,
-      whole: Number(BigInt(each.received_ns)
-        - nanoseconds(decode('nav_msgs/msg/Odometry', Buffer.from(each.cdr, 'hex')).header.stamp)) / 1e6,
-    }));
-    for (const kind of ['network', 'whole'])
-      t.diagnostic(`age of /odom, ${kind}: ${[0.5, 0.99].map((share) =>
-        percentile(ages.map((age) => age[kind]), share).toFixed(2)).join(', ')} ms (median, 99 %)`);
+  }
+}
+
+test('another implementation receives every message of a run', limits, (t) => withRobot(async ({ folder, daemon }) => {
+  const listener = await Peer.ofEverything(42);
+  try {
+    const run = await daemon(ros2On, ['--course', await lineCourse(folder, 0.3), '--record', join(folder, 'runs')]);
+    await run.exit;
+    await listener.end();
+    const { reader, topics: bag } = await bagOf(folder);
+    sameAsBag(listener, bag, topics, t);
 
     // The announced writers must be those of the bag's channels.
     const writers = listener.found.filter(({ writer }) => writer);
@@ -145,74 +133,16 @@ test('threads of DDS have neither the scheduling nor the processor of the loop',
   if (cpus().length > 1) assert.equal(threads.filter(({ processors }) => processors === '0').length, 1, text);
 }));
 
-test('the emulated robot tells where it truly is', limits, () => withRobot(async ({ daemon }) => {
-  const listener = new Peer(42, ['rt/ground_truth=geometry_msgs::msg::dds_::PoseStamped_=RV',
-    'rt/odom=nav_msgs::msg::dds_::Odometry_=RV']);
-  try {
-    const run = await daemon(ros2On, ['--course', '1-straight', '--duration', '8']);
-    await run.exit;
-    await listener.end();
-    const poses = (topic, type) => listener.messages(topic).map((bytes) => {
-      const { header, pose } = decode(type, bytes);
-      return { at: Number(nanoseconds(header.stamp)) / 1e9, position: (pose.pose ?? pose).position, frame: header.frame_id };
-    });
-    const truth = poses('/ground_truth', 'geometry_msgs/msg/PoseStamped');
-    assert.ok(truth.every(({ frame }) => frame === 'map'));
-    const odometry = poses('/odom', 'nav_msgs/msg/Odometry');
-    let compared = 0;
-    for (const { at, position } of odometry) {
-      const near = truth.find((each) => Math.abs(each.at - at) < 0.004);
-      if (near === undefined) continue;
-      ++compared;
-      assert.ok(Math.hypot(near.position.x - position.x, near.position.y - position.y) < 0.05,
-        `at ${at}: ${JSON.stringify([near.position, position])}`);
-    }
-    assert.ok(compared > odometry.length / 2, `${compared} of ${odometry.length}`);
-    assert.ok(odometry.at(-1).position.x > 0.01, 'it drove');
-    assert.equal(listener.found.filter(({ participant }) => participant).length, 2);
-  } finally {
-    await listener.end();
-  }
-}, ['--ros2']));
-
-test('nobody is on the network unless it is switched on', limits, () => withRobot(async ({ daemon }) => {
-  const listener = await Peer.ofEverything(42);
-  try {
-    const off = await daemon('', ['--duration', '2']);
-    await off.exit;
-    assert.ok(!listener.found.some(({ participant, writer }) => participant || writer));
-    // The same with ROS 2 on, to show that the listener would have seen the first daemon.
-    const on = await daemon(ros2On, ['--duration', '2']);
-    await on.exit;
-    assert.equal(listener.found.filter(({ participant }) => participant).length, 1);
-  } finally {
-    await listener.end();
-  }
-}));
-
-test('a course in virtual time is on the topics as it is in its bag, with /clock and the truth', limits, async () => {
-  const folder = await mkdtemp(join(tmpdir(), 'tp100-npm-'));
+test('a course in virtual time is on the topics as it is in its bag, with /clock and the truth', limits, (t) => inFolder(async (folder) => {
   const simulated = new Map([...topics, ['/clock', ['rosgraph_msgs/msg/Clock', 'BV']], ['/ground_truth', ['geometry_msgs/msg/PoseStamped', 'RV']]]);
   const listener = new Peer(42, [...simulated].map(([name, [type, qos]]) => `rt${name}=${ddsType(type)}=${qos}`));
   try {
     await listener.until(() => listener.found.some(({ listening }) => listening));
-    const course = join(folder, 'short.toml');
-    await writeFile(course, shortCourse);
-    const simulation = start(program('tp100-sim'), ['course', course, '--ros2', '--record', join(folder, 'runs')],
+    const simulation = start(program('tp100-sim'), ['course', await lineCourse(folder, 0.3), '--ros2', '--record', join(folder, 'runs')],
       { stdio: ['ignore', 'ignore', 'inherit'], env: { ...process.env, ROS_DOMAIN_ID: '42' } });
     assert.deepEqual(await once(simulation, 'exit'), [0, null]);
     await listener.end();
-    const { topics: bag } = await bagOf(folder);
-    for (const [topic, [, qos]] of simulated) {
-      const received = listener.messages(topic), sent = bag.get(topic).map(({ data }) => Buffer.from(data));
-      assert.ok(received.length > 0, topic);
-      if (latched.includes(topic)) continue;
-      const missed = sent.findIndex((each) => same(received[0], each));
-      assert.ok(missed >= 0, `${topic}: an unknown message`);
-      if (qos[0] === 'B') continue;
-      assert.equal(received.length, sent.length - missed, topic);
-      received.forEach((bytes, i) => assert.ok(same(bytes, sent[missed + i]), `${topic} ${i}`));
-    }
+    sameAsBag(listener, (await bagOf(folder)).topics, simulated, t);
     const clock = listener.messages('/clock').map((bytes) => nanoseconds(decode('rosgraph_msgs/msg/Clock', bytes).clock));
     clock.forEach((at, i) => assert.ok(i === 0 || at > clock[i - 1]));
     // Virtual time must not run faster than real time.
@@ -220,9 +150,8 @@ test('a course in virtual time is on the topics as it is in its bag, with /clock
     assert.ok(times.at(-1) - times[0] > (clock.at(-1) - clock[0]) * 9n / 10n);
   } finally {
     await listener.end();
-    await rm(folder, { recursive: true, force: true });
   }
-});
+}));
 
 /** Calls `work` with a loopback interface as on most machines, without multicast. */
 async function withoutMulticast(work) {

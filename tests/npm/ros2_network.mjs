@@ -1,21 +1,12 @@
-// The ROS 2 network of a test: other participants (ros2_peer, which is Fast DDS), the emulated robot with daemons, and
-// a second host. Programs that are started here do not outlive the test, however it ends.
-import assert from 'node:assert/strict';
-import { execFileSync, spawn } from 'node:child_process';
+// The ROS 2 network of a test: other participants (ros2_peer, which is Fast DDS) and a second host.
+import { execFileSync } from 'node:child_process';
 import { once } from 'node:events';
-import { mkdtemp, rm, writeFile } from 'node:fs/promises';
-import { tmpdir } from 'node:os';
-import { join } from 'node:path';
 import { createInterface } from 'node:readline';
+import { program, start } from './programs.mjs';
 import { encode } from './ros2.mjs';
-
-export const program = (name) => join(process.env.TP100_BIN, name);
 
 /** Configuration that switches ROS 2 on; TP100_ROS2: another line of that section. */
 export const ros2On = ['[ros2]', 'enabled = true', process.env.TP100_ROS2 ?? ''].join('\n');
-
-/** Like spawn; the program is killed when this one ends. */
-export const start = (command, options, settings) => spawn('setpriv', ['--pdeathsig', 'KILL', command, ...options], settings);
 
 // Topic: type, and quality of service: reliable or best effort, transient local or volatile.
 export const topics = new Map([
@@ -96,52 +87,6 @@ export class Peer {
   async end() {
     this.process.stdin.end();
     if (this.process.exitCode === null && this.process.signalCode === null) await once(this.process, 'exit');
-  }
-}
-
-/** Settings of [loop] with which other programs can run at the same time. */
-export const ordinary = 'priority = 0\nlock_memory = false\nspin_us = 0\nhold_cpu_latency = false';
-
-/** An emulated robot with these options, for daemons that `work` starts. */
-export async function withRobot(work, more = []) {
-  const folder = await mkdtemp(join(tmpdir(), 'tp100-npm-'));
-  const port = join(folder, 'port');
-  const env = { ...process.env, ROS_DOMAIN_ID: '42' };
-  const robot = start(program('tp100-sim'), ['robot', '--link', port, ...more], { stdio: ['ignore', 'pipe', 'inherit'], env });
-  const running = [];
-  try {
-    await once(robot.stdout, 'data');
-    await work({
-      folder,
-      /** A daemon with these lines of configuration and variables; `said(pattern)` waits for a line of its log. */
-      async daemon(ros2, options, loop = ordinary, variables = {}) {
-        const file = join(folder, `${running.length}.toml`);
-        await writeFile(file, `[loop]\n${loop}\n${ros2}\n`);
-        const child = start(program('tp100d'), ['run', '--config', file, '--port', port, '--listen', 'off', ...options],
-          { stdio: ['ignore', 'ignore', 'pipe'], env: { ...env, ...variables } });
-        running.push(child);
-        const lines = [], waiting = new Set();
-        createInterface({ input: child.stderr }).on('line', (line) => {
-          lines.push(line);
-          // On a busy machine a run may be aborted; the daemon would then wait for another start.
-          if (/state: running -> aborted/.test(line) && !options.includes('--stay')) child.kill('SIGTERM');
-          for (const check of waiting) check();
-        });
-        const exit = once(child, 'exit');
-        const said = (pattern) => Promise.race([
-          new Promise((resolve) => {
-            const check = () => { if (lines.some((line) => pattern.test(line))) resolve(); };
-            waiting.add(check);
-            check();
-          }),
-          exit.then(() => assert.match(lines.join('\n'), pattern)),
-        ]);
-        return { child, exit, said, lines };
-      },
-    });
-  } finally {
-    for (const child of [...running, robot]) child.kill('SIGKILL');
-    await rm(folder, { recursive: true, force: true });
   }
 }
 

@@ -4,9 +4,9 @@ import { execFileSync } from 'node:child_process';
 import { readdir } from 'node:fs/promises';
 import { join } from 'node:path';
 import test from 'node:test';
+import { pause, program, withRobot } from './programs.mjs';
 import { angles, decode } from './ros2.mjs';
-import { pause } from './ros2_driver.mjs';
-import { Peer, ddsType, program, ros2On, withRobot } from './ros2_network.mjs';
+import { Peer, ddsType, ros2On } from './ros2_network.mjs';
 
 const limits = { timeout: 240_000 };
 const pose = 'geometry_msgs/msg/PoseStamped', string = 'std_msgs/msg/String', empty = 'std_msgs/msg/Empty';
