@@ -1,10 +1,9 @@
-import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { clock } from '../../../daemon/web/state/format.ts';
-import { driveUntil, picture, run, until } from './cockpit.ts';
+import { driveUntil, goOn, kPhone, kSize, picture, resize, rest, rests, until } from './cockpit.ts';
 import { Program, freePort } from './programs.ts';
 import { Setting } from './setting.ts';
 
@@ -14,25 +13,21 @@ const kImages = 200;
 const kGrey = 12;
 const kGreys = 20;
 
-const folder = mkdtempSync(join(tmpdir(), 'tp100-camera-'));
-const images = join(folder, 'images');
 const port = await freePort();
-const setting = new Setting({
-  options: ['--record', join(folder, 'runs'), '--camera', `udp:${String(port)}`],
-});
+const setting = new Setting({ records: true, options: ['--camera', `udp:${String(port)}`] });
+const images = (): string => join(setting.pair.folder, 'images');
 let camera: Program | undefined;
 
 beforeAll(() => {
-  mkdirSync(images);
+  mkdirSync(images());
   const head = Buffer.from('P5 160 120 255\n');
   for (let i = 0; i < kImages; i++) {
     const grey = kGrey * (i % kGreys);
-    writeFileSync(join(images, `${String(i)}.pgm`), Buffer.concat([head, Buffer.alloc(160 * 120, grey)]));
+    writeFileSync(join(images(), `${String(i)}.pgm`), Buffer.concat([head, Buffer.alloc(160 * 120, grey)]));
   }
 });
 afterAll(async () => {
   await camera?.end();
-  rmSync(folder, { recursive: true, force: true });
 });
 
 /** The number of the image on the page, modulo kGreys; undefined: none. */
@@ -68,7 +63,7 @@ describe("a camera's image", () => {
     const page = await setting.open();
     await until(async () => (await page.getAttribute('#chip-link', 'data-state')) !== '', 'the page');
     expect(await page.isVisible('.camera-image')).toBe(false);
-    camera = new Program('tp100-camera', [images, '--images-only', '--fps', String(kFps), '--send', `udp:${String(port)}`]);
+    camera = new Program('tp100-camera', [images(), '--images-only', '--fps', String(kFps), '--send', `udp:${String(port)}`]);
 
     const first = await next(page, NaN);
     const later = await next(page, first.at_s);
@@ -80,10 +75,8 @@ describe("a camera's image", () => {
     await page.waitForSelector('.camera-image img', { state: 'visible' });
 
     await driveUntil(page, 'running');
-    await picture(page, 'camera-live');
     // On a phone, too, inside the view and beside nothing that is pressed.
-    await page.setViewportSize({ width: 390, height: 844 });
-    await until(() => page.evaluate(() => document.documentElement.clientWidth === 390), 'the page has its size');
+    await resize(page, kPhone);
     const inside = await page.evaluate(() => {
       const box = (selector: string): DOMRect | undefined => document.querySelector(selector)?.getBoundingClientRect();
       const [image, view, modes] = [box('.camera-image'), box('.viewport'), box('.modes')];
@@ -93,8 +86,18 @@ describe("a camera's image", () => {
     });
     await picture(page, 'camera-phone');
     expect(inside).toBe(true);
-    await page.setViewportSize({ width: 1440, height: 900 });
-    await driveUntil(page, 'finished');
+    await resize(page, kSize);
+    const progress = (): Promise<string | null> => page.textContent('.timeline-progress');
+    await until(
+      async () => {
+        if (parseFloat((await progress()) ?? '') > 1.5) return true;
+        await goOn(page);
+        return false;
+      },
+      'enough of a run',
+      progress,
+    );
+    await rest(page);
     await camera.end();
     // The recording ends a second after the run.
     await page.click('#tab-runs');
@@ -125,8 +128,7 @@ describe("a camera's image", () => {
       }, 'the next image');
       expect(next_s).toBeGreaterThanOrEqual(at_s + Number(age) - 0.1);
     }
-    await picture(page, 'camera-replay');
     await page.click('#live');
-    await until(async () => (await run(page)) === 'finished', 'the robot itself');
+    await until(() => rests(page), 'the robot itself');
   });
 });

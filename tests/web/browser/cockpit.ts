@@ -37,6 +37,9 @@ export interface Size {
 
 /** The smallest size with the layout of a large screen, because the processor draws every pixel. */
 export const kSize: Size = { width: 1024, height: 600 };
+export const kDesktop: Size = { width: 1440, height: 900 };
+export const kPhone: Size = { width: 390, height: 844 };
+const kScreens: Size[] = [kDesktop, { width: 768, height: 1024 }, kPhone];
 
 /** Frames of a page in a test that does not look at how often it draws: without a graphics card each one costs a processor. */
 const kFrame_ms = 125;
@@ -83,6 +86,17 @@ export async function drawn(page: Page): Promise<number[] | undefined> {
   return text === null || text === '' ? undefined : text.split(' ').map(Number);
 }
 
+/** Whether no run is under way. */
+export async function rests(page: Page): Promise<boolean> {
+  return ['aborted', 'idle', 'finished'].includes(await run(page));
+}
+
+/** Presses STOP, because an emulated robot starts by itself, and waits for the end of the run. */
+export async function rest(page: Page): Promise<void> {
+  await page.keyboard.press('Escape');
+  await until(() => rests(page), 'no run is under way');
+}
+
 /** Waits until the page shows figures and the robot. */
 export async function alive(page: Page): Promise<void> {
   await until(async () => Number.isFinite(await figure(page, 'x')), 'figures');
@@ -104,7 +118,7 @@ export async function press(page: Page, button: string): Promise<void> {
  */
 export async function goOn(page: Page): Promise<void> {
   if (await page.isVisible('#start-placed')) await press(page, '#start-placed');
-  else if (['aborted', 'idle', 'finished'].includes(await run(page)) && (await page.isEnabled('#start'))) await press(page, '#start');
+  else if ((await rests(page)) && (await page.isEnabled('#start'))) await press(page, '#start');
 }
 
 /** Waits until the run is `wanted`; starts it again as often as necessary. */
@@ -124,6 +138,49 @@ export async function driveUntil(page: Page, wanted: string): Promise<void> {
 export async function again(attempt: () => Promise<boolean>, what: string): Promise<void> {
   let ended = 0;
   while (!(await attempt())) expect(++ended, `${what} that a busy machine has ended`).toBeLessThan(4);
+}
+
+export async function resize(page: Page, size: Size): Promise<void> {
+  await page.setViewportSize(size);
+  await until(() => page.evaluate(([w]) => document.documentElement.clientWidth === w, [size.width]), 'the page has its size');
+}
+
+/**
+ * What is too wide: elements that extend beyond the side of the page, unless a parent element scrolls or hides them, and
+ * elements of `part`, if it is given, whose content is wider than they are.
+ */
+export function tooWide(part: string): string[] {
+  const width = document.documentElement.clientWidth;
+  const out: string[] = [];
+  const note = (element: Element): number => out.push(element.outerHTML.slice(0, 80));
+  if (document.documentElement.scrollWidth > width) out.push(`page is ${document.documentElement.scrollWidth} wide`);
+  for (const element of document.querySelectorAll('body *')) {
+    const box = element.getBoundingClientRect();
+    if (box.width === 0 || (box.left >= -0.5 && box.right <= width + 0.5)) continue;
+    let around = element.parentElement;
+    while (around !== null && getComputedStyle(around).overflowX === 'visible') around = around.parentElement;
+    if (around === null || around === document.body) note(element);
+  }
+  if (part === '') return out;
+  for (const element of document.querySelectorAll(`${part}, ${part} *`)) {
+    // A cell grows with its content, but for the place to press around a checkbox.
+    const shows = element.matches(part) || (element.tagName !== 'TD' && getComputedStyle(element).overflowX === 'visible');
+    if (shows && element.clientWidth > 0 && element.scrollWidth > element.clientWidth + 1) note(element);
+  }
+  return out;
+}
+
+/** Expects that the page and `part` of it fit into a desktop's, a tablet's and a phone's screen. */
+export async function fits(page: Page, part: string, name: string, also?: () => Promise<unknown>): Promise<void> {
+  const before = page.viewportSize() ?? kSize;
+  for (const size of kScreens) {
+    await resize(page, size);
+    await page.locator(part).scrollIntoViewIfNeeded();
+    expect(await page.evaluate(tooWide, part), `${name} at ${size.width}`).toEqual([]);
+    await also?.();
+    await picture(page, `${name}-${size.width}`);
+  }
+  await resize(page, before);
 }
 
 /** Saves a picture for people, beside the test's results. */
@@ -150,6 +207,6 @@ export async function until<T>(
     if (now !== last) still_ms = now_ms + kStill_ms;
     last = now;
     if (now_ms > Math.min(end_ms, still_ms)) throw new Error(`waited in vain: ${what}`);
-    await new Promise((resolve) => setTimeout(resolve, 50));
+    await new Promise((resolve) => setTimeout(resolve, 100));
   }
 }

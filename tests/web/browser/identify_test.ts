@@ -1,18 +1,12 @@
-import { existsSync, mkdtempSync, rmSync } from 'node:fs';
+import { existsSync } from 'node:fs';
 import { mkdir, readFile, writeFile } from 'node:fs/promises';
-import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import type { Page } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { beforeAll, describe, expect, it } from 'vitest';
 import { findings } from './axe.ts';
 import { Bus } from './bus.ts';
-import { alive, picture, run, until, type Size } from './cockpit.ts';
+import { fits, kPhone, rest, run, until, type Size } from './cockpit.ts';
 import { Setting } from './setting.ts';
-
-const kScreens: Size[] = [
-  { width: 1440, height: 900 },
-  { width: 390, height: 844 },
-];
 
 /** Short calibration courses of the user's own. */
 const course = (segment: string): string =>
@@ -29,12 +23,8 @@ const message = (page: Page, pattern: RegExp): Promise<string> =>
   );
 
 async function openIdentify(setting: Setting, size?: Size): Promise<Page> {
-  const page = await setting.open(size);
-  await alive(page);
-  // An emulated robot starts by itself.
-  await page.keyboard.press('Escape');
-  await until(async () => ['aborted', 'idle', 'finished'].includes(await run(page)), 'no run is under way');
-  await page.click('#tab-identify');
+  const page = await setting.openTab('identify', size);
+  await rest(page);
   await page.click('#drawer-size');
   return page;
 }
@@ -68,12 +58,8 @@ async function write(page: Page, name: string, what: string, value: string): Pro
   await page.press(input, 'Tab');
 }
 
-describe.each(kScreens)('the identification at $width x $height', (size) => {
-  const folder = mkdtempSync(join(tmpdir(), 'tp100-identify-'));
-  afterAll(() => {
-    rmSync(folder, { recursive: true, force: true });
-  });
-  const setting = new Setting({ options: ['--record', folder] });
+describe('the identification', () => {
+  const setting = new Setting({ records: true });
   beforeAll(async () => {
     const courses = join(setting.pair.folder, 'library', 'courses');
     await mkdir(courses, { recursive: true });
@@ -82,7 +68,7 @@ describe.each(kScreens)('the identification at $width x $height', (size) => {
   });
 
   it('goes from the drives to a new robot file in use', async () => {
-    const page = await openIdentify(setting, size);
+    const page = await openIdentify(setting, kPhone);
     const bus = new Bus(setting.pair.url, ['/state']);
     await until(() => page.isVisible('[data-course="ahead"]'), 'the courses');
     const courses = await page.locator('.identify-courses > li').evaluateAll((all) => all.map((each) => each.getAttribute('data-course')));
@@ -136,9 +122,8 @@ describe.each(kScreens)('the identification at $width x $height', (size) => {
     const [before, after] = await page.locator('.identify-errors').evaluateAll((all) => all.map((each) => Number(/hand: ([\d.]+) cm/.exec(each.textContent)?.[1])));
     expect(after).toBeLessThan((before ?? NaN) / 2);
     expect(await findings(page, '#page-identify')).toEqual([]);
-    expect(await page.evaluate(() => document.documentElement.scrollWidth <= document.documentElement.clientWidth)).toBe(true);
     expect(await page.isVisible('#stop')).toBe(true);
-    await picture(page, `identify-${size.width}`);
+    await fits(page, '#page-identify', 'identify');
 
     // One of the drives was straight up a board.
     await write(page, 'ahead', 'slope_deg', '10');

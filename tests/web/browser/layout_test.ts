@@ -1,24 +1,12 @@
+// The page as a whole: its layout on every screen, its themes, the map and the scene, and everything without a mouse.
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
-import { alive, drawn, driveUntil, goOn, picture, until, type Size } from './cockpit.ts';
-import { Setting } from './setting.ts';
+import { findings } from './axe.ts';
+import { Bus } from './bus.ts';
+import { alive, drawn, driveUntil, goOn, kDesktop, kPhone, kSize, picture, resize, rests, run, tooWide, until } from './cockpit.ts';
+import { kOthersEnd, Setting } from './setting.ts';
 
-const setting = new Setting();
-
-/** Elements that extend beyond the side of the page, unless a parent element scrolls or hides them. */
-function sticksOut(): string[] {
-  const width = document.documentElement.clientWidth;
-  const out: string[] = [];
-  if (document.documentElement.scrollWidth > width) out.push(`page is ${document.documentElement.scrollWidth} wide`);
-  for (const element of document.querySelectorAll('body *')) {
-    const box = element.getBoundingClientRect();
-    if (box.width === 0 || (box.left >= -0.5 && box.right <= width + 0.5)) continue;
-    let around = element.parentElement;
-    while (around !== null && getComputedStyle(around).overflowX === 'visible') around = around.parentElement;
-    if (around === null || around === document.body) out.push(`${element.tagName} ${element.getAttribute('class') ?? ''}`);
-  }
-  return out;
-}
+const kTabs = ['events', 'courses', 'runs', 'parameters', 'signals', 'link', 'doctor', 'identify', 'keys'];
 
 /** Pairs of the bar's parts that lie over each other, by what they say. */
 function overlaps(): string[] {
@@ -40,19 +28,9 @@ function overlaps(): string[] {
 const frame = (page: Page): Promise<unknown> =>
   page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
 
-const kScreens: Size[] = [
-  { width: 360, height: 640 },
-  { width: 390, height: 844 },
-  { width: 768, height: 1024 },
-  { width: 1001, height: 700 },
-  { width: 1024, height: 600 },
-  { width: 1101, height: 700 },
-  { width: 1241, height: 700 },
-  { width: 1421, height: 700 },
-  { width: 1440, height: 900 },
-  { width: 1501, height: 900 },
-  { width: 2560, height: 1440 },
-];
+/** Both sides of every width at which the layout changes. On the first ones every tab is looked at. */
+const kWidths = [360, 768, 1024, 1440, 390, 1001, 1101, 1241, 1421, 1501, 2560];
+const kEveryTab = 4;
 
 /** Elements that move within `during_ms`, and how far. The event log moves by design: its newest line is on top. */
 async function shifts(page: Page, during_ms: number): Promise<string[]> {
@@ -79,7 +57,79 @@ async function shifts(page: Page, during_ms: number): Promise<string[]> {
   );
 }
 
-describe('the layout', () => {
+const theme = (page: Page): Promise<string | null> => page.getAttribute('html', 'data-theme');
+const pressed = async (page: Page, id: string): Promise<boolean> => (await page.getAttribute(`#${id}`, 'aria-pressed')) === 'true';
+
+/** The brightness of the middle of the map's edge, where nothing but floor and grid is, 0 to 255. */
+const floor = (page: Page): Promise<number> =>
+  page.evaluate(() => {
+    const canvas = document.querySelector<HTMLCanvasElement>('.stage canvas');
+    // A copy, because the browser complains if the page's own canvas is read again and again.
+    const copy = document.createElement('canvas').getContext('2d', { willReadFrequently: true });
+    if (canvas === null || copy === null) return NaN;
+    copy.drawImage(canvas, 1, 1, 1, 1, 0, 0, 1, 1);
+    const { data } = copy.getImageData(0, 0, 1, 1);
+    return ((data[0] ?? 0) + (data[1] ?? 0) + (data[2] ?? 0)) / 3;
+  });
+
+interface Counted {
+  images?: number;
+  drew?: boolean;
+}
+
+/** From now on counts the frames of the page in which the view of the course was drawn. */
+async function countImages(page: Page): Promise<void> {
+  await page.evaluate(() => {
+    const counted = window as Counted;
+    counted.images = 0;
+    const note = (prototype: object, method: string): void => {
+      const calls = prototype as Record<string, (...values: unknown[]) => unknown>;
+      const real = calls[method];
+      calls[method] = function (this: unknown, ...values: unknown[]): unknown {
+        counted.drew = true;
+        return real?.apply(this, values);
+      };
+    };
+    // A map copies its ground, a scene draws triangles; diagrams do neither.
+    note(CanvasRenderingContext2D.prototype, 'drawImage');
+    note(WebGL2RenderingContext.prototype, 'drawElements');
+    note(WebGL2RenderingContext.prototype, 'drawArrays');
+    const frame = (): void => {
+      if (counted.drew === true) counted.images = (counted.images ?? 0) + 1;
+      counted.drew = false;
+      requestAnimationFrame(frame);
+    };
+    requestAnimationFrame(frame);
+  });
+}
+
+/** Images and time of the page during `during_ms`. */
+async function images(page: Page, during_ms: number): Promise<{ count: number; took_s: number }> {
+  return page.evaluate(
+    (wait_ms) =>
+      new Promise<{ count: number; took_s: number }>((resolve) => {
+        const before = (window as Counted).images ?? 0;
+        const began_ms = performance.now();
+        setTimeout(() => {
+          resolve({ count: ((window as Counted).images ?? 0) - before, took_s: (performance.now() - began_ms) / 1000 });
+        }, wait_ms);
+      }),
+    during_ms,
+  );
+}
+
+/** Presses the tab key until `id` has the focus. */
+async function tabTo(page: Page, id: string): Promise<void> {
+  for (let i = 0; i < 60; i++) {
+    await page.keyboard.press('Tab');
+    if ((await page.evaluate(() => document.activeElement?.id)) === id) return;
+  }
+  throw new Error(`tab never reaches ${id}`);
+}
+
+describe('the page', () => {
+  const setting = new Setting();
+
   it('does not move while the numbers do', async () => {
     const page = await setting.open();
     await alive(page);
@@ -98,35 +148,166 @@ describe('the layout', () => {
   });
 
   it('fits into every screen with STOP in sight', async () => {
-    const page = await setting.open(kScreens[0]);
-    await page.click('#camera-free');
+    const page = await setting.open({ width: 360, height: 640 });
     await alive(page);
-    for (const { width, height } of kScreens) {
-      await page.setViewportSize({ width, height });
-      const size = `${width} x ${height}`;
-      await until(() => page.evaluate(([w]) => document.documentElement.clientWidth === w, [width]), `the page is ${size}`);
+    for (const [i, width] of kWidths.entries()) {
+      const height = width < 500 ? 640 : 600;
+      await resize(page, { width, height });
       await frame(page);
-      for (const tab of ['events', 'courses', 'runs', 'parameters', 'doctor', 'identify', 'link']) {
+      for (const tab of kTabs.slice(0, i < kEveryTab ? kTabs.length : 1)) {
         await page.click(`#tab-${tab}`);
-        expect(await page.evaluate(sticksOut), `${tab} in ${size}`).toEqual([]);
+        const where = `${tab} at ${width}`;
+        expect(await page.evaluate(tooWide, ''), where).toEqual([]);
         const stop = await page.locator('#stop').boundingBox();
         if (stop === null) throw new Error('no STOP');
-        expect(stop.x, size).toBeGreaterThanOrEqual(0);
-        expect(stop.y, size).toBeGreaterThanOrEqual(0);
-        expect(stop.x + stop.width, size).toBeLessThanOrEqual(width);
-        expect(stop.y + stop.height, size).toBeLessThanOrEqual(height);
-        expect(stop.width * stop.height, size).toBeGreaterThan(180 * 44);
+        expect(Math.min(stop.x, stop.y), where).toBeGreaterThanOrEqual(0);
+        expect(stop.x + stop.width, where).toBeLessThanOrEqual(width);
+        expect(stop.y + stop.height, where).toBeLessThanOrEqual(height);
+        expect(stop.width * stop.height, where).toBeGreaterThan(180 * 44);
         const top = await page.evaluate(
           ([x, y]) => document.elementFromPoint(x ?? 0, y ?? 0)?.closest('#stop') !== null,
           [stop.x + stop.width / 2, stop.y + stop.height / 2],
         );
-        expect(top, `nothing lies over STOP in ${size}`).toBe(true);
+        expect(top, `nothing lies over STOP with ${where}`).toBe(true);
       }
-      // On a busy machine the run may have been aborted meanwhile.
+      // The bar is fullest during a run, which a busy machine may have ended meanwhile.
       await driveUntil(page, 'running');
-      expect(await page.evaluate(overlaps), size).toEqual([]);
-      await picture(page, `layout-${width}`);
+      expect(await page.evaluate(overlaps), String(width)).toEqual([]);
     }
+    // The picture of README.md.
+    await resize(page, kDesktop);
+    await page.click('#tab-link');
+    await page.click('#camera-free');
+    await alive(page);
+    await driveUntil(page, 'running');
+    await picture(page, 'layout-1440');
+  });
+
+  it.each([
+    { scheme: 'dark', ground: 'rgb(10, 14, 19)', size: kDesktop },
+    { scheme: 'light', ground: 'rgb(255, 255, 255)', size: kPhone },
+  ] as const)('can be read by everybody in the $scheme, on every tab, also when all of it is old', async ({ scheme, ground, size }) => {
+    setting.expected = /WebSocket|ERR_CONNECTION|Failed to load/;
+    const page = await setting.open(size);
+    await page.emulateMedia({ colorScheme: scheme });
+    await alive(page);
+    await until(async () => (await theme(page)) === scheme, 'the theme that the system prefers');
+    expect(await page.evaluate(() => getComputedStyle(document.body).backgroundColor)).toBe(ground);
+    // A histogram has its text with its first values.
+    await until(async () => (await page.locator('.bars:not([aria-label])').count()) === 0, 'all figures');
+    // All of the page once, then what each tab changes.
+    const found = await findings(page);
+    for (const tab of kTabs) {
+      await page.click(`#tab-${tab}`);
+      found.push(...(await findings(page, '.drawer')).map((each) => `${tab}: ${each}`));
+    }
+    await page.click('#tab-events');
+    await picture(page, `theme-${scheme}`);
+    setting.pair.daemon.freeze();
+    await until(async () => (await page.getAttribute('.viewport', 'class'))?.includes('stale'), 'it is shown as old');
+    found.push(...(await findings(page)).map((each) => `old: ${each}`));
+    expect([...new Set(found)]).toEqual([]);
+    setting.pair.daemon.thaw();
+    await alive(page);
+  });
+
+  it('is light or dark as it was told last, and draws the map so', async () => {
+    const page = await setting.open(kSize);
+    await alive(page);
+    const before = (await theme(page)) === 'light' ? 'light' : 'dark';
+    const other = before === 'light' ? 'dark' : 'light';
+    const bright = (which: string): Promise<boolean> => until(async () => (await floor(page)) > 128 === (which === 'light'), `the map is ${which}`);
+    await bright(before);
+    await page.click('.theme-switch');
+    expect(await theme(page)).toBe(other);
+    expect(await page.getAttribute('.theme-switch', 'aria-pressed')).toBe(String(other === 'light'));
+    await bright(other);
+    await page.reload();
+    await alive(page);
+    expect(await theme(page)).toBe(other);
+    await bright(other);
+    // The page of all robots has the same.
+    setting.expected = kOthersEnd;
+    await page.goto(`${setting.pair.url}robots.html`);
+    await until(async () => (await page.locator('.card[data-contact="answers"]').count()) > 0, 'a card');
+    expect(await theme(page)).toBe(other);
+    expect(await findings(page)).toEqual([]);
+    // What the system prefers is followed again.
+    await page.click('.theme-switch');
+    expect(await theme(page)).toBe(before);
+    await page.emulateMedia({ colorScheme: other });
+    await until(async () => (await theme(page)) === other, 'the system changes');
+  });
+
+  // Otherwise a computer without a graphics card would spend its processors on pictures that nobody sees change.
+  it('draws map and scene 30 times a second at most, and not at all while nothing moves', async () => {
+    const page = await setting.open(kSize, { smooth: true });
+    await alive(page);
+    expect(await pressed(page, 'camera-map'), 'the map comes first').toBe(true);
+    await countImages(page);
+    for (const view of ['map', 'free']) {
+      await page.click(`#camera-${view}`);
+      await alive(page);
+      await driveUntil(page, 'running');
+      await until(async () => (await images(page, 200)).count > 0, 'an image of the moving robot');
+      const { count, took_s } = await images(page, 2000);
+      expect(count, view).toBeLessThanOrEqual(30 * took_s + 2);
+      await page.keyboard.press('h');
+      await until(() => rests(page), 'it holds');
+      await until(async () => (await images(page, 1500)).count === 0, 'no more images', () => page.evaluate(() => (window as Counted).images));
+    }
+  });
+
+  it('is used without a mouse and told in words, on a screen 360 px wide', async () => {
+    const page = await setting.open({ width: 360, height: 640 });
+    const bus = new Bus(setting.pair.url, ['/parameter']);
+    await alive(page);
+    for (const [key, camera] of [['1', 'chase'], ['2', 'top'], ['3', 'free'], ['4', 'map'], ['c', 'chase'], ['4', 'map']] as const) {
+      await page.keyboard.press(key);
+      expect(await pressed(page, `camera-${camera}`), `${key} is ${camera}`).toBe(true);
+    }
+    for (const id of ['stop', 'camera-map', 'show-model']) await tabTo(page, id);
+    expect(await pressed(page, 'show-model')).toBe(true);
+    await page.keyboard.press('Enter');
+    expect(await pressed(page, 'show-model')).toBe(false);
+
+    // Tabs are one stop of the tab key; the arrow keys change between them.
+    await tabTo(page, 'tab-events');
+    for (let i = 0; i < 3; i++) await page.keyboard.press('ArrowRight');
+    expect(await page.getAttribute('#tab-parameters', 'aria-selected')).toBe('true');
+    expect(await page.isVisible('#page-parameters')).toBe(true);
+    const name = 'control.cross_track_gain_1ps';
+    const gain = (): unknown => bus.last('/parameter')?.parameters.find((parameter) => parameter.name === name)?.value;
+    await until(() => gain() === 3.6, 'the default');
+    await page.focus(`input[aria-label="${name}"]`);
+    await page.keyboard.press('Control+a');
+    await page.keyboard.type('4.5');
+    await page.keyboard.press('Enter');
+    await until(() => gain() === 4.5, 'the daemon has it');
+    bus.close();
+
+    const words = async (): Promise<string> => (await page.textContent('#scene-words')) ?? '';
+    await driveUntil(page, 'running');
+    await until(async () => (await words()).startsWith('Course 3, robot end-loaded, running. It is at x '), 'where the robot is');
+    expect(await page.getAttribute('#scene-words', 'role')).toBe('status');
+    await page.keyboard.press('h');
+    await until(async () => (await run(page)) === 'idle', 'it holds');
+    await until(() => page.isEnabled('#start'), 'it may start again');
+    // After a run that ended before the end of its course, a start asks where the robot stands, also by key.
+    await page.keyboard.press('r');
+    // A question that was closed keeps its text: this one is open when it has the focus.
+    await page.waitForFunction(
+      () => document.activeElement?.id === 'start-cancel' && document.querySelector('#question-text')?.textContent.includes('along the course') === true,
+    );
+    // A sample that comes late disables it for a moment.
+    await until(() => page.isEnabled('#start-placed'), 'it may start from there');
+    await page.keyboard.press('Tab');
+    expect(await page.evaluate(() => document.activeElement?.id)).toBe('start-placed');
+    await page.keyboard.press('Enter');
+    await until(async () => ['arming', 'running'].includes(await run(page)), 'it starts');
+    await page.keyboard.press('Escape');
+    await until(async () => (await page.textContent('.stop-line'))?.startsWith('robot stopped') === true, 'it stops');
+    await until(async () => (await words()).includes('STOP is in force. Fault: '), 'why it stands');
   });
 });
 
@@ -135,7 +316,7 @@ describe('without WebGL', () => {
 
   it('the course is a map, and the robot moves on it', async () => {
     const page = await setting.open();
-    expect(await page.getAttribute('#camera-map', 'aria-pressed')).toBe('true');
+    expect(await pressed(page, 'camera-map')).toBe(true);
     expect(await page.isDisabled('#camera-chase')).toBe(true);
     const first = await until(() => drawn(page), 'a robot');
     await until(async () => {
@@ -147,14 +328,14 @@ describe('without WebGL', () => {
       const ring = ((await page.getAttribute('.stage canvas', `data-${name}-uncertainty`)) ?? '').split(' ').map(Number);
       expect(ring.length === 2 && ring.every((m) => m > 1e-4 && m < 0.5), `${name} ${ring.join()}`).toBe(true);
     }
-    const colours = await page.evaluate(() => {
-      const canvas = document.querySelector<HTMLCanvasElement>('.stage canvas');
-      const data = canvas?.getContext('2d')?.getImageData(0, 0, canvas.width, canvas.height).data ?? [];
-      const seen = new Set<number>();
-      for (let i = 0; i < data.length; i += 4) seen.add(((data[i] ?? 0) << 16) | ((data[i + 1] ?? 0) << 8) | (data[i + 2] ?? 0));
-      return seen.size;
-    });
-    expect(colours).toBeGreaterThan(20);
-    await picture(page, 'map');
+    const colours = (): Promise<number> =>
+      page.evaluate(() => {
+        const canvas = document.querySelector<HTMLCanvasElement>('.stage canvas');
+        const data = canvas?.getContext('2d')?.getImageData(0, 0, canvas.width, canvas.height).data ?? [];
+        const seen = new Set<number>();
+        for (let i = 0; i < data.length; i += 4) seen.add(((data[i] ?? 0) << 16) | ((data[i + 1] ?? 0) << 8) | (data[i + 2] ?? 0));
+        return seen.size;
+      });
+    await until(async () => (await colours()) > 20, 'a map with more than its ground', colours);
   });
 });

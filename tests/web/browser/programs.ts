@@ -100,7 +100,8 @@ export class Pair {
     public daemon: Program,
   ) {}
 
-  static async start(options: string[] = [], listen = '127.0.0.1:0', configuration = ''): Promise<Pair> {
+  /** `options`: of the daemon, by the folder of the pair; `configuration`: more of its configuration file. */
+  static async start(options: (folder: string) => string[], configuration = '', listen = '127.0.0.1:0'): Promise<Pair> {
     const folder = await mkdtemp(join(tmpdir(), 'tp100-web-'));
     // Scheduling is real-time where allowed, as for users: a browser that draws without a graphics card leaves no
     // processor free. The other settings only matter for measurements of latency.
@@ -109,15 +110,15 @@ export class Pair {
     await writeFile(join(folder, '3.toml'), course);
     const robot = new Program('tp100-sim', ['robot', '--link', join(folder, 'robot'), '--course', join(folder, '3.toml')]);
     await robot.line(/linked from/);
-    const pair = new Pair(folder, robot, Pair.daemon(folder, options, listen));
+    const pair = new Pair(folder, robot, Pair.daemon(folder, options(folder), listen));
     await pair.ready();
     return pair;
   }
 
   /** Starts another daemon with the address of one that has ended. */
-  async restart(options: string[] = []): Promise<void> {
+  async restart(): Promise<void> {
     const { host } = new URL(this.url);
-    this.daemon = Pair.daemon(this.folder, options, host);
+    this.daemon = Pair.daemon(this.folder, [], host);
     await this.ready();
   }
 

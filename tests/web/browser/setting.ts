@@ -1,7 +1,8 @@
 // Common to the tests of a file: one browser, the programs, and the check that no page reports an error.
+import { join } from 'node:path';
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, beforeEach, expect } from 'vitest';
-import { openBrowser, openPage, type Size } from './cockpit.ts';
+import { alive, openBrowser, openPage, picture, type Size } from './cockpit.ts';
 import { Pair } from './programs.ts';
 
 export interface Wishes {
@@ -9,8 +10,8 @@ export interface Wishes {
   each?: boolean;
   /** Options for the browser. */
   flags?: string[];
-  /** Pages draw as often as they would for a person. */
-  smooth?: boolean;
+  /** Records runs into the folder `runs` of the programs. */
+  records?: boolean;
   /** Options for the daemon. */
   options?: string[];
   /** More of its configuration file. */
@@ -20,41 +21,50 @@ export interface Wishes {
 /** The page of all robots lists daemons of other tests, too, and these end meanwhile. */
 export const kOthersEnd = /WebSocket connection to .* failed/;
 
-/** Is made once in a file or in a `describe`; browser and programs start and end with it. */
+/** The browsers of this file, by their options. */
+const browsers = new Map<string, Promise<Browser>>();
+afterAll(async () => {
+  for (const browser of browsers.values()) await (await browser).close();
+});
+
+/** Is made once in a file or in a `describe`; programs start and end with it. All settings of a file share a browser. */
 export class Setting {
   private browser: Browser | undefined;
   private pair_: Pair | undefined;
+  private readonly others: Pair[] = [];
   private readonly complaints: string[] = [];
-  private readonly smooth: boolean;
   /** Errors that the browser may report in a test that causes failures on purpose. */
   expected: RegExp | undefined;
 
-  constructor({ each = false, flags = [], smooth = false, options = [], configuration = '' }: Wishes = {}) {
-    this.smooth = smooth;
+  constructor({ each = false, flags = [], records = false, options = [], configuration = '' }: Wishes = {}) {
     const start = async (): Promise<void> => {
-      this.pair_ = await Pair.start(options, undefined, configuration);
+      this.pair_ = await Pair.start((folder) => [...(records ? ['--record', join(folder, 'runs')] : []), ...options], configuration);
     };
     const end = async (): Promise<void> => {
       await this.pair_?.end();
     };
     beforeAll(async () => {
-      this.browser = await openBrowser(flags);
+      const key = flags.join(' ');
+      if (!browsers.has(key)) browsers.set(key, openBrowser(flags));
+      this.browser = await browsers.get(key);
       if (!each) await start();
     });
     if (each) beforeEach(start);
     afterEach(async ({ task }) => {
-      if (task.result?.state === 'fail') console.log(this.pair_?.said);
+      const contexts = this.browser?.contexts() ?? [];
+      if (task.result?.state === 'fail') {
+        for (const pair of [this.pair_, ...this.others]) console.log(pair?.said);
+        for (const [i, page] of contexts.flatMap((context) => context.pages()).entries()) await picture(page, `failed-${task.id}-${i}`).catch(() => undefined);
+      }
       // An unused page would keep drawing and use a processor that the next page needs.
-      for (const context of this.browser?.contexts() ?? []) await context.close();
+      for (const context of contexts) await context.close();
+      for (const other of this.others.splice(0)) await other.end();
       if (each) await end();
       const unexpected = this.complaints.splice(0).filter((text) => this.expected?.test(text) !== true);
       this.expected = undefined;
       expect(unexpected, 'what pages complained about').toEqual([]);
     });
-    afterAll(async () => {
-      await this.browser?.close();
-      if (!each) await end();
-    });
+    if (!each) afterAll(end);
   }
 
   get pair(): Pair {
@@ -62,9 +72,24 @@ export class Setting {
     return this.pair_;
   }
 
-  /** Opens another page, which is closed after the test. */
-  async open(size?: Size): Promise<Page> {
+  /** Another robot and its daemon, until the end of the test. */
+  async another(configuration = '', listen?: string): Promise<Pair> {
+    const pair = await Pair.start(() => [], configuration, listen);
+    this.others.push(pair);
+    return pair;
+  }
+
+  /** Opens another page, which is closed after the test. `smooth`: it draws as often as it would for a person. */
+  async open(size?: Size, { smooth = false, url = this.pair.url } = {}): Promise<Page> {
     if (this.browser === undefined) throw new Error('no browser: outside of a test');
-    return openPage(this.browser, this.pair.url, this.complaints, size, this.smooth);
+    return openPage(this.browser, url, this.complaints, size, smooth);
+  }
+
+  /** Opens another page, with one of its tabs, once it shows the robot. */
+  async openTab(tab: string, size?: Size): Promise<Page> {
+    const page = await this.open(size);
+    await alive(page);
+    await page.click(`#tab-${tab}`);
+    return page;
   }
 }

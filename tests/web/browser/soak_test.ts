@@ -18,7 +18,7 @@ const kSlower = 2.5;
 const kWindow_s = 2;
 const kWindows = 3;
 
-const setting = new Setting({ smooth: true });
+const setting = new Setting();
 
 interface Weight {
   heap_bytes: number;
@@ -56,7 +56,7 @@ async function weigh(cdp: CDPSession, page: Page): Promise<Weight> {
 
 describe('a page that stays open', () => {
   it(`neither grows nor slows in ${kSoak_s} s`, { timeout: (kSoak_s + 300) * 1000 }, async () => {
-    const page = await setting.open();
+    const page = await setting.open(undefined, { smooth: true });
     await page.evaluate(() => {
       const counted = window as { frames_?: number };
       counted.frames_ = 0;

@@ -1,9 +1,9 @@
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
-import { driveUntil, picture, press as pressButton, run, until } from './cockpit.ts';
+import { driveUntil, press as pressButton, run, until } from './cockpit.ts';
 import { Setting } from './setting.ts';
 
-const setting = new Setting({ each: true });
+const setting = new Setting();
 
 const line = async (page: Page): Promise<string> => (await page.textContent('.stop-line')) ?? '';
 const says = (page: Page, text: RegExp): Promise<boolean> => until(async () => text.test(await line(page)), `STOP says ${String(text)}`);
@@ -54,12 +54,12 @@ describe('STOP', () => {
     const other = await setting.open();
     const page = await setting.open();
     await running(page);
+    const before = setting.pair.robot.lines.length;
     await press(page);
     await says(page, /^robot stopped in [\d.]+ ms$/);
     await page.mouse.up();
-    await setting.pair.robot.line(/motors off: (disarm|stop)/i);
+    await setting.pair.robot.line(/motors off: (disarm|stop)/i, before);
     await until(async () => (await run(page)) !== 'running', 'the run is over');
-    await picture(page, 'stopped');
     // A page in the background draws nothing.
     await other.bringToFront();
     await says(other, /^robot stopped in [\d.]+ ms$/);
@@ -71,7 +71,6 @@ describe('STOP', () => {
     const stopped_m = await progress_m();
     await page.click('#start');
     await page.waitForSelector('#start-here');
-    await picture(page, 'question');
     expect(await page.textContent('#question-text')).toContain(`${stopped_m.toFixed(2)} of 4.06 m along the course`);
     // The question waits while nothing may start.
     setting.pair.robot.freeze();
@@ -129,7 +128,6 @@ describe('STOP', () => {
     setting.pair.robot.freeze();
     await press(page);
     await says(page, /^not acknowledged/);
-    await picture(page, 'not-acknowledged');
     await grey(page);
     setting.pair.robot.thaw();
     await says(page, /^robot stopped in/);
@@ -158,7 +156,6 @@ describe('STOP', () => {
     await page.keyboard.press('Space');
     await says(page, /^not acknowledged · no link$/);
     await grey(page);
-    await picture(page, 'no-daemon');
     expect(await page.isVisible('#stop')).toBe(true);
     await setting.pair.restart();
     await says(page, /^robot stopped in/);
