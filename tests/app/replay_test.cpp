@@ -193,8 +193,15 @@ TEST(Replay, OdometryTakesTheGyrosBiasWhileStandingStill) {
 TEST(Replay, RefusesBadInputAtItsLine) {
   EXPECT_EQ(error_of("t_s,left_mps,right_mps\n0,0.1,0.1\n0.1,0.1,x\n"),
             "in.csv:3: right_mps is 'x', expected a number");
-  EXPECT_EQ(error_of("t_s,left_mps,right_mps\n0,1e300,0.1\n"),
-            "in.csv:2: left_mps is 1e+300, allowed -100 to 100");
+  const std::string all = "t_s,left_mps,right_mps,slope_rad,gyro_z_radps\n";
+  for (const auto& [row, error] :
+       {std::pair{"-2e13,0,0,0,0", "t_s is -2e+13, allowed -1e+13 to 1e+13"},
+        {"0,1e300,0.1,0,0", "left_mps is 1e+300, allowed -100 to 100"},
+        {"0,0.1,-101,0,0", "right_mps is -101, allowed -100 to 100"},
+        {"0,0,0,1.6,0", "slope_rad is 1.6, allowed -1.57 to 1.57"},
+        {"0,0,0,0,1001", "gyro_z_radps is 1001, allowed -1000 to 1000"}})
+    EXPECT_EQ(error_of(all + row + "\n", ReplayModel{PoseSource::kOdometry}),
+              "in.csv:2: " + std::string(error));
   EXPECT_THAT(error_of("t_s,left_mps,right_mps\n0,0.1,0.1\n", ReplayModel{PoseSource::kOdometry}),
               HasSubstr("in.csv:1: column 'gyro_z_radps' is missing"));
   EXPECT_THAT(error_of(""), StartsWith("in.csv:1: "));
