@@ -89,7 +89,6 @@ class Robot:
         self.deaf = set()                               # names of messages that it ignores
         self.transmit = self.write
         self.reads = True
-        self.sends_samples = True
         self.report = {}                                # values that samples report instead of the true ones
         self.waiting = b""
         self.silent_until = 0.0
@@ -314,9 +313,8 @@ class Robot:
         self.sequence = (self.sequence + 1) % 65536
         self.kept[self.sequence] = (now, self.turned)
         self.kept.pop((self.sequence - 60) % 65536, None)
-        if self.sends_samples:
-            for fields in self.samples(self.sample(now)):
-                self.send("Sample", **fields)
+        for fields in self.samples(self.sample(now)):
+            self.send("Sample", **fields)
 
     def sample(self, now):
         # On a wire, 45 bytes take 0.9 ms to arrive; a pseudo-terminal has no such delay.
