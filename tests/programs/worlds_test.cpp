@@ -90,22 +90,24 @@ TEST_F(Worlds, NobodyThereIsAnErrorOfOneLine) {
   EXPECT_THAT(finished.output, HasSubstr("no welcome"));
 }
 
-// Each fault begins one second after the world's first answer. A slow world is only found in real
-// time.
-TEST_F(Worlds, EveryFaultOfAWorldEndsTheRunWithItsCause) {
-  for (const auto& [fault, cause] : {std::pair{"silence", "world_lost"},
-                                     {"freeze", "world_lost"},
-                                     {"garbage", "world_lost"},
-                                     {"version", "world_lost"},
-                                     {"back", "world_lost"},
-                                     {"estop", "stop_requested"}}) {
-    PythonWorld world({"--fault", std::string(fault) + "@1"});
-    const Finished finished =
-        run({"tp100-sim", "course", "1-straight", "--world", world.address()});
-    EXPECT_EQ(finished.status, 1) << fault << ": " << finished.output;
-    EXPECT_THAT(finished.output, HasSubstr(cause)) << fault;
-  }
+class WorldFaults : public Worlds,
+                    public testing::WithParamInterface<std::pair<const char*, const char*>> {};
+
+// Each fault begins one second into the run. A slow world is only found in real time.
+TEST_P(WorldFaults, EndTheRunWithItsCause) {
+  const auto& [fault, cause] = GetParam();
+  const PythonWorld world({"--fault", std::string(fault) + "@1"});
+  const Finished finished = run({"tp100-sim", "course", "1-straight", "--world", world.address()});
+  EXPECT_EQ(finished.status, 1) << finished.output;
+  EXPECT_THAT(finished.output, HasSubstr(cause));
 }
+
+INSTANTIATE_TEST_SUITE_P(
+    Faults, WorldFaults,
+    testing::Values(std::pair{"silence", "world_lost"}, std::pair{"freeze", "world_lost"},
+                    std::pair{"garbage", "world_lost"}, std::pair{"version", "world_lost"},
+                    std::pair{"back", "world_lost"}, std::pair{"estop", "stop_requested"}),
+    [](const auto& param) { return std::string(param.param.first); });
 
 /// Runs the daemon, the emulated robot and the world as three processes.
 class LiveWorlds : public Worlds {
