@@ -78,7 +78,7 @@ TEST_F(Report, ARunThatNeverBeganHasNoFigures) {
   EXPECT_THAT(text("report.html"), HasSubstr("The run never began: there is nothing to judge"));
 }
 
-TEST_F(Report, WithoutTruthNothingIsCalledAnError) {
+TEST_F(Report, OfALiveRunHasItsFactsAndCallsNothingAnError) {
   record_run(file());
   ASSERT_EQ(report(), "");
   const Json json = metrics();
@@ -98,12 +98,10 @@ TEST_F(Report, WithoutTruthNothingIsCalledAnError) {
     EXPECT_THAT(text(name), testing::StartsWith("<svg")) << name;
   EXPECT_THAT(text("error.svg"), Not(HasSubstr("2 sd"))) << "of what, without the truth?";
   EXPECT_THAT(text("uncertainty.svg"), HasSubstr("model, 2 sd"));
-}
-
-TEST_F(Report, SaysFirstWhatWasDrivenWithWhatAndWhatItCameTo) {
-  record_run(file());
-  ASSERT_EQ(report(), "");
-  const std::string page = text("report.html");
+  // Without an external world no answer has an age.
+  EXPECT_TRUE(json["timing"].at("world_age_us").is_null());
+  EXPECT_THAT(page, Not(HasSubstr("newest answer")));
+  // The page begins with what was driven with what.
   const std::string top = page.substr(0, page.find("<h2"));
   EXPECT_THAT(top, HasSubstr("<p class='verdict "));
   for (const char* fact : {"driven", "course", "robot", "set-up", "board", "seed", "steered by",
@@ -113,11 +111,17 @@ TEST_F(Report, SaysFirstWhatWasDrivenWithWhatAndWhatItCameTo) {
   EXPECT_THAT(top, HasSubstr(" UTC"));
 }
 
-TEST_F(Report, StepsThatAreMissingAreTold) {
+TEST_F(Report, WhatIsMissingIsTold) {
   record_run(file(), [](StepRecord& record) { return record.step < 200 || record.step > 209; });
   ASSERT_EQ(report(), "");
   EXPECT_EQ(metrics()["recording"]["missing_steps"], 10);
   EXPECT_THAT(text("report.html"), HasSubstr("steps 200 to 209 are not in the recording"));
+  // The same recording, cut off.
+  const std::string whole = test::read_bytes(file());
+  test::write_bytes(file(), whole.substr(0, whole.size() * 3 / 4));
+  ASSERT_EQ(report(), "");
+  EXPECT_FALSE(metrics()["recording"]["whole"]);
+  EXPECT_THAT(text("report.html"), HasSubstr("cut off"));
 }
 
 // Every second step has a new answer, to the pose of 12 ms ago.
@@ -133,22 +137,6 @@ TEST_F(Report, TheAgeOfTheWorldsAnswersIsThatOfTheNewestAtEachStep) {
   EXPECT_NEAR(age_us["p99"], 17e3, 0.06 * 17e3);
   EXPECT_NEAR(age_us["max"], 17e3, 1.0);
   EXPECT_THAT(text("report.html"), HasSubstr("age of the world&#39;s newest answer"));
-}
-
-TEST_F(Report, WithoutAnExternalWorldNoAnswerHasAnAge) {
-  record_run(file());
-  ASSERT_EQ(report(), "");
-  EXPECT_TRUE(metrics()["timing"].at("world_age_us").is_null());
-  EXPECT_THAT(text("report.html"), Not(HasSubstr("newest answer")));
-}
-
-TEST_F(Report, ARecordingThatWasCutOffIsReportedUpToThere) {
-  record_run(file());
-  const std::string whole = test::read_bytes(file());
-  test::write_bytes(file(), whole.substr(0, whole.size() * 3 / 4));
-  ASSERT_EQ(report(), "");
-  EXPECT_FALSE(metrics()["recording"]["whole"]);
-  EXPECT_THAT(text("report.html"), HasSubstr("cut off"));
 }
 
 TEST_F(Report, WhatARecordingSaysCannotBecomeMarkup) {
