@@ -26,26 +26,9 @@ TEST(FileName, IsMadeOfWhatAPersonCalledIt) {
 
 // A run of such a course would be recorded, and then neither listed nor deleted.
 TEST(FileName, EveryNameThatIsMadeIsFoundAgain) {
-  const std::vector<std::string> pieces = {"a",
-                                           "Z",
-                                           "0",
-                                           ".",
-                                           "-",
-                                           "_",
-                                           " ",
-                                           "/",
-                                           "\\",
-                                           "%",
-                                           "ä",
-                                           "ß",
-                                           "é",
-                                           "道",
-                                           "\xff",
-                                           "\n",
-                                           std::string(1, '\0'),
-                                           "~",
-                                           ":",
-                                           "\xc3"};
+  const std::vector<std::string> pieces = {
+      "a", "Z", "0",  ".", "-", "_",  " ",    "/",   std::string(1, '\0'), "\\", "%", "ä",
+      "ß", "é", "道", "~", ":", "\n", "\xff", "\xc3"};
   std::mt19937 random(1);
   for (int round = 0; round < 20000; ++round) {
     std::string text;

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <utility>
+
 namespace tp100::text {
 namespace {
 
@@ -21,6 +24,25 @@ TEST(Format, CountsOneInTheSingular) {
 TEST(Format, TellsSecondsSince1970AsADate) {
   EXPECT_EQ(utc_minute(0), "1970-01-01 00:00 UTC");
   EXPECT_EQ(utc_minute(1780236300), "2026-05-31 14:05 UTC");
+}
+
+TEST(NearestName, FindsTypingErrorsUnitsLeftOutAndShortNamesInLongerOnes) {
+  const std::vector<std::string_view> names = {"speed_mps", "length_m", "radius_m", "at_m"};
+  for (const auto& [typed, meant] : {std::pair{"speeed_mps", "speed_mps"},
+                                     {"sped_mps", "speed_mps"},
+                                     {"speet_mps", "speed_mps"},
+                                     {"lenght_m", "length_m"},
+                                     {"at", "at_m"},
+                                     {"colour", ""},
+                                     {"", ""}})
+    EXPECT_EQ(nearest_name(typed, names), meant) << typed;
+  EXPECT_EQ(nearest_name(std::string(1000, 's'), names), "");
+  EXPECT_EQ(nearest_name("speed_mps", {}), "");
+  EXPECT_EQ(nearest_name("rate", {"date", "rate_hz"}), "date");
+  EXPECT_EQ(nearest_name("rate", {"spin_us", "rate_hz"}), "rate_hz");
+  EXPECT_EQ(nearest_name("33", {"1-curve", "2", "3"}), "3");
+  EXPECT_EQ(nearest_name("4", {"2", "3"}), "");
+  EXPECT_EQ(nearest_name("ab", {"2", "3"}), "");
 }
 
 }  // namespace
