@@ -10,6 +10,8 @@
 #include "core/arithmetic.h"
 #include "core/error.h"
 #include "support/paths.h"
+#include "support/refusal.h"
+#include "support/temporary_folder.h"
 
 namespace tp100::config {
 namespace {
@@ -17,12 +19,7 @@ namespace {
 using testing::HasSubstr;
 
 std::string error_of(const std::string& text) {
-  try {
-    parse_configuration(text, "tp100.toml");
-  } catch (const SetupError& error) {
-    return error.what();
-  }
-  return {};
+  return test::refusal([&] { parse_configuration(text, "tp100.toml"); });
 }
 
 // TP100_REWRITE_CONFIG=1 rewrites the bundled file from the key table.
@@ -33,15 +30,8 @@ TEST(Configuration, TheBundledFileIsWhatTheKeyTableSays) {
     std::ofstream(path, std::ios::binary) << text;
     return;
   }
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream bundled;
-  bundled << file.rdbuf();
-  EXPECT_EQ(bundled.str(), text) << "config/tp100.toml differs from the key table";
-}
-
-TEST(Configuration, AnEmptyFileIsTheDefaults) {
-  EXPECT_EQ(write_configuration(parse_configuration("", "f")),
-            write_configuration(Configuration{}));
+  EXPECT_EQ(test::read_bytes(path), text) << "config/tp100.toml differs from the key table";
+  EXPECT_EQ(write_configuration(parse_configuration("", "f")), text) << "these are the defaults";
 }
 
 TEST(Configuration, AWrittenFileReadsBackTheSame) {

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <tuple>
 
 #include "../support/temporary_folder.h"
 
@@ -14,15 +15,6 @@ namespace {
 
 class BundledFiles : public ::testing::Test {
  protected:
-  static std::string failure(Bundled folder, const std::string& name) {
-    try {
-      read_bundled(folder, name);
-    } catch (const SetupError& error) {
-      return error.what();
-    }
-    return "no error";
-  }
-
   test::TemporaryFolder folder_;
 };
 
@@ -34,22 +26,22 @@ TEST_F(BundledFiles, ReadsAFileWholeWithEveryByte) {
   EXPECT_EQ(file_stem(file.path), "x");
 }
 
-TEST_F(BundledFiles, NamesAMissingFileInOneLine) {
-  const std::string message = failure(Bundled::kCourses, folder_.file("none.toml"));
-  EXPECT_THAT(message, ::testing::HasSubstr("none.toml: cannot be opened (No such file"));
-  EXPECT_EQ(message.find('\n'), std::string::npos);
-}
-
-TEST_F(BundledFiles, RefusesADirectory) {
-  EXPECT_THAT(failure(Bundled::kRobots, folder_.path().string() + "/"),
-              ::testing::HasSubstr("is a directory"));
-}
-
-TEST_F(BundledFiles, AnUnknownNameListsWhatThereIs) {
-  EXPECT_THAT(failure(Bundled::kCourses, "no-such-course"),
-              ::testing::HasSubstr("no-such-course: no such course; give a file or one of"));
-  EXPECT_THAT(failure(Bundled::kRobots, "wron"),
-              ::testing::HasSubstr("wron: no such robot; did you mean 'worn'?; give a file or"));
+TEST_F(BundledFiles, WhatIsNoFileIsNamedInOneLine) {
+  for (const auto& [folder, name, error] :
+       {std::tuple(Bundled::kCourses, folder_.file("none.toml"),
+                   "none.toml: cannot be opened (No such file"),
+        {Bundled::kRobots, folder_.path().string() + "/", "is a directory"},
+        {Bundled::kCourses, "no-such-course",
+         "no-such-course: no such course; give a file or one of"},
+        {Bundled::kRobots, "wron", "wron: no such robot; did you mean 'worn'?; give a file or"}}) {
+    try {
+      read_bundled(folder, name);
+      ADD_FAILURE() << name;
+    } catch (const SetupError& refused) {
+      EXPECT_THAT(refused.what(), ::testing::HasSubstr(error));
+      EXPECT_THAT(refused.what(), ::testing::Not(::testing::HasSubstr("\n")));
+    }
+  }
 }
 
 TEST_F(BundledFiles, FindsTheDataOfRealRobots) {

@@ -2,11 +2,12 @@
 
 #include <cstdlib>
 #include <fstream>
-#include <sstream>
 
 #include "core/arithmetic.h"
 #include "core/error.h"
+#include "course/bundled_files.h"
 #include "course/camera.h"
+#include "course/robot_file.h"
 #include "support/paths.h"
 
 namespace tp100::course {
@@ -26,34 +27,18 @@ EmulatedCamera rough() {
   return values;
 }
 
-struct BundledCamera {
-  const char* name;
-  EmulatedCamera values;
-  const char* note;
-};
-
 // TP100_REWRITE_CONFIG=1 rewrites the bundled files from the key table.
 TEST(CameraFile, TheBundledFilesAreWhatTheKeyTableSays) {
-  for (const BundledCamera& camera :
-       {BundledCamera{"overhead",
-                      {},
-                      "An emulated overhead camera, with every key at its default. The daemon's "
-                      "settings for the camera are in the configuration's [camera], not here."},
-        BundledCamera{
-            "rough", rough(),
-            "An emulated overhead camera whose errors are not those that the "
-            "configuration's [camera] assumes: a lens with distortion left, a lag that no "
-            "time stamp shows, a floor seen in part, false detections."}}) {
-    const std::string path = source_path("config/cameras/" + std::string(camera.name) + ".toml");
-    const std::string text = write_camera(camera.values, camera.note);
-    if (std::getenv("TP100_REWRITE_CONFIG") != nullptr) {
+  for (const char* name : {"overhead", "rough"}) {
+    const std::string path = source_path("config/cameras/" + std::string(name) + ".toml");
+    const std::string bundled = read_text_file(path).text;
+    const bool is_rough = std::string(name) == "rough";
+    const std::string text =
+        write_camera(is_rough ? rough() : EmulatedCamera{}, head_note(bundled));
+    if (std::getenv("TP100_REWRITE_CONFIG") != nullptr)
       std::ofstream(path, std::ios::binary) << text;
-      continue;
-    }
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream bundled;
-    bundled << file.rdbuf();
-    EXPECT_EQ(bundled.str(), text) << path << " differs from the key table";
+    else
+      EXPECT_EQ(bundled, text) << path << " differs from the key table";
   }
 }
 

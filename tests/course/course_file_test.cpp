@@ -6,6 +6,7 @@
 #include "core/arithmetic.h"
 #include "core/error.h"
 #include "course/course.h"
+#include "support/refusal.h"
 #include "text/format.h"
 
 namespace tp100::course {
@@ -18,12 +19,7 @@ const std::string kFence = "[fence]\nmin_x_m = -1\nmax_x_m = 3\nmin_y_m = -1\nma
 const std::string kLine = "[[segment]]\ntype = 'line'\nlength_m = 1.5\n";
 
 std::string course_error(const std::string& text) {
-  try {
-    parse_course(text, "dir/c.toml");
-  } catch (const SetupError& error) {
-    return error.what();
-  }
-  return {};
+  return test::refusal([&] { parse_course(text, "dir/c.toml"); });
 }
 
 TEST(CourseFile, ReadsEveryKey) {
@@ -55,42 +51,6 @@ TEST(CourseFile, ReadsEveryKey) {
   EXPECT_EQ(course.fence.max_x_m, 3.0);
 }
 
-TEST(CourseFile, RefusesACourseWithoutPathOrFence) {
-  EXPECT_THAT(course_error(kFence), HasSubstr("at least one [[segment]]"));
-  EXPECT_THAT(course_error(kLine), HasSubstr("missing key 'fence.min_x_m'"));
-  EXPECT_THAT(course_error(kLine + "[fense]\nmin_x_m = -1\n"),
-              HasSubstr(":4:2: unknown key 'fense'; did you mean 'fence'?"));
-  EXPECT_THAT(
-      course_error(kLine + "[fence]\nmin__m = -1\nmax_x_m = 3\nmin_y_m = -1\nmax_y_m = 1\n"),
-      HasSubstr(":5:1: unknown key 'fence.min__m'; did you mean 'fence.min_x_m'?"));
-  EXPECT_THAT(course_error(kLine + "[fence]\nmax_x_m = 3\nmin_y_m = -1\nmax_y_m = 1\n"),
-              HasSubstr(":4:1: missing key 'fence.min_x_m'"));
-  EXPECT_THAT(course_error(""), StartsWith("dir/c.toml:1:1: "));
-  EXPECT_THAT(course_error("segment = []\n" + kFence), HasSubstr("at least one [[segment]]"));
-}
-
-TEST(CourseFile, NamesAMistypedKeyAtItsPlace) {
-  EXPECT_EQ(course_error("speeed_mps = 0.1\n" + kLine + kFence),
-            "dir/c.toml:1:1: unknown key 'speeed_mps'; did you mean 'speed_mps'?");
-  EXPECT_EQ(course_error("[[segments]]\ntype = 'line'\n" + kFence),
-            "dir/c.toml:1:3: unknown key 'segments'; did you mean 'segment'?");
-  EXPECT_THAT(course_error("[[segment]]\ntype = 'line'\nradius_m = 1\nlength_m = 1\n" + kFence),
-              StartsWith("dir/c.toml:3:1: unknown key 'segment.radius_m'"));
-}
-
-TEST(CourseFile, RefusesValuesThatMakeNoPath) {
-  EXPECT_THAT(course_error("[[segment]]\ntype = 'line'\nlength_m = 0\n" + kFence),
-              HasSubstr("'segment.length_m' is 0, allowed 0.001 to 100 m"));
-  EXPECT_THAT(course_error("[[segment]]\ntype = 'pivot'\nangle_deg = 0\n" + kFence),
-              HasSubstr("smallest turn is 0.1 deg"));
-  EXPECT_THAT(course_error("[[segment]]\ntype = 'arc'\nangle_deg = 90\n" + kFence),
-              HasSubstr("missing key 'segment.radius_m'"));
-  EXPECT_THAT(course_error("[[segment]]\ntype = 'spiral'\n" + kFence),
-              HasSubstr("Allowed: 'line', 'arc'"));
-  EXPECT_THAT(course_error("[[segment]]\nlength_m = 1\n" + kFence),
-              HasSubstr("missing key 'segment.type'"));
-}
-
 TEST(CourseFile, ReadsAFenceWithCornersAndAreasToKeepOutOf) {
   const Course course =
       parse_course(kLine +
@@ -103,47 +63,6 @@ TEST(CourseFile, ReadsAFenceWithCornersAndAreasToKeepOutOf) {
   EXPECT_EQ(course.fence.min_y_m, -1.0);
   ASSERT_EQ(course.fence.keep_out.size(), 1U);
   EXPECT_EQ(course.fence.keep_out[0][2].y_m, -0.5);
-}
-
-TEST(CourseFile, RefusesPolygonsThatAreNone) {
-  const auto fence = [](const std::string& corners) {
-    return course_error(kLine + "[fence]\ncorners_m = " + corners + "\n");
-  };
-  EXPECT_THAT(fence("[[0, 0], [1, 1]]"), HasSubstr("at least three corners"));
-  EXPECT_THAT(fence("[[-1, -1], [3, 1], [3, -1], [-1, 1]]"), HasSubstr(":5:"));
-  EXPECT_THAT(fence("[[-1, -1], [3, 1], [3, -1], [-1, 1]]"), HasSubstr("cross or touch"));
-  EXPECT_THAT(fence("[[-1, -1, 0], [3, 1], [3, -1]]"), HasSubstr("a pair of numbers"));
-  EXPECT_THAT(fence("[-1, -1, 3, 1]"), HasSubstr("a pair of numbers"));
-  EXPECT_THAT(fence("[[-1, \"a\"], [3, 1], [3, -1]]"), HasSubstr("number"));
-  EXPECT_THAT(fence("3"), HasSubstr("array of pairs"));
-  EXPECT_THAT(fence("[[-1, -1], [3, -1], [300, 1]]"), HasSubstr("300"));
-  EXPECT_THAT(fence("[[-1, -1], [3, -1], [3, 1], [-1, 1]]\nmin_x_m = -1"),
-              HasSubstr("unknown key 'fence.min_x_m'"));
-  EXPECT_THAT(course_error(kLine + kFence + "[[keep_out]]\nx_m = 1\n"), HasSubstr("corners"));
-}
-
-TEST(CourseFile, RefusesAPathThatMeetsAKeepOutAreaOrADent) {
-  EXPECT_THAT(course_error(kLine + kFence +
-                           "[[keep_out]]\ncorners_m = [[0.5, -0.1], [0.51, -0.1], [0.505, 0.1]]\n"),
-              HasSubstr("leaves the fence at (0.5"));
-  EXPECT_THAT(course_error(kLine + "[fence]\ncorners_m = [[-1, -1], [3, -1], [3, 1], [0.6, 1], "
-                                   "[0.6, -0.5], [0.5, 1], [-1, 1]]\n"),
-              HasSubstr("leaves the fence at"));
-}
-
-TEST(CourseFile, RefusesAFenceThatThePathLeaves) {
-  EXPECT_THAT(course_error("[[segment]]\ntype = 'arc'\nradius_m = 0.6\nangle_deg = 180\n" + kFence),
-              HasSubstr("leaves the fence at"));
-  EXPECT_THAT(course_error(kLine + "[fence]\nmin_x_m = 1\nmax_x_m = 1\nmin_y_m = 0\nmax_y_m = 1\n"),
-              HasSubstr("'max_x_m' must exceed 'min_x_m'"));
-}
-
-TEST(CourseFile, RefusesDisturbancesBeyondThePathOrOutOfOrder) {
-  EXPECT_THAT(course_error(kLine + "[[disturbance]]\nat_m = 1.6\n" + kFence),
-              HasSubstr("only 1.5 m long"));
-  EXPECT_THAT(
-      course_error(kLine + "[[disturbance]]\nat_m = 1.0\n[[disturbance]]\nat_m = 0.5\n" + kFence),
-      HasSubstr("order of 'at_m'"));
 }
 
 TEST(CourseFile, ReadsTerrain) {
@@ -169,17 +88,81 @@ TEST(CourseFile, ReadsTerrain) {
   EXPECT_EQ(terrain.surface_at(0.0, 0.3), nullptr);
 }
 
-TEST(CourseFile, RefusesTerrainThatIsNone) {
-  EXPECT_THAT(course_error(kLine + "[[block]]\nx_m = 1\n" + kFence),
-              HasSubstr("missing key 'block.y_m'"));
-  EXPECT_THAT(
-      course_error(kLine + "[[ramp]]\nx_m = 1\ny_m = 0\nheight_m = 0.1\nup_deg = 90\n" + kFence),
-      HasSubstr("'ramp.up_deg' is 90, allowed 1 to 60 deg"));
-  EXPECT_THAT(course_error(kLine + "[[surface]]\nx_m = 1\n" + kFence), HasSubstr("needs a 'name'"));
-  EXPECT_THAT(course_error(kLine + "[[shove]]\nat_m = 0.5\n" + kFence),
-              HasSubstr("unknown key 'shove'; did you mean 'disturbance'?"));
-  EXPECT_THAT(course_error(kLine + "[[blok]]\nx_m = 1\n" + kFence),
-              HasSubstr("did you mean 'block'?"));
+struct Refusal {
+  std::string text, error;
+};
+
+void expect_refused(const std::vector<Refusal>& all) {
+  for (const Refusal& one : all) EXPECT_THAT(course_error(one.text), HasSubstr(one.error));
+}
+
+TEST(CourseFile, RefusesWhatIsMissingMistypedOrOutOfRangeAtItsPlace) {
+  expect_refused({
+      {"", "dir/c.toml:1:1: "},
+      {kFence, "at least one [[segment]]"},
+      {"segment = []\n" + kFence, "at least one [[segment]]"},
+      {kLine, "missing key 'fence.min_x_m'"},
+      {kLine + "[fence]\nmax_x_m = 3\nmin_y_m = -1\nmax_y_m = 1\n",
+       ":4:1: missing key 'fence.min_x_m'"},
+      {kLine + "[fense]\nmin_x_m = -1\n", ":4:2: unknown key 'fense'; did you mean 'fence'?"},
+      {kLine + "[fence]\nmin__m = -1\nmax_x_m = 3\nmin_y_m = -1\nmax_y_m = 1\n",
+       ":5:1: unknown key 'fence.min__m'; did you mean 'fence.min_x_m'?"},
+      {"speeed_mps = 0.1\n" + kLine + kFence,
+       "dir/c.toml:1:1: unknown key 'speeed_mps'; did you mean 'speed_mps'?"},
+      {"[[segments]]\ntype = 'line'\n" + kFence,
+       "dir/c.toml:1:3: unknown key 'segments'; did you mean 'segment'?"},
+      {"[[segment]]\ntype = 'line'\nradius_m = 1\nlength_m = 1\n" + kFence,
+       "dir/c.toml:3:1: unknown key 'segment.radius_m'"},
+      {"[[segment]]\ntype = 'line'\nlength_m = 0\n" + kFence,
+       "'segment.length_m' is 0, allowed 0.001 to 100 m"},
+      {"[[segment]]\ntype = 'pivot'\nangle_deg = 0\n" + kFence, "smallest turn is 0.1 deg"},
+      {"[[segment]]\ntype = 'arc'\nangle_deg = 90\n" + kFence, "missing key 'segment.radius_m'"},
+      {"[[segment]]\ntype = 'spiral'\n" + kFence, "Allowed: 'line', 'arc'"},
+      {"[[segment]]\nlength_m = 1\n" + kFence, "missing key 'segment.type'"},
+      {kLine + "[[disturbance]]\nat_m = 1.6\n" + kFence, "only 1.5 m long"},
+      {kLine + "[[disturbance]]\nat_m = 1.0\n[[disturbance]]\nat_m = 0.5\n" + kFence,
+       "order of 'at_m'"},
+      {kLine + "[[block]]\nx_m = 1\n" + kFence, "missing key 'block.y_m'"},
+      {kLine + "[[ramp]]\nx_m = 1\ny_m = 0\nheight_m = 0.1\nup_deg = 90\n" + kFence,
+       "'ramp.up_deg' is 90, allowed 1 to 60 deg"},
+      {kLine + "[[surface]]\nx_m = 1\n" + kFence, "needs a 'name'"},
+      {kLine + "[[shove]]\nat_m = 0.5\n" + kFence,
+       "unknown key 'shove'; did you mean 'disturbance'?"},
+      {kLine + "[[blok]]\nx_m = 1\n" + kFence, "did you mean 'block'?"},
+  });
+}
+
+TEST(CourseFile, RefusesPolygonsThatAreNone) {
+  const auto fence = [](const std::string& corners) {
+    return kLine + "[fence]\ncorners_m = " + corners + "\n";
+  };
+  expect_refused({
+      {fence("[[0, 0], [1, 1]]"), "at least three corners"},
+      {fence("[[-1, -1], [3, 1], [3, -1], [-1, 1]]"), ":5:"},
+      {fence("[[-1, -1], [3, 1], [3, -1], [-1, 1]]"), "cross or touch"},
+      {fence("[[-1, -1, 0], [3, 1], [3, -1]]"), "a pair of numbers"},
+      {fence("[-1, -1, 3, 1]"), "a pair of numbers"},
+      {fence("[[-1, \"a\"], [3, 1], [3, -1]]"), "number"},
+      {fence("3"), "array of pairs"},
+      {fence("[[-1, -1], [3, -1], [300, 1]]"), "300"},
+      {fence("[[-1, -1], [3, -1], [3, 1], [-1, 1]]\nmin_x_m = -1"), "unknown key 'fence.min_x_m'"},
+      {kLine + kFence + "[[keep_out]]\nx_m = 1\n", "corners"},
+      {kLine + "[fence]\nmin_x_m = 1\nmax_x_m = 1\nmin_y_m = 0\nmax_y_m = 1\n",
+       "'max_x_m' must exceed 'min_x_m'"},
+  });
+}
+
+TEST(CourseFile, RefusesAPathThatLeavesTheFence) {
+  expect_refused({
+      {"[[segment]]\ntype = 'arc'\nradius_m = 0.6\nangle_deg = 180\n" + kFence,
+       "leaves the fence at"},
+      // Through a keep-out area, and through a dent of the fence.
+      {kLine + kFence + "[[keep_out]]\ncorners_m = [[0.5, -0.1], [0.51, -0.1], [0.505, 0.1]]\n",
+       "leaves the fence at (0.5"},
+      {kLine + "[fence]\ncorners_m = [[-1, -1], [3, -1], [3, 1], [0.6, 1], [0.6, -0.5], "
+               "[0.5, 1], [-1, 1]]\n",
+       "leaves the fence at"},
+  });
 }
 
 std::string lines(int count, const std::string& length_m) {
@@ -195,7 +178,10 @@ const std::string kWide =
 
 // A typing error (3600 for 360, a length that is repeated) must not fill the memory of daemon and
 // viewers.
-TEST(CourseFile, RefusesAPathOfMoreThanAKilometreWhereItGoesBeyond) {
+TEST(CourseFile, RefusesAPathOfMoreThanAKilometreOrAThousandSegments) {
+  std::string pivots = kFence;
+  for (int i = 0; i < 1001; ++i) pivots += "[[segment]]\ntype='pivot'\nangle_deg=1\n";
+  EXPECT_THAT(course_error(pivots), HasSubstr("more than 1000 segments"));
   EXPECT_EQ(course_error(lines(10, "100") + kWide), "");
   EXPECT_EQ(
       course_error(lines(10, "100") + "[[segment]]\ntype = 'line'\nlength_m = 0.5\n" + kWide),
@@ -222,12 +208,6 @@ TEST(CourseFile, ChecksTheLongestPathAgainstTheMostCornersInTime) {
   text += "[fence]\n" + polygon(2.0);
   for (int i = 0; i < 50; ++i) text += "[[keep_out]]\n" + polygon(0.3 + 0.003 * i);
   EXPECT_EQ(course_error(text), "");
-}
-
-TEST(CourseFile, RefusesMoreSegmentsThanACourseCanHave) {
-  std::string text = kFence;
-  for (int i = 0; i < 1001; ++i) text += "[[segment]]\ntype='pivot'\nangle_deg=1\n";
-  EXPECT_THAT(course_error(text), HasSubstr("more than 1000 segments"));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "core/arithmetic.h"
 #include "course/course.h"
 #include "course/path.h"
+#include "support/refusal.h"
 
 namespace tp100::course {
 namespace {
@@ -61,12 +62,7 @@ Course to(const char* course, const Pose& from, const Pose& goal) {
 }
 
 std::string why_not(const char* course, const Pose& from, const Pose& goal) {
-  try {
-    to(course, from, goal);
-  } catch (const SetupError& error) {
-    return error.what();
-  }
-  return {};
+  return test::refusal([&] { to(course, from, goal); });
 }
 
 struct Miss {

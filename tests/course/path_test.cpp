@@ -18,16 +18,6 @@ Course course_of(std::vector<Segment> path) {
 const Course kMixed = course_of({Line{0.5}, Arc{0.3, -kPi / 2}, Pivot{kPi / 2}, Line{0.4},
                                  Arc{0.2, 1.5 * kPi}, Pivot{-3 * kPi}});
 
-TEST(Path, EndsWhereGeometrySays) {
-  const Path path(
-      course_of({Line{1.2}, Arc{0.3, -kPi / 2}, Line{0.2}, Pivot{-kPi / 2}, Line{1.2}}));
-  const PathPoint end = path.segments().back().end;
-  EXPECT_NEAR(end.x_m, 0.3, 1e-12);
-  EXPECT_NEAR(end.y_m, -0.5, 1e-12);
-  EXPECT_DOUBLE_EQ(end.yaw_rad, -kPi);
-  EXPECT_NEAR(path.length_m(), 2.6 + 0.15 * kPi, 1e-12);
-}
-
 TEST(Path, BeginsAtTheStartPose) {
   Course course = course_of({Line{1.0}});
   course.start.x_m = 2.0;
@@ -107,20 +97,16 @@ TEST(Path, ProjectionOntoAnArcOfManyTurnsStopsAtItsEnds) {
   EXPECT_NEAR(path.project(0, -0.5, 0.5, length), 1.75 * kPi, 1e-12);
 }
 
-TEST(Path, ProjectionStopsAtTheEnds) {
+TEST(Path, ProjectionAndOffsetsStopAtTheEnds) {
   const Path path(course_of({Line{1.0}, Arc{0.5, kPi / 2}}));
   EXPECT_EQ(path.project(0, -3.0, 1.0), 0.0);
   EXPECT_EQ(path.project(0, 4.0, 1.0), 1.0);
   EXPECT_EQ(path.project(1, 0.9, -0.1), 0.0);
   EXPECT_EQ(path.project(1, 1.4, 0.7), path.segments()[1].length_m);
-}
-
-TEST(Path, OffsetsAreClamped) {
-  const Path path(course_of({Line{1.0}}));
   EXPECT_EQ(path.at(0, -5.0).x_m, 0.0);
   EXPECT_EQ(path.at(0, 5.0).x_m, 1.0);
   EXPECT_EQ(path.at(-5.0).x_m, 0.0);
-  EXPECT_EQ(path.at(5.0).x_m, 1.0);
+  EXPECT_NEAR(path.at(5.0).y_m, 0.5, 1e-12);
 }
 
 TEST(Path, AtAPivotTheLengthGivesThePoseBeforeIt) {
@@ -153,6 +139,35 @@ TEST(Path, AFullCircleAndAPathOfPivotsArePaths) {
   EXPECT_EQ(spin.length_m(), 0.0);
   EXPECT_DOUBLE_EQ(spin.distance(0.3, 0.4, 0.0, 0.0), 0.5);
   EXPECT_EQ(spin.at(1.0).yaw_rad, 0.0);
+}
+
+TEST(Mirror, TurnsLeftIntoRightAndNothingElse) {
+  Course course;
+  course.name = "test";
+  course.start.yaw_rad = 0.2;
+  course.path = {Line{1.0}, Arc{0.4, kPi}, Pivot{0.5}, Line{0.3}};
+  course.disturbances = {{0.5, 0.04, 0.1, 0.3}};
+  course.terrain.ramps.push_back({{0.7, -0.8, 0.3}, 0.08, 0.4, 0.2, 0.5, 0.4});
+  course.terrain.blocks.push_back({{1.2, -0.8, 0.3}, 0.037, 0.1, 0.4});
+  course.terrain.surfaces.push_back({"felt", {0.1, 0.2, 0.3}, 1.0, 1.0, 1.0, 0.1});
+  course.fence = {-1.0, 2.0, -0.5, 1.5, {}, {{{0.1, 0.2}, {0.3, 0.2}, {0.1, 0.4}}}};
+  const Course other = mirrored(course);
+  const Path path(course), mirror(other);
+  for (double s = 0.0; s < path.length_m(); s += 0.05) {
+    EXPECT_NEAR(mirror.at(s).x_m, path.at(s).x_m, 1e-12);
+    EXPECT_NEAR(mirror.at(s).y_m, -path.at(s).y_m, 1e-12);
+    EXPECT_NEAR(mirror.at(s).yaw_rad, -path.at(s).yaw_rad, 1e-12);
+  }
+  EXPECT_EQ(other.disturbances[0].sideways_m, -0.04);
+  EXPECT_EQ(other.terrain.ramps[0].place.y_m, 0.8);
+  EXPECT_EQ(other.terrain.ramps[0].up_rad, 0.4);
+  EXPECT_EQ(other.terrain.blocks[0].place.heading_rad, -0.3);
+  EXPECT_EQ(other.fence.min_y_m, -1.5);
+  EXPECT_EQ(other.fence.max_y_m, 0.5);
+  EXPECT_EQ(other.fence.keep_out.at(0).at(2).y_m, -0.4);
+  const Course back = mirrored(other);
+  EXPECT_EQ(back.terrain.surfaces[0].place.y_m, 0.2);
+  EXPECT_EQ(back.start.yaw_rad, 0.2);
 }
 
 }  // namespace
