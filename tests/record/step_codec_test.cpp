@@ -5,8 +5,10 @@
 
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "random_record.h"
 #include "record/step_difference.h"
@@ -93,26 +95,22 @@ TEST(StepCodec, ABlockOfInputsIsTakenStepByStepAndRefusedWhereItIsCut) {
 
 TEST(StepCodec, RefusesInputsThatNoRobotCanHaveMeasured) {
   auto back = random_record(4);
-  const auto error_of = [&](auto change) {
+  const std::pair<const char*, std::function<void(StepInputs&)>> changes[] = {
+      {"gyro", [](StepInputs& in) { in.samples[0].gyro_radps[1] = std::nan(""); }},
+      {"battery", [](StepInputs& in) { in.samples[0].battery_v = HUGE_VAL; }},
+      {"device", [](StepInputs& in) { in.samples[0].device_us = INT64_MAX; }},
+      {"drift", [](StepInputs& in) { in.clock.drift = -1.0; }},
+      {"state", [](StepInputs& in) { in.samples[0].state = static_cast<RobotState>(99); }}};
+  for (const auto& [field, change] : changes) {
     const auto record = random_record(3);
     record->inputs.samples.resize(1);
-    change(*record);
-    return decode_step(encoded(*record), *back).value_or("");
-  };
-  EXPECT_THAT(error_of([](StepRecord& r) { r.inputs.samples[0].gyro_radps[1] = std::nan(""); }),
-              HasSubstr("gyro"));
-  EXPECT_THAT(error_of([](StepRecord& r) { r.inputs.samples[0].battery_v = HUGE_VAL; }),
-              HasSubstr("battery"));
-  EXPECT_THAT(error_of([](StepRecord& r) { r.inputs.samples[0].device_us = INT64_MAX; }),
-              HasSubstr("device"));
-  EXPECT_THAT(error_of([](StepRecord& r) {
-                r.inputs.clock.valid = true;
-                r.inputs.clock.drift = -1.0;
-              }),
-              HasSubstr("drift"));
-  EXPECT_THAT(
-      error_of([](StepRecord& r) { r.inputs.samples[0].state = static_cast<RobotState>(99); }),
-      HasSubstr("state"));
+    record->inputs.clock.valid = true;
+    change(record->inputs);
+    EXPECT_THAT(decode_step(encoded(*record), *back).value_or(""), HasSubstr(field));
+  }
+  auto bytes = encoded(*random_record(3));
+  bytes[20] = 65;  // number of samples: behind the time, the step's number and that of restarts
+  EXPECT_THAT(decode_step(bytes, *back).value_or(""), HasSubstr("samples"));
 }
 
 // On a busy machine replies wait in buffers and seem to arrive at the same time, which gives
@@ -141,14 +139,6 @@ TEST(StepCodec, RefusesARestartWithinARun) {
     std::span<const std::uint8_t> rest = block;
     EXPECT_THAT(decode_inputs(rest, *back).value_or(""), HasSubstr("run_state"));
   }
-}
-
-TEST(StepCodec, RefusesACountThatFindsNoRoom) {
-  const auto record = random_record(3);
-  auto bytes = encoded(*record);
-  bytes[20] = 65;  // behind the time, the number of the step and the number of restarts
-  auto back = random_record(4);
-  EXPECT_THAT(decode_step(bytes, *back).value_or(""), HasSubstr("samples"));
 }
 
 TEST(StepCodec, TheSchemaListsTheLayout) {
