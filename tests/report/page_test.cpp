@@ -28,9 +28,7 @@ TEST(Spread, IsMedianAndNinetyFifthPercentile) {
   EXPECT_DOUBLE_EQ(spread(values).p95, 95.0);
   EXPECT_DOUBLE_EQ(percentile({1.0, 2.0}, 0.25), 1.25);
   EXPECT_TRUE(std::isnan(percentile({}, 0.5)));
-}
-
-TEST(Spread, WhatIsNoNumberIsTheWorst) {
+  // What is no number is the worst.
   EXPECT_DOUBLE_EQ(percentile({1.0, kNone, 2.0}, 0.5), 2.0);
   EXPECT_TRUE(std::isinf(percentile({1.0, kNone}, 1.0)));
 }
@@ -69,20 +67,6 @@ TEST(HtmlPage, HasVerdictAndFactsAboveItsContents) {
   EXPECT_LT(at("<nav"), at("<h2"));
 }
 
-TEST(HtmlPage, OfFewPartsHasNoContents) {
-  HtmlPage page("title");
-  page.heading("Only");
-  EXPECT_THAT(page.text(), Not(HasSubstr("<nav")));
-}
-
-TEST(HtmlPage, FitsEveryScreenAndPaper) {
-  HtmlPage page("title");
-  page.table({{"a"}, {"1"}}, "caption");
-  for (const char* part :
-       {"name='viewport'", "prefers-color-scheme:dark", "@media print", "<div class='scroll' "})
-    EXPECT_THAT(page.text(), HasSubstr(part));
-}
-
 TEST(HtmlPage, AlignsColumnsOfWordsToTheLeft) {
   HtmlPage page("title");
   page.table({{"", "number", "words"}, {"a", "-1.5 cm", "1-curve"}, {"b", "-", "2026-01-02"}},
@@ -113,18 +97,6 @@ TEST(Colours, AreReadableOnPaperAndInTheDark) {
     EXPECT_GE(contrast(colour.light, kGround.light), 4.5) << colour.name;
     EXPECT_GE(contrast(colour.dark, kGround.dark), 4.5) << colour.name;
   }
-}
-
-TEST(Colours, AreOneForEachThing) {
-  for (const Colour& one : kColours)
-    EXPECT_EQ(std::ranges::count(kColours, std::string(one.light),
-                                 [](const Colour& other) { return std::string(other.light); }),
-              1)
-        << one.name;
-  HtmlPage page("title");
-  for (const PoseSource source : kPoseSources)
-    EXPECT_THAT(page.text(), HasSubstr("svg [stroke='" + std::string(colour_of(source)) +
-                                       "']{stroke:var(--" + std::string(to_string(source)) + ")}"));
 }
 
 }  // namespace

@@ -87,6 +87,7 @@ TEST(ResultJson, HasTheDocumentedKeysInOrder) {
                           "settling_s", "overshoot_m", "shortcut_m"));
   EXPECT_EQ(json["tracking"]["recovery"][0]["detection_s"], 0.03);
   EXPECT_TRUE(json["tracking"]["recovery"][1]["settling_s"].is_null());
+  EXPECT_EQ(json["tracking"]["recovery_s"].dump(), "[1.5,null]");
   EXPECT_THAT(keys(json["slope"]),
               ElementsAre("ramp_pitch_max_error_rad", "ramp_pitch_rms_error_rad", "changes",
                           "false_changes", "obstacles", "mistaken"));
@@ -107,11 +108,17 @@ TEST(ResultJson, EachEstimateSaysHowOftenItsCovarianceHeldTheTruth) {
   EXPECT_THAT(result_table(a_run(), some_figures()), Not(HasSubstr("within 2 sd")));
 }
 
-TEST(ResultJson, IsOneLineWhoseNumbersReadBackExactly) {
+TEST(ResultJson, IsOneLineWhoseNumbersReadBackExactlyWhateverTheNames) {
   const std::string text = result_json(a_run(), some_figures());
   EXPECT_EQ(text.find('\n'), std::string::npos);
   EXPECT_EQ(Json::parse(text)["model"]["max_position_error_m"].get<double>(), 0.1 + 0.2);
-  EXPECT_EQ(text, result_json(a_run(), some_figures()));
+  RunResult run = a_run();
+  run.completed = false;
+  run.cause = "fence";
+  run.course = "a\xff\n\"b";
+  const std::string odd = result_json(run, {});
+  EXPECT_EQ(odd.find('\n'), std::string::npos);
+  EXPECT_EQ(Json::parse(odd)["cause"], "fence");
 }
 
 TEST(ResultJson, FusedIsThereOnlyIfACameraWas) {
@@ -125,27 +132,6 @@ TEST(ResultJson, FusedIsThereOnlyIfACameraWas) {
   EXPECT_EQ(keys(json["fused"]), keys(json["model"]));
   EXPECT_THAT(result_table(a_run(), figures), HasSubstr("ours: fused (+ camera)"));
   EXPECT_THAT(result_table(a_run(), some_figures()), Not(HasSubstr("fused")));
-}
-
-TEST(ResultJson, ADisturbanceWithoutRecoveryIsNull) {
-  const Json json = Json::parse(result_json(a_run(), some_figures()));
-  EXPECT_EQ(json["tracking"]["recovery_s"].dump(), "[1.5,null]");
-}
-
-TEST(ResultJson, ARunThatWasNotCompletedSaysWhy) {
-  RunResult run = a_run();
-  EXPECT_THAT(result_json(run, {}), Not(HasSubstr("cause")));
-  run.completed = false;
-  run.cause = "fence";
-  EXPECT_EQ(Json::parse(result_json(run, {}))["cause"], "fence");
-}
-
-TEST(ResultJson, SurvivesNamesThatAreNoText) {
-  RunResult run = a_run();
-  run.course = "a\xff\n\"b";
-  const std::string text = result_json(run, {});
-  EXPECT_TRUE(Json::accept(text));
-  EXPECT_EQ(text.find('\n'), std::string::npos);
 }
 
 TEST(ResultTable, ShowsThePrintedValuesAndWhatIsOurs) {
