@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/arithmetic.h"
+#include "support/refusal.h"
 
 namespace tp100::identify {
 namespace {
@@ -11,12 +12,7 @@ namespace {
 using testing::HasSubstr;
 
 std::string told(std::string_view text) {
-  try {
-    parse_drive(text, "d.csv");
-  } catch (const SetupError& error) {
-    return error.what();
-  }
-  return {};
+  return test::refusal([&] { parse_drive(text, "d.csv"); });
 }
 
 TEST(DriveFile, ReadsSamplesAndImagesFromTheirRows) {
@@ -88,12 +84,8 @@ TEST(DriveFile, HandMeasurementsGoToTheirRun) {
   EXPECT_EQ(again[2].measured.turned_rad, drives[2].measured.turned_rad);
   EXPECT_NEAR(again[1].measured.slope_rad.value(), -16.0 * kRadPerDeg, 1e-12);
   EXPECT_EQ(write_measured(std::vector<RecordedDrive>(2)), "");
-  try {
-    add_measured("run,left_m\n4,0\n", "m.csv", drives);
-    FAIL();
-  } catch (const SetupError& error) {
-    EXPECT_STREQ(error.what(), "m.csv:2: run is 4, but there are runs 1 to 3");
-  }
+  EXPECT_EQ(test::refusal([&] { add_measured("run,left_m\n4,0\n", "m.csv", drives); }),
+            "m.csv:2: run is 4, but there are runs 1 to 3");
   EXPECT_THROW(add_measured("run,slope_deg\n3,16\n", "m.csv", drives), SetupError)
       << "without a distance";
 }

@@ -14,6 +14,8 @@
 #include "core/error.h"
 #include "course/path.h"
 #include "model/track_model.h"
+#include "simulated_drives.h"
+#include "support/refusal.h"
 
 namespace tp100::identify {
 namespace {
@@ -136,14 +138,6 @@ TEST(NextManoeuvre, StopsWhenAllIntervalsAreNarrowAndTheyHoldTheTruth) {
   EXPECT_GE(held, 12);
 }
 
-TEST(NextManoeuvre, IsDeterministic) {
-  NextManoeuvre a(nothing_known(), area(1.0)), b(nothing_known(), area(1.0));
-  const auto chosen_a = drive_all(a, robot()), chosen_b = drive_all(b, robot());
-  ASSERT_EQ(chosen_a.size(), chosen_b.size());
-  for (std::size_t i = 0; i < chosen_a.size(); ++i) EXPECT_EQ(chosen_a[i].name, chosen_b[i].name);
-  EXPECT_EQ(a.progress().half_interval, b.progress().half_interval);
-}
-
 TEST(NextManoeuvre, NeverLeavesTheFence) {
   // Not a rectangle, and with a keep-out area.
   const course::TextFile room{
@@ -242,14 +236,12 @@ TEST(NextManoeuvre, RefusesAFenceInWhichNothingFitsByName) {
   // The robot stands on something that it may not enter.
   course::TextFile room = area(0.5);
   room.text += "[[keep_out]]\ncorners_m = [[-0.1, -0.1], [0.1, -0.1], [0.1, 0.1], [-0.1, 0.1]]\n";
-  try {
+  const std::string why = test::refusal([&] {
     const NextManoeuvre next(nothing_known(), room);
     next.choose();
-    FAIL();
-  } catch (const SetupError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("room"));
-    EXPECT_THAT(error.what(), HasSubstr("fence"));
-  }
+  });
+  EXPECT_THAT(why, HasSubstr("room"));
+  EXPECT_THAT(why, HasSubstr("fence"));
 }
 
 TEST(NextManoeuvre, EndsWithoutAnAnswerThatTheFenceDoesNotAllow) {
@@ -274,14 +266,7 @@ TEST(NextManoeuvre, WithoutACameraEachStartsAtTheMark) {
     EXPECT_EQ(manoeuvre->start.x_m, 0.0);
     EXPECT_EQ(manoeuvre->start.yaw_rad, 0.0);
     RecordedDrive drive = identify::drive(*manoeuvre, robot(), i);
-    const SeenPose a = drive.camera.front(), b = drive.camera.back();
-    drive.measured.ahead_m = b.x_m - a.x_m;
-    drive.measured.left_m = b.y_m - a.y_m;
-    double turned = 0.0;
-    for (std::size_t k = 1; k < drive.camera.size(); ++k)
-      turned += wrap_angle(drive.camera[k].yaw_rad - drive.camera[k - 1].yaw_rad);
-    drive.measured.turned_rad = turned;
-    drive.camera.clear();
+    measure_by_hand(drive);
     next.take(std::move(drive));
   }
   EXPECT_LT(next.progress().half_interval / next.progress().goal, 0.5 * at_first);

@@ -95,24 +95,36 @@ inline void expect_found(const Fit& fit, model::TrackParameter parameter, double
 }
 
 inline void expect_all_found(const Identification& found, const Truth& truth) {
-  const Fit& fit = found.extended;
-  expect_found(fit, &model::TrackParameters::slip_left, truth.slip_left, 0.003);
-  expect_found(fit, &model::TrackParameters::slip_right, truth.slip_right, 0.003);
-  expect_found(fit, &model::TrackParameters::wheelbase_m, truth.wheelbase_m,
-               0.01 * truth.wheelbase_m);
-  expect_found(fit, &model::TrackParameters::wheelbase_medium_m, truth.wheelbase_m,
-               0.01 * truth.wheelbase_m);
-  expect_found(fit, &model::TrackParameters::wheelbase_tight_m, truth.wheelbase_m,
-               0.01 * truth.wheelbase_m);
-  expect_found(fit, &model::TrackParameters::wheelbase_spin_m, truth.wheelbase_m,
-               0.01 * truth.wheelbase_m);
-  expect_found(fit, &model::TrackParameters::x_icr_m, truth.x_icr_m, 0.002);
-  expect_found(fit, &model::TrackParameters::gyro_scale, truth.gyro_scale, 0.004);
-  expect_found(fit, &model::TrackParameters::slip_angle_straight_rad, truth.slip_angle_rad,
-               0.3 * kRadPerDeg);
-  expect_found(fit, &model::TrackParameters::slip_angle_turning_rad, truth.slip_angle_rad,
-               0.3 * kRadPerDeg);
-  EXPECT_TRUE(fit.confused.empty());
+  using model::TrackParameters;
+  const struct {
+    model::TrackParameter parameter;
+    double truth, within;
+  } all[] = {{&TrackParameters::slip_left, truth.slip_left, 0.003},
+             {&TrackParameters::slip_right, truth.slip_right, 0.003},
+             {&TrackParameters::wheelbase_m, truth.wheelbase_m, 0.01 * truth.wheelbase_m},
+             {&TrackParameters::wheelbase_medium_m, truth.wheelbase_m, 0.01 * truth.wheelbase_m},
+             {&TrackParameters::wheelbase_tight_m, truth.wheelbase_m, 0.01 * truth.wheelbase_m},
+             {&TrackParameters::wheelbase_spin_m, truth.wheelbase_m, 0.01 * truth.wheelbase_m},
+             {&TrackParameters::x_icr_m, truth.x_icr_m, 0.002},
+             {&TrackParameters::gyro_scale, truth.gyro_scale, 0.004},
+             {&TrackParameters::slip_angle_straight_rad, truth.slip_angle_rad, 0.3 * kRadPerDeg},
+             {&TrackParameters::slip_angle_turning_rad, truth.slip_angle_rad, 0.3 * kRadPerDeg}};
+  for (const auto& one : all) expect_found(found.extended, one.parameter, one.truth, one.within);
+  EXPECT_TRUE(found.extended.confused.empty());
+}
+
+/// What a person measures with tape and protractor, in place of the camera's poses: from the first
+/// of them to the last.
+inline void measure_by_hand(RecordedDrive& drive) {
+  const SeenPose a = drive.camera.front(), b = drive.camera.back();
+  const double dx = b.x_m - a.x_m, dy = b.y_m - a.y_m;
+  drive.measured.ahead_m = std::cos(a.yaw_rad) * dx + std::sin(a.yaw_rad) * dy;
+  drive.measured.left_m = -std::sin(a.yaw_rad) * dx + std::cos(a.yaw_rad) * dy;
+  double turned_rad = 0.0;
+  for (std::size_t i = 1; i < drive.camera.size(); ++i)
+    turned_rad += wrap_angle(drive.camera[i].yaw_rad - drive.camera[i - 1].yaw_rad);
+  drive.measured.turned_rad = turned_rad;
+  drive.camera.clear();
 }
 
 }  // namespace tp100::identify

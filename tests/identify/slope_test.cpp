@@ -8,6 +8,7 @@
 #include "identify/identify.h"
 #include "identify/identify_report.h"
 #include "simulated_drives.h"
+#include "support/refusal.h"
 
 namespace tp100::identify {
 namespace {
@@ -74,12 +75,7 @@ TEST(IdentifySlopes, WithoutAMeasuredTurnBothTracksSlipAlikeOnASlope) {
 TEST(IdentifySlopes, RefusesRunsOnSlopesThatSayNothing) {
   const Truth truth;
   const auto told = [&](std::vector<RecordedDrive> drives) -> std::string {
-    try {
-      identify(drives, unknown());
-    } catch (const SetupError& error) {
-      return error.what();
-    }
-    return {};
+    return test::refusal([&] { identify(drives, unknown()); });
   };
   EXPECT_THAT(told({on_board(truth, 20.0, 0.1, 0.1)}), HasSubstr("runs on level ground"));
   std::vector<RecordedDrive> drives = all_kinds(truth);
