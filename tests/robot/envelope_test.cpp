@@ -16,12 +16,11 @@
 #include "course/path.h"
 #include "fence_runs.h"
 #include "hand_driven.h"
-#include "sim/robot/lockstep.h"
-#include "sim/robot/options.h"
+#include "runs.h"
 #include "sim/sensors/overhead_camera.h"
 #include "sim/study/commands.h"
-#include "sim/study/sampled.h"
 #include "support/temporary_folder.h"
+#include "text/format.h"
 
 namespace tp100::sim {
 namespace {
@@ -74,22 +73,16 @@ class LyingCamera {
     switch (which_.lie) {
       case Lie::kStuck:
         if (since_s < value) held_ = seen;
-        seen.x_m = held_.x_m;
-        seen.y_m = held_.y_m;
-        seen.yaw_rad = held_.yaw_rad;
+        put(seen, {.x_m = held_.x_m, .y_m = held_.y_m, .yaw_rad = held_.yaw_rad});
         break;
       case Lie::kMirrored:
         seen.y_m = -seen.y_m;
         seen.yaw_rad = -seen.yaw_rad;
         break;
-      case Lie::kTurned: {
-        const Pose turned = Transform2d{.turn_rad = value * kRadPerDeg}.of(
-            {.x_m = seen.x_m, .y_m = seen.y_m, .yaw_rad = seen.yaw_rad});
-        seen.x_m = turned.x_m;
-        seen.y_m = turned.y_m;
-        seen.yaw_rad = turned.yaw_rad;
+      case Lie::kTurned:
+        put(seen, Transform2d{.turn_rad = value * kRadPerDeg}.of(
+                      {.x_m = seen.x_m, .y_m = seen.y_m, .yaw_rad = seen.yaw_rad}));
         break;
-      }
       case Lie::kScaled:
         seen.x_m *= value;
         seen.y_m *= value;
@@ -106,6 +99,12 @@ class LyingCamera {
   }
 
  private:
+  static void put(CameraSample& seen, const Pose& pose) {
+    seen.x_m = pose.x_m;
+    seen.y_m = pose.y_m;
+    seen.yaw_rad = pose.yaw_rad;
+  }
+
   Case which_;
   CameraSample held_{};
 };
@@ -148,13 +147,10 @@ bool drives(const std::string& robot, const std::string& course, const std::stri
 }
 
 LockstepSettings settings(const std::string& course, const Loaded& robot, PoseSource steering,
-                          std::uint64_t seed) {
-  LockstepSettings run{.course = load_course(course),
-                       .robot = robot.robot,
-                       .configuration = robot.configuration,
-                       .setup = robot.setup,
-                       .seed = seed};
+                          std::uint64_t seed = 1) {
+  LockstepSettings run = run_of(course, robot);
   run.configuration.parameters.steering = steering;
+  run.seed = seed;
   return run;
 }
 
@@ -194,11 +190,17 @@ struct Reach : messages::Sink {
   double out_m = -1.0, off_m = 0.0;
 };
 
+void show(const std::string& what, const std::string& figures) {
+  if (std::getenv("TP100_ENVELOPE_FIGURES") != nullptr)
+    std::printf("%s: %s\n", what.c_str(), figures.c_str());
+}
+
 void expect_inside(const Case& which, const std::string& course, const std::string& robot,
-                   PoseSource steering, std::uint64_t seed = 1) {
-  SCOPED_TRACE(which.name() + ", course " + course + ", " + robot + ", steered by " +
-               std::string(to_string(steering)));
-  LockstepSettings run = settings(course, loaded(robot, "flat"), steering, seed);
+                   PoseSource steering) {
+  const std::string what = which.name() + ", course " + course + ", " + robot + ", steered by " +
+                           std::string(to_string(steering));
+  SCOPED_TRACE(what);
+  LockstepSettings run = settings(course, loaded(robot, "flat"), steering);
   Reach reach(run);
   LyingCamera camera(which);
   LyingWorld world(which.value, steering);
@@ -218,10 +220,7 @@ void expect_inside(const Case& which, const std::string& course, const std::stri
   EXPECT_LE(reach.out_m, kOutsideM) << result.cause;
   EXPECT_LE(reach.off_m, kOffPathM) << result.cause;
   EXPECT_TRUE(result.finished || names_the_source(which, result.cause)) << result.cause;
-  if (std::getenv("TP100_ENVELOPE_FIGURES") != nullptr)
-    std::printf("%s, %s, %s, %s: out %.3f off %.3f %s\n", which.name().c_str(), course.c_str(),
-                robot.c_str(), std::string(to_string(steering)).c_str(), reach.out_m, reach.off_m,
-                result.cause.c_str());
+  show(what, text::format("out %.3f off %.3f %s", reach.out_m, reach.off_m, result.cause.c_str()));
 }
 
 // Every lie on a course, each with another robot and the other steering.
@@ -254,8 +253,10 @@ TEST_P(Lies, KeepEveryRobotOnEveryPath) {
 /// each time that the drive has ended.
 void expect_fenced_in(const Case& which, const std::string& robot, PoseSource steering,
                       double yaw_rate_radps) {
-  SCOPED_TRACE(which.name() + " by hand, " + robot + ", steered by " +
-               std::string(to_string(steering)) + ", turning at " + std::to_string(yaw_rate_radps));
+  const std::string what = which.name() + " by hand, " + robot + ", steered by " +
+                           std::string(to_string(steering)) + ", turning at " +
+                           std::to_string(yaw_rate_radps);
+  SCOPED_TRACE(what);
   Loaded with = loaded(robot, "flat");
   with.configuration.parameters.steering = steering;
   LyingCamera camera(which);
@@ -279,7 +280,6 @@ void expect_fenced_in(const Case& which, const std::string& robot, PoseSource st
       drive.see(*seen);
     }
   };
-  std::string ended;
   for (int take = 0; take < 3; ++take) {
     if (!drive.step_until(
             [&] { return drive.record().snapshot.drive_refusal == StartRefusal::kNone; }, 5.0))
@@ -296,9 +296,7 @@ void expect_fenced_in(const Case& which, const std::string& robot, PoseSource st
     drive.step_for(1.0);
   }
   EXPECT_LE(out_m, kOutsideM);
-  if (std::getenv("TP100_ENVELOPE_FIGURES") != nullptr)
-    std::printf("%s by hand, %s, %s, %g rad/s: out %.3f\n", which.name().c_str(), robot.c_str(),
-                std::string(to_string(steering)).c_str(), yaw_rate_radps, out_m);
+  show(what, text::format("out %.3f", out_m));
 }
 
 TEST(Envelope, WhatACameraOrAWorldInventsLetsNobodyDriveOutOfTheFence) {
@@ -392,8 +390,7 @@ TEST(Envelope, AWorldThatClaimsRampsAndBlocksEverywhereLeadsNoRobotFarOut) {
   for (const char* robot : {"uniform", "end-loaded"}) {
     for (const double share : {0.0, 0.56, 0.8}) {
       for (const bool block : {true, false}) {
-        LockstepSettings run =
-            settings("1-straight", loaded(robot, "flat"), PoseSource::kOdometry, 1);
+        LockstepSettings run = settings("1-straight", loaded(robot, "flat"), PoseSource::kOdometry);
         Reach reach(run);
         LyingWorld world(share, PoseSource::kOdometry);
         run.configuration.parameters.world.owns_pose = true;

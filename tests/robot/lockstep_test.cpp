@@ -1,35 +1,19 @@
+// Whole runs in virtual time: the limits of the model on both boards, what ends a run, and what
+// repeats it.
 #include "sim/robot/lockstep.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <ostream>
-#include <string>
-#include <vector>
 
 #include "core/error.h"
-#include "course/bundled_files.h"
-#include "report/metrics.h"
 #include "report/result_text.h"
-#include "report/run_result.h"
-#include "sim/robot/options.h"
+#include "runs.h"
+#include "support/refusal.h"
 
 namespace tp100::sim {
 namespace {
-
-LockstepSettings settings(const std::string& course, const std::string& robot,
-                          const std::string& board = "native") {
-  Options options;
-  options.board = board;
-  options.robot = robot;
-  const Loaded loaded = load(options);
-  return {.course = load_course(course),
-          .robot = loaded.robot,
-          .configuration = loaded.configuration,
-          .setup = loaded.setup,
-          .board = loaded.board};
-}
 
 struct Case {
   const char* board;
@@ -47,20 +31,17 @@ class Courses : public testing::TestWithParam<Case> {};
 
 TEST_P(Courses, AreCompletedForEverySeedAndTheModelKeepsItsLimit) {
   const Case& which = GetParam();
-  LockstepSettings run = settings(which.course, which.robot, which.board);
+  LockstepSettings run = run_of(which.course, which.robot, which.board);
   std::vector<double> model_m;
   for (run.seed = 1; run.seed <= which.seeds; ++run.seed) {
     const report::RunResult result = run_lockstep(run);
     EXPECT_TRUE(result.completed) << "seed " << run.seed << ": " << result.cause;
     EXPECT_EQ(result.link.lost, 0u);
     EXPECT_EQ(result.link.crc_errors, 0u);
-    model_m.push_back(
-        report::figures(result, run.course).estimates[PoseSource::kModel]->max_position_error_m);
+    model_m.push_back(max_position_error_m(result, run.course, PoseSource::kModel));
   }
-  std::sort(model_m.begin(), model_m.end());
-  const double median_m = model_m[model_m.size() / 2];
   if (which.model_limit_m > 0.0) {
-    EXPECT_LE(median_m, which.model_limit_m);
+    EXPECT_LE(median(model_m), which.model_limit_m);
   }
 }
 
@@ -74,10 +55,8 @@ std::vector<Case> cases(const char* board, std::uint64_t seeds) {
   return all;
 }
 
-std::string course_case_name(const testing::TestParamInfo<Case>& param) {
-  std::string name = std::string(param.param.course) + "_" + param.param.robot;
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
+std::string course_case_name(const testing::TestParamInfo<Case>& info) {
+  return test_name(std::string(info.param.course) + "_" + info.param.robot);
 }
 
 INSTANTIATE_TEST_SUITE_P(Native, Courses, testing::ValuesIn(cases("native", 3)), course_case_name);
@@ -85,36 +64,38 @@ INSTANTIATE_TEST_SUITE_P(NightlyNative, Courses, testing::ValuesIn(cases("native
                          course_case_name);
 // Only builds that make the image can run it.
 #ifdef TP100_HAS_IMAGE
+constexpr const char* kBoards[] = {"native", "avr"};
 INSTANTIATE_TEST_SUITE_P(Avr, Courses, testing::ValuesIn(cases("avr", 1)), course_case_name);
 INSTANTIATE_TEST_SUITE_P(NightlyAvr, Courses, testing::ValuesIn(cases("avr", 5)), course_case_name);
+#else
+constexpr const char* kBoards[] = {"native"};
+#endif
 
-TEST(Options, TheFloorIsAValueOfTheRobotsFile) {
-  Options options;
-  EXPECT_EQ(load(options).robot.emulated.floor, course::Floor::kEven);
-  options.floor = "uneven";
-  const Loaded loaded = load(options);
-  EXPECT_EQ(loaded.robot.emulated.floor, course::Floor::kUneven);
-  EXPECT_NE(loaded.files.robot.text.find("floor = 'uneven'"), std::string::npos);
-  options.floor = "bumpy";
-  try {
-    load(options);
-    FAIL();
-  } catch (const SetupError& error) {
-    EXPECT_STREQ(error.what(), "--floor bumpy: not a floor; use even or uneven");
+TEST(Lockstep, TheDeviceClockWrapsWithoutAJump) {
+  for (const char* board : kBoards) {
+    SCOPED_TRACE(board);
+    LockstepSettings run = run_of("1-curve", "end-loaded", board);
+    // The run starts ten seconds before the wrap, at a multiple of the step of the board's timer.
+    run.start_us = (0xFFFFFFFFu - 10'000'000u) / 1024u * 1024u;
+    const report::RunResult result = run_lockstep(run);
+    EXPECT_TRUE(result.completed) << result.cause;
+    EXPECT_EQ(result.link.implausible, 0u);
+    EXPECT_EQ(result.link.lost, 0u);
+    EXPECT_EQ(result.link.crc_errors, 0u);
+    EXPECT_LE(max_position_error_m(result, run.course, PoseSource::kModel), 0.010);
   }
 }
 
 // On an even floor seeds change noise only, and the model's error is the same in all of them.
 TEST(Lockstep, ASeedDrawsAnUnevenFloorAndRepeatsIt) {
-  LockstepSettings run = settings("1-straight", "end-loaded");
+  LockstepSettings run = run_of("1-straight");
   const auto error_cm = [&](course::Floor floor, std::uint64_t seed) {
     run.robot.emulated.floor = floor;
     run.seed = seed;
     const report::RunResult result = run_lockstep(run);
     EXPECT_TRUE(result.completed) << result.cause;
     EXPECT_EQ(result.floor, to_string(floor));
-    return report::figures(result, run.course).estimates[PoseSource::kModel]->max_position_error_m *
-           100.0;
+    return max_position_error_m(result, run.course, PoseSource::kModel) * 100.0;
   };
   EXPECT_NEAR(error_cm(course::Floor::kEven, 1), error_cm(course::Floor::kEven, 2), 0.02);
   const double uneven_cm = error_cm(course::Floor::kUneven, 1);
@@ -122,125 +103,89 @@ TEST(Lockstep, ASeedDrawsAnUnevenFloorAndRepeatsIt) {
   EXPECT_EQ(uneven_cm, error_cm(course::Floor::kUneven, 1));
 }
 
-TEST(Lockstep, TheDeviceClockWrapsWithoutAJumpOnTheImage) {
-  LockstepSettings run = settings("1-curve", "end-loaded", "avr");
-  // The run starts ten seconds before the wrap, at a multiple of the step of the board's timer.
-  run.start_us = (0xFFFFFFFFu - 10'000'000u) / 1024u * 1024u;
-  const report::RunResult result = run_lockstep(run);
-  EXPECT_TRUE(result.completed) << result.cause;
-  EXPECT_EQ(result.link.implausible, 0u);
-  EXPECT_EQ(result.link.lost, 0u);
-  EXPECT_EQ(result.link.crc_errors, 0u);
-  EXPECT_LE(report::figures(result, run.course).estimates[PoseSource::kModel]->max_position_error_m,
-            0.010);
+TEST(Lockstep, OneSeedGivesOneResultAndAnotherSeedAnother) {
+  LockstepSettings run = run_of("1-curve");
+  const auto text = [&run] {
+    report::RunResult result = run_lockstep(run);
+    result.realtime_factor = 0.0;
+    result.loop.clear();
+    return report::result_json(result, report::figures(result, run.course));
+  };
+  const std::string first = text();
+  EXPECT_EQ(first, text());
+  run.seed = 2;
+  EXPECT_NE(first, text());
 }
-#endif
 
-/// The uniform robot on the body `shear`, with the values of [model] that it has there.
-LockstepSettings on_shear(const std::string& course) {
-  LockstepSettings run = settings(course, "uniform");
+// Floor and body are values of the robot's file, so a recording holds them too.
+TEST(Options, FloorAndBodyAreValuesOfTheRobotsFile) {
+  Options options;
+  EXPECT_EQ(load(options).robot.emulated.floor, course::Floor::kEven);
+  EXPECT_EQ(load(options).robot.emulated.contact_law, course::ContactLaw::kOde);
+  options.floor = "uneven";
+  options.body = "shear";
+  options.robot_values = {{"emulated.shear.modulus_m", 0.005}};
+  const Loaded loaded = load(options);
+  EXPECT_EQ(loaded.robot.emulated.floor, course::Floor::kUneven);
+  EXPECT_EQ(loaded.robot.emulated.contact_law, course::ContactLaw::kShear);
+  EXPECT_EQ(loaded.robot.emulated.shear.modulus_m, 0.005);
+  for (const char* line : {"floor = 'uneven'", "contact_law = 'shear'"})
+    EXPECT_NE(loaded.files.robot.text.find(line), std::string::npos) << line;
+  const auto refusal = [](const Options& of) -> std::string {
+    return test::refusal([&] { load(of); });
+  };
+  options.body = "sheer";
+  EXPECT_EQ(refusal(options), "--body sheer: not a body; use ode or shear");
+  options.body = "shear";
+  options.floor = "bumpy";
+  EXPECT_EQ(refusal(options), "--floor bumpy: not a floor; use even or uneven");
+}
+
+TEST(Lockstep, OnlyTheBodyOfTheSimulatorClimbsARampThatIsReallyThere) {
+  LockstepSettings run = run_of("1-curve", "uniform");
   run.robot.emulated.contact_law = course::ContactLaw::kShear;
   run.robot.model = {.slip_left = 0.001, .slip_right = 0.001, .wheelbase_m = 0.178};
-  return run;
-}
-
-TEST(Lockstep, CoursesAreCompletedOnTheBodyWithTheOtherContactLaw) {
-  for (const char* course : {"1-curve", "2"}) {
-    const report::RunResult result = run_lockstep(on_shear(course));
-    EXPECT_TRUE(result.completed) << course << ": " << result.cause;
-    EXPECT_EQ(result.body, "shear");
-  }
-}
-
-TEST(Lockstep, OnlyTheOtherBodyCarriesARampThatIsReallyThere) {
-  LockstepSettings run = on_shear("3");
+  const report::RunResult result = run_lockstep(run);
+  EXPECT_TRUE(result.completed) << result.cause;
+  EXPECT_EQ(result.body, "shear");
+  run.course = load_course("3");
   run.setup = bridge::Setup::kTerrain;
   EXPECT_THROW(run_lockstep(run), SetupError);
 }
 
-TEST(Options, TheBodyIsAValueOfTheRobotsFile) {
-  Options options;
-  EXPECT_EQ(load(options).robot.emulated.contact_law, course::ContactLaw::kOde);
-  options.body = "shear";
-  options.robot_values = {{"emulated.shear.modulus_m", 0.005}};
-  const Loaded loaded = load(options);
-  EXPECT_EQ(loaded.robot.emulated.contact_law, course::ContactLaw::kShear);
-  EXPECT_EQ(loaded.robot.emulated.shear.modulus_m, 0.005);
-  EXPECT_NE(loaded.files.robot.text.find("contact_law = 'shear'"), std::string::npos);
-  options.body = "sheer";
-  try {
-    load(options);
-    FAIL();
-  } catch (const SetupError& error) {
-    EXPECT_STREQ(error.what(), "--body sheer: not a body; use ode or shear");
-  }
-}
-
-TEST(Lockstep, TheDeviceClockWrapsWithoutAJump) {
-  LockstepSettings run = settings("1-curve", "end-loaded");
-  run.start_us = 0xFFFFFFFFu - 10'000'000u;
-  const report::RunResult result = run_lockstep(run);
-  EXPECT_TRUE(result.completed) << result.cause;
-  EXPECT_LE(report::figures(result, run.course).estimates[PoseSource::kModel]->max_position_error_m,
-            0.010);
-}
-
-std::string without_time(report::RunResult result, const course::Course& course) {
-  result.realtime_factor = 0.0;
-  result.loop.clear();
-  return report::result_json(result, report::figures(result, course));
-}
-
-TEST(Lockstep, OneSeedGivesOneResultAndAnotherSeedAnother) {
-  LockstepSettings run = settings("1-curve", "end-loaded");
-  const std::string first = without_time(run_lockstep(run), run.course);
-  EXPECT_EQ(first, without_time(run_lockstep(run), run.course));
-  run.seed = 2;
-  EXPECT_NE(first, without_time(run_lockstep(run), run.course));
-}
-
-TEST(Lockstep, OnAStandTheVirtualRobotCompletesTheCourseAndTheBodyStays) {
-  LockstepSettings run = settings("1-curve", "end-loaded");
+TEST(Lockstep, OnAStandTheVirtualRobotEndsAtTheEndOfThePath) {
+  LockstepSettings run = run_of("1-curve");
   run.setup = bridge::Setup::kStand;
   const report::RunResult result = run_lockstep(run);
   EXPECT_TRUE(result.completed) << result.cause;
   EXPECT_NEAR(result.points.back().truth.y_m, 0.7, 0.03);
 }
 
-TEST(Lockstep, ARobotThatLeavesItsFenceIsStoppedAndTheCauseIsNamed) {
-  LockstepSettings run = settings("1-curve", "end-loaded");
-  run.course.fence.max_y_m = 0.3;
-  const report::RunResult result = run_lockstep(run);
-  EXPECT_FALSE(result.completed);
-  EXPECT_EQ(result.cause, "fence");
-}
+// What a person sets up wrongly ends the run, by name, before the robot is far.
+TEST(Lockstep, ARobotThatIsNotAsItsFileSaysDoesNotComplete) {
+  LockstepSettings fence = run_of("1-curve"), slip = run_of("1-straight"),
+                   motor = run_of("1-straight"), gyro = run_of("1-curve");
+  fence.course.fence.max_y_m = 0.3;
+  EXPECT_EQ(run_lockstep(fence).cause, "fence");
 
-TEST(Lockstep, ARobotWhoseSlipNobodyKnowsFinishesElsewhere) {
-  LockstepSettings run = settings("1-straight", "end-loaded");
-  run.robot.model = {};
-  run.robot.emulated.body.track_deficit_left = run.robot.emulated.body.track_deficit_right = 0.4;
-  const report::RunResult result = run_lockstep(run);
-  EXPECT_TRUE(result.finished);
-  EXPECT_FALSE(result.completed);
-  EXPECT_EQ(result.cause, "ended too far from the end of the path");
-}
+  slip.robot.model = {};
+  slip.robot.emulated.body.track_deficit_left = slip.robot.emulated.body.track_deficit_right = 0.4;
+  const report::RunResult elsewhere = run_lockstep(slip);
+  EXPECT_TRUE(elsewhere.finished);
+  EXPECT_FALSE(elsewhere.completed);
+  EXPECT_EQ(elsewhere.cause, "ended too far from the end of the path");
 
-TEST(Lockstep, AReversedMotorIsFoundBeforeTheRobotGetsFar) {
-  LockstepSettings run = settings("1-straight", "end-loaded");
-  run.robot.drive.invert_right_motor = true;
-  const report::RunResult result = run_lockstep(run);
-  EXPECT_FALSE(result.completed);
-  EXPECT_FALSE(result.cause.empty());
-  ASSERT_FALSE(result.points.empty());
-  EXPECT_LT(std::abs(result.points.back().truth.x_m), 0.10) << result.cause;
-}
+  motor.robot.drive.invert_right_motor = true;
+  const report::RunResult reversed = run_lockstep(motor);
+  EXPECT_FALSE(reversed.completed);
+  EXPECT_FALSE(reversed.cause.empty());
+  ASSERT_FALSE(reversed.points.empty());
+  EXPECT_LT(std::abs(reversed.points.back().truth.x_m), 0.10) << reversed.cause;
 
-TEST(Lockstep, AGyroOfTheWrongSignIsFound) {
-  LockstepSettings run = settings("1-curve", "end-loaded");
-  run.robot.model.gyro_scale = -1.0;
-  const report::RunResult result = run_lockstep(run);
-  EXPECT_FALSE(result.completed);
-  EXPECT_FALSE(result.cause.empty());
+  gyro.robot.model.gyro_scale = -1.0;
+  const report::RunResult mirrored = run_lockstep(gyro);
+  EXPECT_FALSE(mirrored.completed);
+  EXPECT_FALSE(mirrored.cause.empty());
 }
 
 }  // namespace

@@ -15,9 +15,7 @@
 #include "core/arithmetic.h"
 #include "course/bundled_files.h"
 #include "course/path.h"
-#include "report/metrics.h"
-#include "sim/robot/lockstep.h"
-#include "sim/robot/options.h"
+#include "runs.h"
 
 namespace {
 
@@ -78,19 +76,12 @@ void fence_in(course::Course& course) {
   }
 }
 
-/// Settings with the overhead camera, whose fused pose steers the robot.
+/// A run that the fused pose of the overhead camera steers.
 LockstepSettings settings(course::Course course, const std::string& robot) {
-  Options options;
-  options.robot = robot;
-  const Loaded loaded = load(options);
+  LockstepSettings run = seen_run_of("1-straight", robot);
   fence_in(course);
-  LockstepSettings settings{.course = std::move(course),
-                            .robot = loaded.robot,
-                            .configuration = loaded.configuration,
-                            .setup = loaded.setup,
-                            .camera = load_camera("overhead")};
-  settings.configuration.parameters.steering = PoseSource::kFused;
-  return settings;
+  run.course = std::move(course);
+  return run;
 }
 
 /// The total angle by which the body has turned, including whole turns.
@@ -158,11 +149,7 @@ TEST_P(Paths, ThatCloseOrCrossAreDrivenToTheirEnd) {
 
 INSTANTIATE_TEST_SUITE_P(EveryRobot, Paths,
                          testing::ValuesIn(course::bundled_names(course::Bundled::kRobots)),
-                         [](const testing::TestParamInfo<std::string>& param) {
-                           std::string name = param.param;
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+                         [](const auto& param) { return test_name(param.param); });
 
 /// Samples courses over the whole range that config/courses/1-straight.toml documents, limited to a
 /// length that a robot completes in about twenty seconds.

@@ -4,11 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/replay.h"
 #include "hand_driven.h"
-#include "record/recording.h"
-#include "sim/robot/lockstep_recorder.h"
-#include "support/temporary_folder.h"
 
 namespace tp100::sim {
 namespace {
@@ -106,28 +102,6 @@ TEST_F(PauseTest, ATurnOnTheSpotIsPausedAndCompletedAfterwards) {
   drive.step_until([&] { return drive.state() != RunState::kRunning; }, 30.0);
   EXPECT_EQ(drive.state(), RunState::kFinished);
   EXPECT_NEAR(drive.robot().truth().pose.yaw_rad, 1.5708, 0.1);
-}
-
-TEST_F(PauseTest, IsRecordedAndReplayedBitForBit) {
-  const test::TemporaryFolder folder;
-  LockstepRecorder recorder(folder.path().string(), loaded_, 1);
-  HandDriven drive({.loaded = loaded_, .course = run_.course, .sink = &recorder});
-  begin(drive);
-  drive.request(OperatorRequest::kPause);
-  drive.step_for(3.0);
-  drive.request(OperatorRequest::kResume);
-  drive.step_for(3.0);
-  recorder.finish();
-
-  const record::Recording recording(recorder.path());
-  std::size_t paused = 0;
-  const app::Replayed replayed = app::replay_steps(recording, run_.parameters, run_.course, true,
-                                                   [&](const StepRecord& record) {
-                                                     if (record.snapshot.pause_left_s > 0.0)
-                                                       ++paused;
-                                                   });
-  EXPECT_FALSE(replayed.differs_at) << *replayed.differs_at << " " << replayed.difference.field;
-  EXPECT_NEAR(static_cast<double>(paused), 600.0, 5.0);
 }
 
 }  // namespace

@@ -71,6 +71,33 @@ void set_results(const bridge::Outputs& out, StepRecord& record) {
   record.snapshot = out.snapshot;
 }
 
+void expect_near(const Pose& is, const Pose& was) {
+  EXPECT_NEAR(is.x_m, was.x_m, 1e-3);
+  EXPECT_NEAR(is.y_m, was.y_m, 1e-3);
+  EXPECT_NEAR(is.z_m, was.z_m, 1e-3);
+  EXPECT_NEAR(is.yaw_rad, was.yaw_rad, 1e-3);
+}
+
+/// What a restart must not change.
+void expect_continued(const Snapshot& was, const Snapshot& is) {
+  for (const PoseSource source : kPoseSources) {
+    SCOPED_TRACE(to_string(source));
+    expect_near(is.estimates[source].pose, was.estimates[source].pose);
+    const double variance_m2 = was.estimates[source].covariance.xx;
+    EXPECT_NEAR(is.estimates[source].covariance.xx, variance_m2, 0.1 * variance_m2);
+  }
+  expect_near(is.world, was.world);
+  EXPECT_EQ(is.run_state, was.run_state);
+  EXPECT_EQ(is.start_refusal, was.start_refusal);
+  EXPECT_EQ(is.faults, was.faults);
+  EXPECT_EQ(is.has_sample, was.has_sample);
+  EXPECT_EQ(is.steering, was.steering);
+  EXPECT_EQ(is.progress_m, was.progress_m);
+  EXPECT_EQ(is.cross_track_m, was.cross_track_m);
+  EXPECT_NEAR(is.gyro_bias_radps, was.gyro_bias_radps, 1e-4);
+  EXPECT_NEAR(is.imu_pitch_rad, was.imu_pitch_rad, 2e-3);
+}
+
 TEST_P(Restart, LosesNothingAndRepeatsBitForBit) {
   constexpr std::size_t kMax = 8;  // restarts that are followed to the end
   std::mt19937 random(7);
@@ -106,30 +133,7 @@ TEST_P(Restart, LosesNothingAndRepeatsBitForBit) {
                   difference->recorded + " " + difference->computed;
     }
     const Snapshot& now = record.snapshot;
-    if (restart) {
-      for (const PoseSource source : kPoseSources) {
-        const Pose &was = before.estimates[source].pose, &is = now.estimates[source].pose;
-        EXPECT_NEAR(is.x_m, was.x_m, 1e-3) << to_string(source);
-        EXPECT_NEAR(is.y_m, was.y_m, 1e-3) << to_string(source);
-        EXPECT_NEAR(is.z_m, was.z_m, 1e-3) << to_string(source);
-        EXPECT_NEAR(is.yaw_rad, was.yaw_rad, 1e-3) << to_string(source);
-        const double variance_m2 = before.estimates[source].covariance.xx;
-        EXPECT_NEAR(now.estimates[source].covariance.xx, variance_m2, 0.1 * variance_m2)
-            << to_string(source);
-      }
-      EXPECT_NEAR(now.world.x_m, before.world.x_m, 1e-3);
-      EXPECT_NEAR(now.world.y_m, before.world.y_m, 1e-3);
-      EXPECT_NEAR(now.world.yaw_rad, before.world.yaw_rad, 1e-3);
-      EXPECT_EQ(now.run_state, before.run_state);
-      EXPECT_EQ(now.start_refusal, before.start_refusal);
-      EXPECT_EQ(now.faults, before.faults);
-      EXPECT_EQ(now.has_sample, before.has_sample);
-      EXPECT_EQ(now.steering, before.steering);
-      EXPECT_EQ(now.progress_m, before.progress_m);
-      EXPECT_EQ(now.cross_track_m, before.cross_track_m);
-      EXPECT_NEAR(now.gyro_bias_radps, before.gyro_bias_radps, 1e-4);
-      EXPECT_NEAR(now.imu_pitch_rad, before.imu_pitch_rad, 2e-3);
-    }
+    if (restart) expect_continued(before, now);
     running += now.run_state == RunState::kRunning ? 1 : 0;
     finished +=
         now.run_state == RunState::kFinished && before.run_state == RunState::kRunning ? 1 : 0;
