@@ -9,6 +9,7 @@ bridge is also compared with an echo of the same priority ("/own").
 import collections
 import json
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -36,10 +37,10 @@ def peers(programs, folder):
         return ("daemon", [os.path.join(programs, "tp100d"), "run", "--port", "PORT", "--listen", "off",
                            "--config", config])
 
-    echo = [os.path.join(programs, "turnaround_bench"), "--echo", "PORT"]
+    echo = [os.path.abspath(os.path.join(programs, "turnaround_bench")), "--echo", "PORT"]
     return {
         BASE: ("echo", echo),
-        FIFO: ("echo", ["chrt", "-f", "80", *echo]),
+        FIFO: ("echo", [shutil.which("chrt"), "-f", "80", *echo]),
         OURS: daemon("robot"),
         ORDINARY: daemon("robot", "priority = 0"),
         HOST_PACED: daemon("host"),
@@ -47,7 +48,7 @@ def peers(programs, folder):
 
 
 def tied(processor):
-    return [] if processor is None else ["taskset", "-c", processor]
+    return [] if processor is None else [shutil.which("taskset"), "-c", processor]
 
 
 def measure(programs, placement, kind, command, duration_s):

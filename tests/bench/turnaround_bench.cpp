@@ -1,14 +1,12 @@
 // turnaround_bench daemon|echo SECONDS PROGRAM [ARGUMENT...]: plays the robot on a pty whose other
-// end PROGRAM opens; the argument PORT stands for the name of the pty. Writes a sample frame every
-// 5 ms and waits for the response: the command that answers the sample, or as many bytes as were
-// sent. Prints one JSON object with the response times [us].
-// turnaround_bench --echo PORT is the simplest such program: it sends every frame back.
+// end PROGRAM (an absolute path) opens; the argument PORT stands for the name of the pty. Writes a
+// sample frame every 5 ms and waits for the response: the command that answers the sample, or as
+// many bytes as were sent. Prints one JSON object with the response times [us]. turnaround_bench
+// --echo PORT is the simplest such program: it sends every frame back.
 
 #include <fcntl.h>
 #include <poll.h>
 #include <sched.h>
-#include <signal.h>
-#include <sys/wait.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -16,11 +14,11 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "../link/pty_pair.h"
 #include "../link/scripted_robot.h"
+#include "../programs/process.h"
 #include "core/clock.h"
 #include "loop/pacing.h"
 
@@ -38,44 +36,6 @@ constexpr int kPriority = 90;
 int milliseconds_until(HostNs at) {
   return static_cast<int>(std::max<HostNs>(0, at - monotonic_now()) / kNsPerMs);
 }
-
-/// The program under test, in a process group of its own that ends with this object.
-class Peer {
- public:
-  Peer(const std::vector<std::string>& command, const std::string& port) {
-    std::vector<std::string> words;
-    for (const std::string& word : command) words.push_back(word == "PORT" ? port : word);
-    std::vector<char*> arguments;
-    for (std::string& word : words) arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-    pid_ = ::fork();
-    if (pid_ != 0) return;
-    ::setpgid(0, 0);
-    // Standard output is reserved for the measured times.
-    ::dup2(STDERR_FILENO, STDOUT_FILENO);
-    ::execvp(arguments[0], arguments.data());
-    ::_exit(127);
-  }
-  ~Peer() {
-    ::setpgid(pid_, pid_);
-    ::kill(-pid_, SIGTERM);
-    for (int i = 0; i < 200 && !ended(); ++i)
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    ::kill(-pid_, SIGKILL);
-    if (!ended_) ::waitpid(pid_, nullptr, 0);
-  }
-  Peer(const Peer&) = delete;
-  Peer& operator=(const Peer&) = delete;
-
-  bool ended() {
-    ended_ = ended_ || ::waitpid(pid_, nullptr, WNOHANG) == pid_;
-    return ended_;
-  }
-
- private:
-  pid_t pid_ = -1;
-  bool ended_ = false;
-};
 
 /// Sends back what ends with a delimiter.
 int echo(const char* name) {
@@ -105,9 +65,9 @@ class Robot {
   const std::string& port() const { return pty_.near(); }
 
   /// False if the peer does not respond.
-  bool connect(Peer& peer) {
+  bool connect() {
     const HostNs give_up = monotonic_now() + kConnectNs;
-    while (monotonic_now() < give_up && !peer.ended()) {
+    while (monotonic_now() < give_up) {
       // A pty loses nothing: it buffers what is written before the peer is ready.
       if (daemon_ ? greet() : exchange() >= 0) return true;
     }
@@ -158,14 +118,16 @@ class Robot {
   ScriptedRobot robot_;
 };
 
-int run(bool daemon, double seconds, const std::vector<std::string>& command) {
+int run(bool daemon, double seconds, std::vector<std::string> command) {
   Robot robot(daemon);
-  Peer peer(command, robot.port());
+  for (std::string& word : command)
+    if (word == "PORT") word = robot.port();
+  test::Process peer(command);
   // The priority is set after the fork: the peer requests its own.
   const sched_param fifo{.sched_priority = kPriority};
   const bool before_others = ::sched_setscheduler(0, SCHED_FIFO, &fifo) == 0;
-  if (!robot.connect(peer)) {
-    std::fprintf(stderr, "turnaround_bench: %s does not answer\n", command[0].c_str());
+  if (!robot.connect()) {
+    std::fprintf(stderr, "turnaround_bench: no answer: %s\n", peer.output().c_str());
     return 1;
   }
   const HostNs begin = monotonic_now() + kWarmUpNs;
