@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/arithmetic.h"
-#include "identify/drive_motion.h"
 #include "model/track_model.h"
 #include "sim/study/commands.h"
 #include "sim/study/constants_study.h"
@@ -49,41 +47,11 @@ TEST(Calibration, FindsWhatTheBodyReallyDid) {
   }
 }
 
-/// What the slope of a drive on a board adds to the slip of the left and the right track, from what
-/// a person measures of it.
-std::pair<double, double> added_slip(const identify::RecordedDrive& drive,
-                                     const course::Robot& robot) {
-  const identify::DriveMotion motion(drive, robot.drive.counts_per_metre);
-  const double half_m = *drive.measured.turned_rad * robot.model.wheelbase_m / 2.0;
-  const double distance_m = *drive.measured.distance_m;
-  return {1.0 - (distance_m - half_m) / motion.left_m() - robot.model.slip_left,
-          1.0 - (distance_m + half_m) / motion.right_m() - robot.model.slip_right};
-}
-
-// By tape and protractor on boards, against the body's exact motion at a constant speed.
-TEST(SlopeDrives, ShowTheSlipOnSlopes) {
-  const course::Robot large = robot("large").robot;
-  const SlopeSlip level = measure_slope(large.emulated.body, 0.0, kSlopeTrackMps);
-  const std::vector<identify::RecordedDrive> drives = slope_drives(large, 3);
-  ASSERT_FALSE(drives.empty());
-  for (const identify::RecordedDrive& drive : drives) {
-    const double slope_rad = *drive.measured.slope_rad;
-    if (slope_rad < 0.0) continue;
-    const SlopeSlip exact = measure_slope(large.emulated.body, slope_rad, kSlopeTrackMps);
-    const auto [left, right] = added_slip(drive, large);
-    EXPECT_NEAR(left, exact.left - level.left, 0.02) << slope_rad * kDegPerRad;
-    EXPECT_NEAR(right, exact.right - level.right, 0.02) << slope_rad * kDegPerRad;
-  }
-}
-
 TEST(SlopeDrives, ASlopeThatIsTooSteepIsLeftOut) {
-  const course::Robot slippery = robot("slippery").robot;
-  const std::vector<identify::RecordedDrive> drives = slope_drives(slippery, 3);
+  const std::vector<identify::RecordedDrive> drives = slope_drives(robot("slippery").robot, 3);
   ASSERT_FALSE(drives.empty());
-  const auto steepest = std::ranges::max_element(
-      drives, {}, [](const auto& drive) { return *drive.measured.slope_rad; });
-  EXPECT_LT(*steepest->measured.slope_rad, 20.0 * kRadPerDeg);
-  EXPECT_GT(added_slip(*steepest, slippery).first, 0.1);
+  for (const identify::RecordedDrive& drive : drives)
+    EXPECT_LT(*drive.measured.slope_rad, 20.0 * kRadPerDeg);
 }
 
 /// A drive that follows the extended model exactly: each pair of ground speeds for some seconds.
@@ -167,37 +135,6 @@ TEST(NightlyConstants, TheCriterionTellsThoseThatPayFromOthers) {
   EXPECT_GT(of("without wheelbase_spin_m"), 1000.0);
   EXPECT_LT(of("without turn_loss"), 0.0);
   EXPECT_GT(of("without turn_loss"), -15.0) << "one constant less cannot save more than ln n";
-}
-
-TEST(Constants, TheLargestCriterionOfAllRobots) {
-  const auto of_robot = [](const char* robot, double first, double second) {
-    CourseStudy study;
-    study.course = "identification drives";
-    study.robot = robot;
-    study.judged = {judged_value(study, "criterion of eqs 1-5", "", -1.0, first),
-                    judged_value(study, "criterion without turn_loss", "", -1.0, second)};
-    return study;
-  };
-  CourseStudy other = of_robot("other", 9.0, 9.0);
-  other.course = "1-sharp";
-  const CourseStudy largest =
-      largest_criteria({other, of_robot("narrow", 1.0, -2.0), of_robot("soft", -3.0, 4.0)});
-  EXPECT_EQ(largest.robot, "all, largest");
-  ASSERT_EQ(largest.judged.size(), 2u);
-  EXPECT_EQ(largest.judged[0].ours.median, 1.0);
-  EXPECT_EQ(largest.judged[1].ours.median, 4.0);
-  EXPECT_EQ(largest.judged[1].robot, "all, largest");
-}
-
-TEST(CalibrationJson, WhatCouldNotBeMeasuredIsLeftOut) {
-  model::TrackParameters truth;
-  truth.turn_slip = -HUGE_VAL;
-  truth.turn_slip_tight = std::nan("");
-  const auto json = nlohmann::json::parse(calibration_json("narrow", 3, {}, truth));
-  EXPECT_EQ(json.at("robot"), "narrow");
-  EXPECT_FALSE(json.at("turn_slip").contains("true"));
-  EXPECT_FALSE(json.at("turn_slip_tight").contains("true"));
-  EXPECT_TRUE(json.at("turn_slip").at("found").is_number());
 }
 
 }  // namespace

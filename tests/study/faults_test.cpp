@@ -114,14 +114,16 @@ TEST_P(FaultTest, EndsAsExpectedAndAsThePageSays) {
   EXPECT_TRUE(rewriting() || page().find(row) != std::string::npos) << "not on the page: " << row;
 }
 
-std::string name_of(const ::testing::TestParamInfo<Case>& info) {
-  std::string name = std::string(info.param.trial.fault) + "_" + to_string(info.param.board);
-  for (char& letter : name)
+/// Letters and digits of `text`, with underscores between them.
+std::string as_name(std::string text) {
+  for (char& letter : text)
     if (std::isalnum(static_cast<unsigned char>(letter)) == 0) letter = '_';
-  return name;
+  return text;
 }
 
-INSTANTIATE_TEST_SUITE_P(List, FaultTest, ::testing::ValuesIn(cases()), name_of);
+INSTANTIATE_TEST_SUITE_P(List, FaultTest, ::testing::ValuesIn(cases()), [](const auto& param) {
+  return as_name(std::string(param.param.trial.fault) + "_" + to_string(param.param.board));
+});
 
 std::vector<EncoderFailure> failures_on_the_page() {
   std::vector<EncoderFailure> all;
@@ -153,15 +155,8 @@ TEST_P(EncoderTest, TheMotorsAreOffBeforeTheRobotIsFarFromWhereItShouldBe) {
   EXPECT_TRUE(rewriting() || page().find(text) != std::string::npos) << "not on the page: " << text;
 }
 
-std::string name_of_failure(const ::testing::TestParamInfo<EncoderFailure>& info) {
-  std::string name(info.param.fault);
-  for (char& letter : name)
-    if (std::isalnum(static_cast<unsigned char>(letter)) == 0) letter = '_';
-  return name;
-}
-
 INSTANTIATE_TEST_SUITE_P(Sweep, EncoderTest, ::testing::ValuesIn(failures_on_the_page()),
-                         name_of_failure);
+                         [](const auto& param) { return as_name(std::string(param.param.fault)); });
 
 #ifdef TP100_HAS_IMAGE
 TEST(EncoderFaultsOnTheChip, EndTheRunAsWell) {
@@ -244,35 +239,28 @@ TEST(FaultList, WithoutAFaultNothingIsCountedAndNothingSaid) {
   }
 }
 
-// The page must contain a row for every trial and no rows for trials that no longer exist.
-TEST(FaultPage, HasOneRowForEveryTrialAndNoOther) {
-  const std::string rows = part(page(), kMark + fault_table_head(), kEnd);
-  ASSERT_FALSE(rows.empty()) << kPage << ": the marks are missing or the table head differs";
-  std::vector<std::string> expected;
-  for (const FaultTrial& trial : fault_trials())
-    for (const BoardKind board : {BoardKind::kNative, BoardKind::kAvr})
-      if (board == BoardKind::kAvr || !trial.chip_only)
-        expected.push_back("| `" + std::string(trial.fault) + "` | " + to_string(board) + " | ");
-  std::istringstream lines(rows);
-  std::string line;
-  std::size_t i = 0;
-  for (; std::getline(lines, line); ++i) {
-    ASSERT_LT(i, expected.size()) << "unexpected row: " << line;
-    EXPECT_EQ(line.substr(0, expected[i].size()), expected[i]);
-  }
-  EXPECT_EQ(i, expected.size());
-}
-
-TEST(FaultPage, HasOneRowForEveryEncoderFailureAndNoOther) {
-  const std::string rows = part(page(), kEncoderMark + encoder_table_head(), kEncoderEnd);
-  const std::vector<EncoderFailure> expected = failures_on_the_page();
-  std::istringstream lines(rows);
+/// Expects these rows, by how they begin, between two marks of the page, and no other.
+void expect_rows(const std::string& from, const std::string& to,
+                 const std::vector<std::string>& expected) {
+  std::istringstream lines(part(page(), from, to));
   std::size_t i = 0;
   for (std::string line; std::getline(lines, line); ++i) {
     ASSERT_LT(i, expected.size()) << "unexpected row: " << line;
-    EXPECT_TRUE(line.starts_with("| `" + std::string(expected[i].fault) + "`")) << line;
+    EXPECT_EQ(line.substr(0, expected[i].size()), expected[i]);
   }
-  EXPECT_EQ(i, expected.size());
+  EXPECT_EQ(i, expected.size()) << kPage << ": rows are missing, the marks or the table head";
+}
+
+TEST(FaultPage, HasOneRowForEveryTrialAndEncoderFailureAndNoOther) {
+  std::vector<std::string> trials, failures;
+  for (const FaultTrial& trial : fault_trials())
+    for (const BoardKind board : {BoardKind::kNative, BoardKind::kAvr})
+      if (board == BoardKind::kAvr || !trial.chip_only)
+        trials.push_back("| `" + std::string(trial.fault) + "` | " + to_string(board) + " | ");
+  expect_rows(kMark + fault_table_head(), kEnd, trials);
+  for (const EncoderFailure& failure : failures_on_the_page())
+    failures.push_back("| `" + std::string(failure.fault) + "`");
+  expect_rows(kEncoderMark + encoder_table_head(), kEncoderEnd, failures);
 }
 
 /// Every `Suite.Name` in the sources below tests/.

@@ -104,12 +104,6 @@ TEST(FittedForm, SaysWhichConstantTheMotionsDoNotShow) {
         << name_of(one.constant);
 }
 
-TEST(FittedForm, WithoutFreeConstantsStaysAsItIs) {
-  const SlipFit found = fit({kNoSlip, model::Mode::kPaper, {}}, robots()[0].motions, 0.6, known());
-  EXPECT_EQ(found.constants.wheelbase_m, known().wheelbase_m);
-  EXPECT_TRUE(found.fitted.empty());
-}
-
 TEST(RealData, HoldsWhatItsPageSays) {
   ASSERT_EQ(robots()[0].motions.size(), 270u);
   ASSERT_EQ(robots()[1].motions.size(), 603u);
@@ -173,19 +167,6 @@ TEST(RealStudy, EveryLimitHoldsAndWouldNotWithoutTheForm) {
       EXPECT_LT(one.limit, 1.05 * one.ours.median + 0.06) << one.what;
     }
   }
-}
-
-TEST(RealStudy, StandsOnPageTerminalAndInJson) {
-  Reproduction what;
-  what.real = {maxxii()};
-  what.studies = {judged(maxxii())};
-  for (const std::string& text : {reproduction_page(what), real_text(what.real)}) {
-    EXPECT_THAT(text, HasSubstr(kBothSpeeds));
-    EXPECT_THAT(text, HasSubstr("break_away_scale_mps"));
-    EXPECT_THAT(text, HasSubstr("every other left speed"));
-  }
-  EXPECT_THAT(reproduction_json(what), HasSubstr("slip by both speeds: yaw rate, rms"));
-  EXPECT_TRUE(all_hold(what));
 }
 
 std::string refusal(RealRobot (*parse)(const course::TextFile&), const std::string& text) {

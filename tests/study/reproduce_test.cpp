@@ -49,7 +49,9 @@ TEST_P(HeldOutCourse, CanBeDrivenWhateverTheSeed) {
     }
     EXPECT_LT(last_m, path.length_m());
     EXPECT_NO_THROW(terrain::require_climbable(course, robot));
+    EXPECT_EQ(path.length_m(), course::Path(held_out_course(GetParam(), seed)).length_m());
   }
+  EXPECT_THROW(held_out_course("4", 1), SetupError);
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, HeldOutCourse,
@@ -60,13 +62,6 @@ INSTANTIATE_TEST_SUITE_P(Kinds, HeldOutCourse,
                            std::replace(name.begin(), name.end(), '-', '_');
                            return name;
                          });
-
-TEST(HeldOut, TheSameSeedDrawsTheSameCourse) {
-  const course::Course a = held_out_course("2", 7), b = held_out_course("2", 7);
-  EXPECT_EQ(course::Path(a).length_m(), course::Path(b).length_m());
-  EXPECT_NE(course::Path(a).length_m(), course::Path(held_out_course("2", 8)).length_m());
-  EXPECT_THROW(held_out_course("4", 1), SetupError);
-}
 
 TEST(Reproduction, HasATrajectoryOfEveryStudyInAnyFolder) {
   const test::TemporaryFolder folder;
@@ -110,6 +105,10 @@ TEST(SampledRobot, IsARobotThatAFileCouldHold) {
     course::Robot read;
     ASSERT_NO_THROW(read = course::parse_robot(course::write_robot(robot, "sampled"), "r.toml"));
     EXPECT_NEAR(read.emulated.body.friction, robot.emulated.body.friction, 1e-4);
+    EXPECT_EQ(course::write_robot(robot, ""),
+              course::write_robot(sampled_robot(reference, number), ""));
+    EXPECT_NE(robot.emulated.body.friction,
+              sampled_robot(reference, number + 1).emulated.body.friction);
     EXPECT_EQ(robot.model.wheelbase_m, model::TrackParameters{}.wheelbase_m);
     EXPECT_LE(robot.emulated.body.gauge_m, robot.shape.gauge_m);
     EXPECT_GT(robot.emulated.body.gauge_m, 0.74 * robot.shape.gauge_m);
@@ -118,14 +117,6 @@ TEST(SampledRobot, IsARobotThatAFileCouldHold) {
     EXPECT_GE(robot.emulated.encoder.counts_per_metre, 2785.0);
     EXPECT_LE(robot.emulated.encoder.counts_per_metre, 22280.0);
   }
-}
-
-TEST(SampledRobot, TheSameNumberDrawsTheSameRobot) {
-  const course::Robot reference = load({}).robot;
-  EXPECT_EQ(course::write_robot(sampled_robot(reference, 7), ""),
-            course::write_robot(sampled_robot(reference, 7), ""));
-  EXPECT_NE(sampled_robot(reference, 7).emulated.body.friction,
-            sampled_robot(reference, 8).emulated.body.friction);
 }
 
 // MAXXII turns with 1.2 gauges and slips by 1 % straight on; another tracked robot with published
@@ -178,10 +169,7 @@ TEST(ShearStudy, ARobotIsPredictedOnceItIsIdentifiedOnThatBody) {
   EXPECT_TRUE(run.result.completed) << run.result.cause;
   EXPECT_LE(run.figures.estimates[PoseSource::kModel]->max_position_error_m,
             0.008 * course::Path(trial.course).length_m());
-}
-
-TEST(ShearStudy, HasNoParts) {
-  EXPECT_THROW(run_reproduce({.part = "paper", .body = "shear"}), SetupError);
+  EXPECT_THROW(run_reproduce({.part = "paper", .body = "shear"}), SetupError) << "it has no parts";
 }
 
 TEST(Study, JudgesModelEstimateAndTrackingByTheirOwnLimits) {
@@ -197,6 +185,13 @@ TEST(Study, JudgesModelEstimateAndTrackingByTheirOwnLimits) {
                         {"eqs 1-5 as printed max", "eqs 1-5 fitted max", "extended model max",
                          "odometry max", "fused max on the level", "tracking max", kFalseAlarms}));
   EXPECT_EQ(result.forms.size(), model::kBaselines.size() + kPoseSources.size());
+  // A robot of which nothing was fitted has no figure of eqs 1-5.
+  Trial unfitted = one_run(load_course("1-straight"));
+  unfitted.robot.baselines = {};
+  const CourseStudy without = study(unfitted, "1-straight", true);
+  EXPECT_EQ(std::ranges::count(without.judged, "eqs 1-5 fitted max", &Judged::what), 0);
+  EXPECT_EQ(errors_of(without, "eqs_1_5"), nullptr);
+  EXPECT_NE(errors_of(without, "differential"), nullptr);
 }
 
 const Judged& judged(const CourseStudy& study, const std::string& what) {
@@ -223,15 +218,6 @@ TEST(Study, WithoutTheExtensionTheModelBreaksItsLimit) {
     EXPECT_NEAR(judged(without, "extended model max").ours.median,
                 judged(without, "eqs 1-5 fitted max").ours.median, 0.02);
   }
-}
-
-TEST(Study, ARobotOfWhichNothingWasFittedHasNoFigureOfEqs15) {
-  Trial trial = one_run(load_course("1-straight"));
-  trial.robot.baselines = {};
-  const CourseStudy result = study(trial, "1-straight", true);
-  EXPECT_EQ(std::ranges::count(result.judged, "eqs 1-5 fitted max", &Judged::what), 0);
-  EXPECT_EQ(errors_of(result, "eqs_1_5"), nullptr);
-  EXPECT_NE(errors_of(result, "differential"), nullptr);
 }
 
 TEST(Study, OneFalseAlarmInOneOfManyRunsIsTooMany) {

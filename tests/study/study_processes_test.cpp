@@ -59,10 +59,6 @@ TEST(StudyProcesses, ReturnEveryStudyInTheOrderOfTheJobs) {
   EXPECT_EQ(one.forms[0].median.max_yaw_error_rad, 1e-17);
 }
 
-TEST(StudyProcesses, WithoutJobsReturnNothing) {
-  EXPECT_TRUE(StudyProcesses({}).results().empty());
-}
-
 TEST(StudyProcesses, AJobThatFailsOrIsKilledIsAnError) {
   const auto told = [](StudyProcesses::Job job) -> std::string {
     StudyProcesses fails({std::move(job), [] { return std::vector{study_called("good")}; }});
