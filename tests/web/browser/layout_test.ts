@@ -3,7 +3,7 @@ import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { findings } from './axe.ts';
 import { Bus } from './bus.ts';
-import { alive, drawn, driveUntil, goOn, kDesktop, kPhone, kSize, picture, resize, rests, run, tooWide, until } from './cockpit.ts';
+import { alive, drawn, driveUntil, goOn, kDesktop, kPhone, kSize, picture, resize, rest, rests, run, tooWide, until } from './cockpit.ts';
 import { kOthersEnd, Setting } from './setting.ts';
 
 const kTabs = ['events', 'courses', 'runs', 'parameters', 'signals', 'link', 'doctor', 'identify', 'keys'];
@@ -197,6 +197,8 @@ describe('the page', () => {
     await until(async () => (await page.locator('.bars:not([aria-label])').count()) === 0, 'all figures');
     // All of the page once, then what each tab changes.
     const found = await findings(page);
+    // A page that draws no moving robot is examined sooner.
+    await rest(page);
     for (const tab of kTabs) {
       await page.click(`#tab-${tab}`);
       found.push(...(await findings(page, '.drawer')).map((each) => `${tab}: ${each}`));
