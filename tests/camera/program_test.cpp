@@ -188,7 +188,8 @@ TEST_F(CameraProgram, SendsImagesOfAnyCameraAtARateAndSizeForPeople) {
       {program(), images(), "--images-only", "--send", "udp:" + std::to_string(receiver.port())});
   std::optional<std::int64_t> last_us;
   std::uint32_t received = 0;
-  for (std::string datagram; !(datagram = receiver.wait(3000)).empty() || received == 0;) {
+  for (std::string datagram;
+       !(datagram = receiver.wait(received == 0 ? 30'000 : 3000)).empty() || received == 0;) {
     const auto message = link::decode_image(datagram);
     ASSERT_TRUE(message.has_value());
     EXPECT_EQ(message->clock, link::monotonic_clock_name());
