@@ -1,5 +1,5 @@
 // The seed recordings of the fuzzer must have the present layout: the reader refuses any other
-// layout before it reads the content. TP100_REWRITE_SEEDS=1 rewrites them.
+// layout before it reads the content. `scripts/test --accept` rewrites them.
 
 #include <gtest/gtest.h>
 
@@ -38,9 +38,9 @@ std::uint64_t steps_of(const record::Recording& recording) {
 }
 
 TEST(FuzzSeeds, AreRecordingsOfThePresentLayout) {
-  if (std::getenv("TP100_REWRITE_SEEDS") != nullptr) rewrite();
+  if (std::getenv("TP100_ACCEPT") != nullptr) rewrite();
   for (const std::string name : {"plain", "packed", "cut"}) {
-    SCOPED_TRACE(name + ".mcap; TP100_REWRITE_SEEDS=1 writes the seeds anew");
+    SCOPED_TRACE(name + ".mcap; scripts/test --accept writes the seeds anew");
     try {
       const record::Recording recording(kSeeds + name + ".mcap");
       const std::uint64_t steps = steps_of(recording);

@@ -30,10 +30,10 @@ std::string problem(const std::string& text) {
   }
 }
 
-// TP100_REWRITE_CONFIG=1 rewrites the example from the key table.
+// `scripts/test --accept` rewrites the example from the key table.
 TEST(ViewFile, TheExampleIsWhatTheKeyTableSays) {
   const std::string path = source_path("config/view.toml");
-  if (std::getenv("TP100_REWRITE_CONFIG") != nullptr) {
+  if (std::getenv("TP100_ACCEPT") != nullptr) {
     test::write_bytes(path, write_view(example()));
     return;
   }

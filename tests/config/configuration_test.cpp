@@ -22,11 +22,11 @@ std::string error_of(const std::string& text) {
   return test::refusal([&] { parse_configuration(text, "tp100.toml"); });
 }
 
-// TP100_REWRITE_CONFIG=1 rewrites the bundled file from the key table.
+// `scripts/test --accept` rewrites the bundled file from the key table.
 TEST(Configuration, TheBundledFileIsWhatTheKeyTableSays) {
   const std::string path = source_path("config/tp100.toml");
   const std::string text = write_configuration(Configuration{});
-  if (std::getenv("TP100_REWRITE_CONFIG") != nullptr) {
+  if (std::getenv("TP100_ACCEPT") != nullptr) {
     std::ofstream(path, std::ios::binary) << text;
     return;
   }

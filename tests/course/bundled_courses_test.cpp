@@ -78,7 +78,7 @@ TEST(BundledCourses, Course3HasThePapersStepAndRampOnItsWayBack) {
   EXPECT_NEAR(ramp.length_m(), 0.2 + 2 * 0.08 / std::tan(28 * kRadPerDeg), 1e-12);
 }
 
-// TP100_REWRITE_CONFIG=1 rewrites the files from the values that they hold, with the comments of
+// `scripts/test --accept` rewrites the files from the values that they hold, with the comments of
 // the key table.
 TEST(BundledRobots, SayWhatTheKeyTableSays) {
   for (const char* name : {"end-loaded", "uniform", "front-heavy", "slippery", "large", "worn"}) {
@@ -86,7 +86,7 @@ TEST(BundledRobots, SayWhatTheKeyTableSays) {
     const std::string text = read_text_file(path).text;
     const Robot robot = parse_robot(text, path);
     const std::string written = write_robot(robot, head_note(text));
-    if (std::getenv("TP100_REWRITE_CONFIG"))
+    if (std::getenv("TP100_ACCEPT"))
       std::ofstream(path, std::ios::binary) << written;
     else
       EXPECT_EQ(text, written) << "the comments of " << path << " differ from the key table";

@@ -27,7 +27,7 @@ EmulatedCamera rough() {
   return values;
 }
 
-// TP100_REWRITE_CONFIG=1 rewrites the bundled files from the key table.
+// `scripts/test --accept` rewrites the bundled files from the key table.
 TEST(CameraFile, TheBundledFilesAreWhatTheKeyTableSays) {
   for (const char* name : {"overhead", "rough"}) {
     const std::string path = source_path("config/cameras/" + std::string(name) + ".toml");
@@ -35,7 +35,7 @@ TEST(CameraFile, TheBundledFilesAreWhatTheKeyTableSays) {
     const bool is_rough = std::string(name) == "rough";
     const std::string text =
         write_camera(is_rough ? rough() : EmulatedCamera{}, head_note(bundled));
-    if (std::getenv("TP100_REWRITE_CONFIG") != nullptr)
+    if (std::getenv("TP100_ACCEPT") != nullptr)
       std::ofstream(path, std::ios::binary) << text;
     else
       EXPECT_EQ(bundled, text) << path << " differs from the key table";

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <future>
 #include <mutex>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,7 @@ class FakeControls : public Controls {
   std::string hold() override {
     ++holds;
     if (held.valid()) held.wait();
+    if (no_memory) throw std::bad_alloc();
     return {};
   }
   void stop() override { ++stops; }
@@ -137,7 +139,8 @@ class FakeControls : public Controls {
   std::atomic<int> starts{0}, go_ons{0}, holds{0}, stops{0}, pauses{0}, resumes{0};
   std::vector<Consent> consents;
   std::string move_refusal;
-  std::shared_future<void> held{};  ///< blocks hold() until it is ready
+  std::shared_future<void> held{};     ///< blocks hold() until it is ready
+  std::atomic<bool> no_memory{false};  ///< hold() throws
   HostNs motors_off = 0;
   Wheel wheel;
   std::vector<VelocityInput> inputs;

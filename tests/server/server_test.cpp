@@ -146,6 +146,21 @@ TEST_F(ServerTest, AViewerSeesStepsAndStops) {
   EXPECT_THAT(client.read_until("\"acknowledged\""), HasSubstr("true"));
 }
 
+// For want of memory, or by a defect.
+TEST_F(ServerTest, ARequestThatThrowsEndsNeitherTheServerNorItsViewer) {
+  start();
+  WebClient client = connect();
+  client.subscribe(messages::Channel::kEvent);
+  client.read_until("\"serverInfo\"");
+  controls_.no_memory = true;
+  client.call(Service::kHold);
+  EXPECT_THAT(client.read_until("memory is used up"), HasSubstr("what a viewer asked for"));
+  controls_.no_memory = false;
+  client.call(Service::kHold);
+  EXPECT_TRUE(eventually([&] { return controls_.holds == 2; }));
+  EXPECT_THAT(get("/healthz"), HasSubstr("200 OK"));
+}
+
 // Whatever a viewer asks for, and however long that takes, must not keep another one from stopping
 // the robot, nor itself.
 TEST_F(ServerTest, StopIsCarriedOutWhileNothingElseIs) {

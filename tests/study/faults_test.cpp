@@ -1,7 +1,6 @@
 // Tests every fault of the list on every board that can have it, and compares the rows of the fault
-// page with the results. The page also names the tests of the faults that have no --fault. With
-// TP100_REWRITE_FAULTS=1 the tests, run in one process by build/dev/bin/faults_test, write the rows
-// again.
+// page with the results; `scripts/test --accept` writes the rows again. The page also names the
+// tests of the faults that have no --fault.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -45,7 +44,7 @@ std::string part(const std::string& text, const std::string& from, const std::st
 
 std::string table, encoder_table;
 
-bool rewriting() { return std::getenv("TP100_REWRITE_FAULTS") != nullptr; }
+bool rewriting() { return std::getenv("TP100_ACCEPT") != nullptr; }
 
 struct Case {
   FaultTrial trial;
