@@ -207,6 +207,6 @@ export async function until<T>(
     if (now !== last) still_ms = now_ms + kStill_ms;
     last = now;
     if (now_ms > Math.min(end_ms, still_ms)) throw new Error(`waited in vain: ${what}`);
-    await new Promise((resolve) => setTimeout(resolve, 100));
+    await new Promise((resolve) => setTimeout(resolve, 50));
   }
 }

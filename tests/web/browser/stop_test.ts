@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { driveUntil, press as pressButton, run, until } from './cockpit.ts';
 import { Setting } from './setting.ts';
 
-const setting = new Setting();
+const setting = new Setting({ each: true });
 
 const line = async (page: Page): Promise<string> => (await page.textContent('.stop-line')) ?? '';
 const says = (page: Page, text: RegExp): Promise<boolean> => until(async () => text.test(await line(page)), `STOP says ${String(text)}`);
