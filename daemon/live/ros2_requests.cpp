@@ -211,6 +211,11 @@ void Ros2Requests::velocity(const ros2::Received& received, HostNs now) {
     return refuse(received.input, now,
                   "its time differs from this machine's by " + text::number_text(to_s(age_ns)) +
                       " s, so that its delay is unknown; synchronise both machines' clocks");
+  if (age_ns > kFreshInputNs)
+    note(kStale, now,
+         "/cmd_vel is " + text::number_text(to_s(age_ns)) +
+             " s old by this machine's clock, and beyond 0.15 s it counts as zero; synchronise "
+             "both machines' clocks, or shorten its way");
   writer_ = received.writer;
   writer_input_ = received.input;
   why = controls_.drive({.token = token_,

@@ -66,6 +66,7 @@ class Ros2Requests {
     kNotTaken,
     kOtherWriter,
     kRepeated,
+    kStale,
     kVelocityRefused,
     kDriveRefused,
     kPoseRefused,

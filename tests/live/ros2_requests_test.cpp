@@ -263,6 +263,8 @@ TEST_F(Ros2RequestsTest, AVelocityCountsByItsTimeOnly) {
     wait(kNsPerS);
   }
   EXPECT_EQ(controls_.inputs.size(), 1u);
+  velocity(400 * kNsPerMs);
+  EXPECT_THAT(take_messages(), HasSubstr("0.4 s old by this machine's clock"));
 }
 
 // Another node's release must not make a stream of true take the wheel, after a STOP least of all.
