@@ -7,7 +7,6 @@
 // machines; who measures runs in real time. Needs root and a loop device for the disk.
 
 #include <fcntl.h>
-#include <pthread.h>
 #include <sched.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -19,6 +18,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <optional>
 #include <random>
 #include <thread>
 
@@ -39,12 +39,21 @@ constexpr std::uint32_t kStart = 1, kStop = 3, kRecordStart = 4, kRecordStop = 5
                         kFileCheck = 13, kRunReport = 20, kRunIdentify = 23;
 constexpr int kFlooders = 40, kReaders = 4;
 
+/// This thread measures, and so waits for no load; `inherited`: so do the threads that it starts.
+void measure_in_real_time(bool inherited) {
+  const sched_param first{.sched_priority = 1};
+  ::sched_setscheduler(0, SCHED_FIFO | (inherited ? 0 : SCHED_RESET_ON_FORK), &first);
+}
+
 /// A scripted robot with its daemon and a viewer.
 class Rig {
  public:
   explicit Rig(const std::vector<std::string>& arguments, int keyboard = -1)
-      : robot_(link_), daemon_(link_, arguments, keyboard), viewer_(daemon_.port()) {
-    robot_.plug_in();
+      : daemon_(link_, arguments, keyboard), viewer_(daemon_.port()) {
+    measure_in_real_time(true);
+    robot_.emplace(link_);
+    measure_in_real_time(false);
+    robot_->plug_in();
   }
 
   Daemon& daemon() { return daemon_; }
@@ -66,7 +75,7 @@ class Rig {
     forget();
     const auto begin = Clock::now();
     press();
-    while (ms_since(begin) < 20'000 && !robot_.with([](ScriptedRobot& it) {
+    while (ms_since(begin) < 20'000 && !robot_->with([](ScriptedRobot& it) {
       return !it.received.stops.empty() || !it.received.disarms.empty();
     }))
       std::this_thread::sleep_for(100us);
@@ -75,19 +84,19 @@ class Rig {
 
  private:
   void forget() {
-    robot_.with([](ScriptedRobot& it) { it.received = {}; });
+    robot_->with([](ScriptedRobot& it) { it.received = {}; });
   }
   bool drives() {
-    return robot_.with([](ScriptedRobot& it) {
+    return robot_->with([](ScriptedRobot& it) {
       return !it.received.commands.empty() && it.received.commands.back().speed_mps > 0.0F;
     });
   }
 
   test::TemporaryFolder folder_;
   std::string link_ = folder_.file("robot");
-  PtyRobot robot_;
   Daemon daemon_;
   WebClient viewer_;
+  std::optional<PtyRobot> robot_;
 };
 
 /// The longest time without WATCHDOG=1 during 3 s.
@@ -221,8 +230,6 @@ class Load {
   template <class Do>
   void add(Do work) {
     threads_.emplace_back([work] {
-      const sched_param ordinary{};
-      ::pthread_setschedparam(::pthread_self(), SCHED_OTHER, &ordinary);
       ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), 19);
       work();
     });
@@ -314,8 +321,6 @@ void beside_everything(test::FrozenDisk& disk, int presses, int runs) {
   std::ofstream(folder.file("tp100.toml"))
       << "library = \"" << folder.file("library") << "\"\ncourse = \"longest\"\n";
   Rig rig({"--config", folder.file("tp100.toml"), "--record", kept});
-  const sched_param first{.sched_priority = 1};
-  ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &first);
   if (!rig.daemon().process().wait_for("ready")) throw std::runtime_error("no robot");
   rig.viewer().write_binary(call_of(kRecordStart, R"({"name":"seen"})"));
   std::this_thread::sleep_for(1s);
