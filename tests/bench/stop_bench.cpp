@@ -140,7 +140,7 @@ void beside_a_frozen_disk(test::FrozenDisk& disk, int rounds) {
       rig.start();
       disk.freeze();
       std::this_thread::sleep_for(100ms);
-      took.push_back(rig.pressed([&] { press(rig); }));
+      took.push_back(rig.pressed([&rig, &stop = press] { stop(rig); }));
       silence.push_back(longest_silence_ms(manager));
       disk.thaw();
       rig.daemon().process().signal(SIGTERM);
