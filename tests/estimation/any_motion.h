@@ -1,28 +1,13 @@
 #pragma once
 // States and intervals of every kind, drawn at random, of a robot none of whose parameters is 0.
 
+#include "../model/uneven_tracks.h"
 #include "estimation/motion.h"
 #include "support/sequence.h"
 
 namespace tp100::estimation {
 
-inline model::TrackParameters uneven_tracks() {
-  model::TrackParameters tracks;
-  tracks.slip_left = 0.16;
-  tracks.slip_right = 0.12;
-  tracks.slip_angle_straight_rad = 0.03;
-  tracks.slip_angle_turning_rad = -0.05;
-  tracks.wheelbase_medium_m = 0.285;
-  tracks.wheelbase_tight_m = 0.295;
-  tracks.wheelbase_spin_m = 0.31;
-  tracks.x_icr_m = 0.02;
-  tracks.x_icr_tight_shift_m = 0.01;
-  tracks.x_icr_spin_shift_m = -0.03;
-  tracks.turn_slip = 0.04;
-  tracks.turn_slip_tight = -0.02;
-  tracks.turn_loss = 0.05;
-  return tracks;
-}
+using model::uneven_tracks;
 
 class AnyMotion : public test::Sequence {
  public:

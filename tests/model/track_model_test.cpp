@@ -7,6 +7,7 @@
 #include <random>
 
 #include "support/sequence.h"
+#include "uneven_tracks.h"
 
 namespace tp100::model {
 namespace {
@@ -79,30 +80,10 @@ TEST(TrackModel, PaperModeIgnoresTheSlope) {
   EXPECT_EQ(paper.pose().yaw_rad, level.pose().yaw_rad);
 }
 
-/// Every parameter has an effect, and left and right differ.
-TrackParameters uneven() {
-  TrackParameters p;
-  p.slip_left = 0.07;
-  p.slip_right = 0.16;
-  p.slip_angle_straight_rad = 0.021;
-  p.slip_angle_turning_rad = -0.034;
-  p.x_icr_m = 0.012;
-  p.wheelbase_medium_m = 0.33;
-  p.wheelbase_tight_m = 0.37;
-  p.x_icr_tight_shift_m = 0.006;
-  p.wheelbase_spin_m = 0.42;
-  p.x_icr_spin_shift_m = -0.019;
-  p.turn_slip = 0.055;
-  p.turn_slip_tight = 0.031;
-  p.turn_loss = 0.043;
-  p.turning_threshold_radps = 0.07;
-  return p;
-}
-
 // The equations of the extended model, integrated in small steps; the shape of the turn is that of
 // track speeds that a low-pass of 0.13 s smooths.
 TEST(TrackModel, ExtendedModeIsItsEquationsInAnyTurnOnAnyGround) {
-  const TrackParameters p = uneven();
+  const TrackParameters p = uneven_tracks();
   test::Sequence any(4);
   TrackModel model(p, Mode::kExtended, 0.13);
   Pose pose{.x_m = 0.4, .y_m = -0.7, .z_m = 0.2, .yaw_rad = 0.9};
