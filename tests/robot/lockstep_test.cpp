@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <ostream>
+#include <vector>
 
 #include "core/error.h"
 #include "report/result_text.h"

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <string>
-#include <vector>
 
 #include "core/arithmetic.h"
+#include "core/statistics.h"
 #include "course/course.h"
 #include "report/metrics.h"
 #include "report/run_result.h"
@@ -39,11 +39,6 @@ inline LockstepSettings seen_run_of(const std::string& course, const std::string
 inline double max_position_error_m(const report::RunResult& result, const course::Course& course,
                                    PoseSource source) {
   return report::figures(result, course).estimates[source]->max_position_error_m;
-}
-
-inline double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
 }
 
 /// A name of a test, made of names of files.

@@ -12,7 +12,6 @@
 #include <fstream>
 #include <functional>
 #include <iomanip>
-#include <iostream>
 #include <map>
 #include <sstream>
 #include <string>
@@ -21,8 +20,7 @@
 #include "core/faults.h"
 #include "course/path.h"
 #include "hand_driven.h"
-#include "sim/robot/lockstep.h"
-#include "sim/robot/options.h"
+#include "runs.h"
 #include "support/paths.h"
 
 namespace tp100::sim {
@@ -92,40 +90,24 @@ Outcome outcome(const report::RunResult& result, const course::Course& course) {
 /// Changes of a run's settings.
 using Change = std::function<void(LockstepSettings&)>;
 
-LockstepSettings settings(const std::string& course, const Options& options, const Change& change) {
-  const Loaded loaded = load(options);
-  LockstepSettings run{.course = load_course(course),
-                       .robot = loaded.robot,
-                       .configuration = loaded.configuration,
-                       .setup = loaded.setup,
-                       .board = loaded.board};
-  if (change) change(run);
-  return run;
-}
-
 /// A run on a course.
 WholeRun on(const std::string& course, const Options& options, const std::string& what = {},
-            const Change& change = {}) {
+            const Change& change = {},
+            report::RunResult (*drive)(const LockstepSettings&) = run_lockstep) {
   return {"course " + course + ", " + options.robot + (what.empty() ? "" : ", " + what), [=] {
-            LockstepSettings run = settings(course, options, change);
+            LockstepSettings run = run_of(course, load(options));
+            if (change) change(run);
             Hash hash;
             run.sink = &hash;
-            Outcome out = outcome(run_lockstep(run), run.course);
+            Outcome out = outcome(drive(run), run.course);
             out.hash = hash.value();
             return out;
           }};
 }
 
 /// The second of two runs, without a restart of anything between them.
-WholeRun again_on(const std::string& course, const std::string& robot) {
-  return {"course " + course + ", " + robot + ", a second time", [=] {
-            LockstepSettings run = settings(course, {.robot = robot}, {});
-            Hash hash;
-            run.sink = &hash;
-            Outcome out = outcome(run_lockstep_twice(run, 120.0).again, run.course);
-            out.hash = hash.value();
-            return out;
-          }};
+report::RunResult drive_again(const LockstepSettings& run) {
+  return run_lockstep_twice(run, 120.0).again;
 }
 
 Change law(control::LawName name) {
@@ -215,7 +197,6 @@ void drive_to_the_end(HandDriven& drive) {
 }
 
 const std::vector<WholeRun>& runs() {
-  using enum bridge::Setup;
   using enum PoseSource;
   static const std::vector<WholeRun> all = {
       on("1-straight", {.robot = "end-loaded"}),
@@ -229,7 +210,7 @@ const std::vector<WholeRun>& runs() {
       on("3", {.robot = "worn", .setup = "stand"}, "stand"),
       on("calibrate-spin-left", {.robot = "uniform"}),
       on("calibrate-tight-right", {.robot = "large"}),
-      again_on("1-curve", "end-loaded"),
+      on("1-curve", {.robot = "end-loaded"}, "a second time", {}, drive_again),
   // boards, bodies, floors
 #ifdef TP100_HAS_IMAGE
       on("1-straight", {.board = "avr", .robot = "end-loaded"}, "the chip"),
