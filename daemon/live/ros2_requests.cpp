@@ -214,8 +214,9 @@ void Ros2Requests::velocity(const ros2::Received& received, HostNs now) {
   if (age_ns > kFreshInputNs)
     note(kStale, now,
          "/cmd_vel is " + text::number_text(to_s(age_ns)) +
-             " s old by this machine's clock, and beyond 0.15 s it counts as zero; synchronise "
-             "both machines' clocks, or shorten its way");
+             " s old by this machine's clock, and beyond " +
+             text::number_text(to_s(kFreshInputNs)) +
+             " s it counts as zero; synchronise both machines' clocks, or shorten its way");
   writer_ = received.writer;
   writer_input_ = received.input;
   why = controls_.drive({.token = token_,
