@@ -14,6 +14,7 @@
 #include "app/commands.h"
 #include "core/arithmetic.h"
 #include "core/error.h"
+#include "support/refusal.h"
 #include "text/csv_reader.h"
 
 namespace tp100::app {
@@ -31,12 +32,7 @@ text::CsvTable replayed(const std::string& csv, ReplayModel model,
 }
 
 std::string error_of(const std::string& csv, ReplayModel model = kPaperModel) {
-  try {
-    replay_csv(csv, "in.csv", model, {});
-  } catch (const SetupError& error) {
-    return error.what();
-  }
-  return {};
+  return test::refusal([&] { replay_csv(csv, "in.csv", model, {}); });
 }
 
 /// Rows of constant speeds every `dt_s`.

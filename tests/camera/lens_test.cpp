@@ -9,6 +9,7 @@
 #include "../programs/process.h"
 #include "core/error.h"
 #include "marker_scene.h"
+#include "support/refusal.h"
 
 namespace tp100::test {
 namespace {
@@ -22,12 +23,7 @@ class LensFile : public testing::Test {
     return folder_.file(name);
   }
   std::string problem(const std::string& name, const std::string& text) const {
-    try {
-      camera::read_lens(write(name, text));
-      return "none";
-    } catch (const SetupError& error) {
-      return error.what();
-    }
+    return refusal([&] { camera::read_lens(write(name, text)); });
   }
   TemporaryFolder folder_;
 };

@@ -6,8 +6,8 @@
 #include <cstdlib>
 
 #include "../support/temporary_folder.h"
-#include "core/error.h"
 #include "support/paths.h"
+#include "support/refusal.h"
 
 namespace tp100::camera {
 namespace {
@@ -22,12 +22,7 @@ View example() {
 }
 
 std::string problem(const std::string& text) {
-  try {
-    parse_view(text, "view.toml");
-    return "none";
-  } catch (const SetupError& error) {
-    return error.what();
-  }
+  return test::refusal([&] { parse_view(text, "view.toml"); });
 }
 
 // `scripts/test --accept` rewrites the example from the key table.

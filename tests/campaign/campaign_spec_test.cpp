@@ -5,6 +5,8 @@
 
 #include <set>
 
+#include "support/refusal.h"
+
 namespace tp100::sim {
 namespace {
 
@@ -13,12 +15,7 @@ using testing::HasSubstr;
 CampaignSpec spec(const std::string& text) { return parse_campaign(text, "spec.toml"); }
 
 std::string refused(const std::string& text) {
-  try {
-    spec(text);
-  } catch (const SetupError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return test::refusal([&] { spec(text); });
 }
 
 TEST(CampaignSpec, WithoutAnythingElseRunsDifferByTheirSeedOnly) {

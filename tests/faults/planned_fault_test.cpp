@@ -3,9 +3,9 @@
 
 #include <set>
 
-#include "core/error.h"
 #include "core/time.h"
 #include "sim/faults/fault.h"
+#include "support/refusal.h"
 
 namespace tp100::sim {
 namespace {
@@ -13,12 +13,7 @@ namespace {
 using ::testing::HasSubstr;
 
 std::string refusal(const std::string& text) {
-  try {
-    parse_fault(text);
-  } catch (const SetupError& error) {
-    return error.what();
-  }
-  return "taken";
+  return test::refusal([&] { parse_fault(text); });
 }
 
 TEST(PlannedFault, EveryOneOfTheListIsReadByItsName) {

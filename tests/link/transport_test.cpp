@@ -21,6 +21,7 @@
 #include "link/port_holder.h"
 #include "pty_pair.h"
 #include "support/container_terminal.h"
+#include "support/refusal.h"
 
 namespace tp100::link {
 namespace {
@@ -29,12 +30,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 std::string failure(const std::string& path) {
-  try {
-    open_port(path, {});
-  } catch (const SetupError& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::refusal([&] { open_port(path, {}); });
 }
 
 class Transport : public ::testing::Test {

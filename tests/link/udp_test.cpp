@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "support/refusal.h"
 #include "udp_receiver.h"
 
 namespace tp100::link {
@@ -41,13 +42,8 @@ TEST(Udp, WhatIsNoAddressIsAnErrorOfOneLine) {
 }
 
 TEST(Udp, AWrongAddressIsShownInPrintableCharacters) {
-  const auto message = [](const std::string& text) -> std::string {
-    try {
-      parse_udp(text, "--send");
-    } catch (const SetupError& error) {
-      return error.what();
-    }
-    return "no error";
+  const auto message = [](const std::string& text) {
+    return test::refusal([&] { parse_udp(text, "--send"); });
   };
   EXPECT_THAT(message("a\x1f\x20z~\x7f\xff"
                       "b"),

@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "../support/temporary_folder.h"
-#include "core/error.h"
 #include "live/setup_list.h"
+#include "support/refusal.h"
 
 namespace tp100::live {
 namespace {
@@ -28,19 +28,11 @@ constexpr const char* kLine =
 
 class SetupFilesTest : public ::testing::Test {
  protected:
-  static std::string why_not(const std::function<void()>& action) {
-    try {
-      action();
-    } catch (const SetupError& error) {
-      return error.what();
-    }
-    return {};
-  }
   std::string save(const std::string& name, const std::string& text, bool replace = false) {
-    return why_not([&] { files_.save(Bundled::kCourses, name, text, replace); });
+    return test::refusal([&] { files_.save(Bundled::kCourses, name, text, replace); });
   }
   std::string remove(const std::string& name) {
-    return why_not([&] { files_.remove(Bundled::kCourses, name); });
+    return test::refusal([&] { files_.remove(Bundled::kCourses, name); });
   }
   bool listed(const std::string& name, SetupFiles::From from) const {
     for (const SetupFiles::Entry& entry : files_.list(Bundled::kCourses))
@@ -96,12 +88,12 @@ TEST_F(SetupFilesTest, BundledFilesAreNeitherReplacedNorDeleted) {
 TEST_F(SetupFilesTest, NamesStayInTheFolderAndOneThatIsNoneComesWithTheNearest) {
   for (const char* name : {"", ".", "..", "../a", "a/b", "/tmp/a", ".hidden", "a b", "a\nb"}) {
     EXPECT_THAT(save(name, kLine), HasSubstr("name must be")) << name;
-    EXPECT_NE(why_not([&] { files_.read(Bundled::kCourses, name); }), "") << name;
+    EXPECT_NE(test::refusal([&] { files_.read(Bundled::kCourses, name); }), "") << name;
   }
   EXPECT_NE(save(std::string(65, 'a'), kLine), "");
   EXPECT_EQ(own_files(), 0u);
   write("my-room.toml", kLine);
-  EXPECT_EQ(why_not([&] { files_.read(Bundled::kCourses, "my-romo"); }),
+  EXPECT_EQ(test::refusal([&] { files_.read(Bundled::kCourses, "my-romo"); }),
             "my-romo: no such course; did you mean 'my-room'?; GET /api/setup lists them");
   EXPECT_THAT(remove("nothing"), HasSubstr("no such course"));
 }
@@ -140,7 +132,7 @@ TEST_F(SetupFilesTest, AFileThatWasGivenStaysAndHidesOthersOfItsName) {
   given.course = {"/somewhere/3.toml", kLine};
   const SetupFiles files(folder_.path().string(), given);
   EXPECT_EQ(files.read(Bundled::kCourses, "3").text, kLine);
-  EXPECT_THAT(why_not([&] { files.save(Bundled::kCourses, "3", kLine, true); }),
+  EXPECT_THAT(test::refusal([&] { files.save(Bundled::kCourses, "3", kLine, true); }),
               HasSubstr("not one of your own"));
 }
 
@@ -149,7 +141,7 @@ TEST_F(SetupFilesTest, OnesOwnNameIsValidInTheConfigurationToo) {
   const std::string library = folder_.path().string();
   EXPECT_EQ(read_setup_file(Bundled::kCourses, "mine", library).text, kLine);
   EXPECT_THAT(read_setup_file(Bundled::kCourses, "3", library).path, HasSubstr("courses/3.toml"));
-  EXPECT_THAT(why_not([&] { read_setup_file(Bundled::kCourses, "nothing", library); }),
+  EXPECT_THAT(test::refusal([&] { read_setup_file(Bundled::kCourses, "nothing", library); }),
               HasSubstr("no such course"));
 }
 

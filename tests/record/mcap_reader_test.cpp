@@ -9,6 +9,7 @@
 
 #include "record/mcap_writer.h"
 #include "record/recording.h"
+#include "support/refusal.h"
 #include "support/temporary_folder.h"
 
 namespace tp100::record {
@@ -252,13 +253,8 @@ TEST(McapReader, AChunkThatUnpacksToAttachmentsIsLeftOut) {
 
 TEST(McapReader, WhatIsNoMcapFileIsAnErrorOfOneLine) {
   const test::TemporaryFolder folder;
-  const auto error_of = [](const std::string& path) -> std::string {
-    try {
-      const McapReader reader(path);
-    } catch (const SetupError& error) {
-      return error.what();
-    }
-    return {};
+  const auto error_of = [](const std::string& path) {
+    return test::refusal([&] { const McapReader reader(path); });
   };
   EXPECT_THAT(error_of(folder.file("none")), HasSubstr("none: cannot be read (No such file"));
   test::write_bytes(folder.file("text"), "hello, this is text");

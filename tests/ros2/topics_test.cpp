@@ -10,10 +10,10 @@
 #include <utility>
 
 #include "core/arithmetic.h"
-#include "core/error.h"
 #include "course/bundled_files.h"
 #include "ros2/participant.h"
 #include "ros2/robot_description.h"
+#include "support/refusal.h"
 
 namespace tp100::ros2 {
 namespace {
@@ -227,13 +227,8 @@ TEST(RobotDescription, HasEveryLinkOnceAndJoinsAllOfThem) {
 }
 
 TEST(Participant, RefusesWhatItCannotUseInOneLine) {
-  const auto refusal = [](const config::Ros2Settings& settings) -> std::string {
-    try {
-      Participant(settings, "test", kLiveTopics);
-    } catch (const SetupError& error) {
-      return error.what();
-    }
-    return {};
+  const auto refusal = [](const config::Ros2Settings& settings) {
+    return test::refusal([&] { Participant(settings, "test", kLiveTopics); });
   };
   const std::string why = refusal({.enabled = true, .domain = 0, .interface = "no\"such"});
   if (why.find("without Cyclone DDS") != std::string::npos) {

@@ -16,25 +16,17 @@
 #include <string>
 
 #include "../support/temporary_folder.h"
-#include "core/error.h"
 #include "record/recording_file.h"
 #include "runs/run_zip.h"
+#include "support/refusal.h"
 
 namespace tp100::runs {
 namespace {
 
 namespace fs = std::filesystem;
+using test::refusal;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-
-std::string refusal(const auto& act) {
-  try {
-    act();
-  } catch (const SetupError& error) {
-    return error.what();
-  }
-  return {};
-}
 
 class RunFolder : public ::testing::Test {
  protected:

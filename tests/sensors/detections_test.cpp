@@ -7,8 +7,8 @@
 #include <fstream>
 
 #include "../support/temporary_folder.h"
-#include "core/error.h"
 #include "core/time.h"
+#include "support/refusal.h"
 
 namespace tp100::sim {
 namespace {
@@ -22,12 +22,7 @@ class Detections : public testing::Test {
     return read_detections(folder_.file("found.tum"));
   }
   std::string problem(const std::string& text) const {
-    try {
-      read(text);
-      return "none";
-    } catch (const SetupError& error) {
-      return error.what();
-    }
+    return test::refusal([&] { read(text); });
   }
   test::TemporaryFolder folder_;
 };

@@ -9,8 +9,8 @@
 #include <sstream>
 
 #include "core/arithmetic.h"
-#include "core/error.h"
 #include "support/paths.h"
+#include "support/refusal.h"
 
 namespace tp100::terrain {
 namespace {
@@ -33,12 +33,7 @@ course::Robot robot(double com_height_m) {
 }
 
 std::string error_of(const course::Course& course, const course::Robot& robot) {
-  try {
-    require_climbable(course, robot);
-  } catch (const SetupError& error) {
-    return error.what();
-  }
-  return {};
+  return test::refusal([&] { require_climbable(course, robot); });
 }
 
 TEST(Climbable, TheReferenceRobotCanClimbThePapersStep) {
