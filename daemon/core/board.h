@@ -17,8 +17,6 @@ constexpr const char* board_name(std::uint8_t board) {
       return "an emulated board";
     case wire::BoardType::kFakeRobot:
       return "a Mega 2560 with the robot simulated inside the board (FAKE_ROBOT)";
-    case wire::BoardType::kRp2040:
-      return "a Raspberry Pi Pico";
     case wire::BoardType::kUnknown:
       break;
   }
@@ -29,7 +27,7 @@ constexpr const char* board_name(std::uint8_t board) {
 /// protocol version matches, after a warning.
 constexpr bool is_known_board(std::uint8_t board) {
   return board >= static_cast<std::uint8_t>(wire::BoardType::kMega2560) &&
-         board <= static_cast<std::uint8_t>(wire::BoardType::kRp2040);
+         board <= static_cast<std::uint8_t>(wire::BoardType::kFakeRobot);
 }
 
 /// A port is physical unless this proves otherwise: a pseudo-terminal alone may be a serial server

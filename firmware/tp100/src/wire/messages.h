@@ -59,7 +59,6 @@ enum class BoardType : uint8_t {
   kMega2560 = 1,
   kNative = 2,     ///< the firmware in a program of the host
   kFakeRobot = 3,  ///< a Mega that simulates its robot (FAKE_ROBOT): nothing outside it moves
-  kRp2040 = 4,     ///< a Raspberry Pi Pico
 };
 
 /// Robot states, in the order in which a session passes them.
