@@ -25,7 +25,7 @@ namespace {
 constexpr rlim_t kEnoughLockable = 256U << 20U;
 constexpr std::size_t kStack = 1U << 20U;
 constexpr std::size_t kStackTouched = 64U << 10U;
-constexpr int kWorkerNice = -20;
+constexpr int kWorkerPriority = 1;
 
 // Root needs no such limit, unless the capability was removed.
 std::string by_limit(const std::string& limit, const std::string& capability) {
@@ -101,14 +101,14 @@ bool is_unbound_worker(const std::filesystem::path& process) {
 /// Returns how many unbound workers are raised: none without permission, or in a container that
 /// does not show them.
 int raise_kernel_workers() {
+  const sched_param wanted{.sched_priority = kWorkerPriority};
   int raised = 0;
   std::error_code error;
   for (const auto& entry : std::filesystem::directory_iterator("/proc", error)) {
     const std::string name = entry.path().filename();
     if (name.find_first_not_of("0123456789") != std::string::npos) continue;
     if (!is_unbound_worker(entry.path())) continue;
-    if (::setpriority(PRIO_PROCESS, static_cast<id_t>(std::stoul(name)), kWorkerNice) == 0)
-      ++raised;
+    if (::sched_setscheduler(std::stoi(name), SCHED_FIFO, &wanted) == 0) ++raised;
   }
   return raised;
 }
@@ -131,10 +131,11 @@ RealTimeProcess::RealTimeProcess(const ProcessRequest& request) {
                            "/dev/cpu_dma_latency"});
   }
   workers_raised_ = request.raise_kernel_workers && raise_kernel_workers() > 0;
-  if (workers_raised_) {
-    const std::string nice = std::to_string(kWorkerNice);
-    privileges_.push_back({"kernel workers that carry serial data at nice " + nice, true, {}});
-  }
+  if (workers_raised_)
+    privileges_.push_back(
+        {"kernel workers that carry serial data: SCHED_FIFO " + std::to_string(kWorkerPriority),
+         true,
+         {}});
   for (Privilege& privilege : privileges_) resolve(privilege);
 }
 

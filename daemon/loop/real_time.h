@@ -17,9 +17,10 @@ struct Privilege {
 struct ProcessRequest {
   bool lock_memory = true;       ///< threads that begin then have stacks of 1 MB
   bool hold_cpu_latency = true;  ///< keep the processor out of deep sleep: halves the wake-up time
-  /// Schedule the kernel's unbound workers before ordinary programs (nice -20), if CAP_SYS_NICE
+  /// Schedule the kernel's unbound workers before ordinary programs (SCHED_FIFO 1), if CAP_SYS_NICE
   /// permits it; a refusal is not reported. They carry the bytes of every tty, also of a pty, to
-  /// its reader: beside a browser they waited for 200 ms and more, which ends a run.
+  /// its reader: beside a browser they waited for 200 ms and more, which ends a run, and at nice
+  /// -20 still for 90 ms (Linux 6.18).
   bool raise_kernel_workers = true;
 };
 
@@ -29,7 +30,8 @@ struct ThreadRequest {
   int cpu = -1;       ///< -1: any
 };
 
-/// Requests on construction; releases the processor latency on destruction. Workers stay raised.
+/// Requests on construction; releases the processor latency on destruction. Workers stay raised:
+/// another robot of this machine may need them.
 class RealTimeProcess {
  public:
   explicit RealTimeProcess(const ProcessRequest& request);

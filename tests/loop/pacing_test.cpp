@@ -1,6 +1,7 @@
 #include "loop/pacing.h"
 
 #include <gtest/gtest.h>
+#include <sched.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -82,25 +83,24 @@ TEST(RealTime, EveryPrivilegeIsGrantedOrComesWithAFix) {
 }
 
 TEST(RealTime, TheKernelsUnboundWorkersComeBeforeOrdinaryPrograms) {
-  const auto nices = [] {
+  const auto policies = [] {
     std::vector<int> found;
     for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
       std::string name;
       std::getline(std::ifstream(entry.path() / "comm"), name);
       if (name.starts_with("kworker/u"))
-        found.push_back(
-            ::getpriority(PRIO_PROCESS, static_cast<id_t>(std::stoul(entry.path().filename()))));
+        found.push_back(::sched_getscheduler(std::stoi(entry.path().filename())));
     }
     return found;
   };
   const RealTimeProcess process({.lock_memory = false, .hold_cpu_latency = false});
   const bool permitted = ::setpriority(PRIO_PROCESS, 0, -1) == 0;
   process.keep();
-  const std::vector<int> now = nices();
+  const std::vector<int> now = policies();
   EXPECT_EQ(process.privileges().size(), permitted && !now.empty() ? 1u : 0u);
   if (process.privileges().empty()) return;
   // The kernel may make another one at any time.
-  EXPECT_GE(std::ranges::count(now, -20), static_cast<std::ptrdiff_t>(now.size()) - 1);
+  EXPECT_GE(std::ranges::count(now, SCHED_FIFO), static_cast<std::ptrdiff_t>(now.size()) - 1);
 }
 
 }  // namespace
