@@ -84,8 +84,9 @@ std::span<const Key<LoopConfiguration>> loop_keys() {
       {"priority",
        &T::priority,
        {0, 99},
-       "SCHED_FIFO priority; 0 for ordinary scheduling. If not 0 and permitted (root, "
-       "CAP_SYS_NICE), the kernel's threads kworker/u*, which carry a port's bytes, get nice -20"},
+       "SCHED_FIFO priority, if permitted; 0 for ordinary scheduling. If not 0, the thread that "
+       "carries out STOP gets 1, and for root (CAP_SYS_NICE) so do the kernel's threads "
+       "kworker/u*, which carry a port's bytes"},
       {"cpu",
        &T::cpu,
        {-1, 1023},

@@ -1,10 +1,10 @@
 #include "server/sockets.h"
 
 #include <pthread.h>
-#include <sys/resource.h>
 #include <time.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <boost/asio/post.hpp>
 #include <charconv>
 #include <chrono>
@@ -12,6 +12,7 @@
 
 #include "core/clock.h"
 #include "core/error.h"
+#include "loop/real_time.h"
 #include "server/viewer_socket.h"
 
 namespace tp100::server {
@@ -22,12 +23,11 @@ using asio::ip::tcp;
 
 constexpr auto kSecond = std::chrono::seconds(1);
 constexpr auto kAcceptPause = std::chrono::milliseconds(200);
-constexpr auto kBusyPause = std::chrono::milliseconds(20);
 constexpr auto kGoodbyeTick = std::chrono::milliseconds(10);
 constexpr HostNs kGoodbyeNs = 500 * kNsPerMs;
-constexpr int kNice = -10;
-constexpr HostNs kBusyWindowNs = 50 * kNsPerMs;
-constexpr double kBusyShare = 0.4;
+// Of a processor, and how long the thread may compute without a rest.
+constexpr int kShareDivisor = 2;
+constexpr HostNs kMostCreditNs = 10 * kNsPerMs;
 constexpr std::uint16_t kUsualPort = 8765;
 
 tcp::endpoint parse_address(const std::string& text) {
@@ -50,8 +50,12 @@ tcp::endpoint parse_address(const std::string& text) {
 
 }  // namespace
 
-void run_handlers(asio::io_context& context, const record::Worker::Failed& failed) {
-  while (!context.stopped()) record::Worker::run_here([&] { context.run(); }, failed);
+void run_handlers(asio::io_context& context, const record::Worker::Failed& failed,
+                  const std::function<void()>& after) {
+  const auto run = [&] {
+    while (context.run_one() > 0) after();
+  };
+  while (!context.stopped()) record::Worker::run_here(run, failed);
 }
 
 Sockets::Sockets(ServerSettings settings, Controls& controls, asio::io_context& work,
@@ -112,12 +116,11 @@ void Sockets::listen() {
 void Sockets::start() {
   if (!url_.empty()) announcement_.emplace(own_);
   thread_ = std::thread([this] {
-    // Before the other programs of a busy machine, if that is permitted; not in real time, as it
-    // also writes whatever viewers read.
-    ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kNice);
+    // Before the other programs of a busy machine, if that is permitted.
+    loop::apply_to_this_thread({.priority = shared_.settings.priority});
     if (acceptor_.is_open()) accept();
     asio::post(context_, [this] { tick(); });
-    run_handlers(context_, failed_);
+    run_handlers(context_, failed_, [this] { rest(); });
   });
   ::pthread_setname_np(thread_.native_handle(), "sockets");
 }
@@ -131,26 +134,25 @@ void Sockets::accept() {
 }
 
 void Sockets::accept_next(bool failed) {
-  if (!failed && !busy()) return accept();
-  // Probably out of descriptors, or somebody connects without end.
-  pause_.expires_after(failed ? kAcceptPause : kBusyPause);
+  if (!failed) return accept();
+  // Probably out of descriptors.
+  pause_.expires_after(kAcceptPause);
   pause_.async_wait([this](boost::system::error_code cancelled) {
     if (!cancelled) accept();
   });
 }
 
-// With its better priority it would otherwise take the processor from the worker and the
-// supervisor, whoever makes it do so.
-bool Sockets::busy() {
-  const HostNs now = monotonic_now();
-  if (now - window_ns_ < kBusyWindowNs) return busy_;
+// With its priority it would otherwise take a processor from the worker and the supervisor,
+// whatever makes it compute.
+void Sockets::rest() {
   timespec used{};
   ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
-  const HostNs used_ns = used.tv_sec * kNsPerS + used.tv_nsec;
-  busy_ = to_s(used_ns - used_ns_) > kBusyShare * to_s(now - window_ns_);
-  window_ns_ = now;
-  used_ns_ = used_ns;
-  return busy_;
+  const HostNs used_ns = used.tv_sec * kNsPerS + used.tv_nsec, now = monotonic_now();
+  const HostNs earned_ns = (now - std::exchange(at_ns_, now)) / kShareDivisor;
+  const HostNs spent_ns = used_ns - std::exchange(used_ns_, used_ns);
+  credit_ns_ = std::min(kMostCreditNs, credit_ns_ + earned_ns - spent_ns);
+  if (credit_ns_ < 0)
+    std::this_thread::sleep_for(std::chrono::nanoseconds(-credit_ns_ * kShareDivisor));
 }
 
 void Sockets::tick() {

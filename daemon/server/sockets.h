@@ -18,9 +18,11 @@
 
 namespace tp100::server {
 
-/// Runs the handlers of `context` until it is stopped. Nothing that one throws ends the program:
-/// `failed` gets it, as of a job of record::Worker.
-void run_handlers(boost::asio::io_context& context, const record::Worker::Failed& failed);
+/// Runs the handlers of `context` until it is stopped, and `after` after each. Nothing that one
+/// throws ends the program: `failed` gets it, as of a job of record::Worker.
+void run_handlers(
+    boost::asio::io_context& context, const record::Worker::Failed& failed,
+    const std::function<void()>& after = [] {});
 
 class Sockets {
  public:
@@ -51,7 +53,7 @@ class Sockets {
   bool try_listen(const boost::asio::ip::tcp::endpoint& end, boost::system::error_code& error);
   void accept();
   void accept_next(bool failed);
-  bool busy();
+  void rest();
   void tick();
   void begin_goodbyes();
   void await_goodbyes();
@@ -64,8 +66,7 @@ class Sockets {
   std::optional<Announcement> announcement_;
   HostNs stop_by_ns_ = 0;
   bool stopping_ = false;
-  bool busy_ = false;  // the thread, in the last window
-  HostNs window_ns_ = 0, used_ns_ = 0;
+  HostNs at_ns_ = 0, used_ns_ = 0, credit_ns_ = 0;  // of the thread's use of a processor
   // Declared after what its handlers refer to.
   boost::asio::io_context context_{1};
   boost::asio::executor_work_guard<boost::asio::io_context::executor_type> guard_{
