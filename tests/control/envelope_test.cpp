@@ -132,41 +132,34 @@ TEST_F(EnvelopeTest, ACameraThatResetsThePoseAgainAndAgainContradictsOdometry) {
 }
 
 TEST_F(EnvelopeTest, ADriverIsHeldByThePoseNearestToTheFence) {
-  const course::Fence fence{-1.0, 1.0, -1.0, 1.0};
   for (const double sign : {1.0, -1.0}) {
-    HandDrive drive(fence);
-    drive.restart(0);
     HandDriveState state{.limits = {.max_track_mps = 0.2}};
-    HostNs now = 0;
-    const auto driven = [&] {
+    /// After two seconds towards the fence with the robot at `x_m`.
+    const auto driven = [&](double x_m) {
+      HandDrive drive(course::Fence{-1.0, 1.0, -1.0, 1.0});
+      drive.restart(0);
+      state.pose.x_m = sign * x_m;
       HandCommand command;
-      for (int i = 0; i < 400; ++i) {
-        now += 5 * kNsPerMs;
+      for (HostNs now = 0; now < 2 * kNsPerS; now += 5 * kNsPerMs) {
         drive.take({.at_ns = now, .speed_mps = sign * 0.1}, now);
         command = drive.update(state, Parameters{}, now, 0.005);
       }
-      return command;
+      EXPECT_EQ(command.at_fence, std::abs(command.speed_mps) < 0.099);
+      return std::abs(command.speed_mps);
     };
-    EXPECT_FALSE(driven().at_fence);
-    state.pose.x_m = sign * 0.97;
-    EXPECT_TRUE(driven().at_fence);
-    const double slowed_mps = std::abs(driven().speed_mps);
+    EXPECT_NEAR(driven(0.0), 0.1, 1e-9);
+    const double slowed_mps = driven(0.97);
     EXPECT_LT(slowed_mps, 0.1);
+    EXPECT_EQ(driven(0.999), 0.0);
     state.position_sd_m = 0.005;
-    EXPECT_LT(std::abs(driven().speed_mps), slowed_mps) << "it may be nearer";
+    EXPECT_LT(driven(0.97), slowed_mps) << "it may be nearer";
     state.position_sd_m = 0.0;
     state.braking_mps2 = 0.3;
-    EXPECT_LT(std::abs(driven().speed_mps), slowed_mps) << "it brakes worse";
-    state.braking_mps2 = HandDriveState{}.braking_mps2;
-    state.pose.x_m = sign * 0.999;
-    EXPECT_EQ(driven().speed_mps, 0.0);
-    state.pose.x_m = 0.0;
-    Witness near = witness(sign * 1.03, 0.0, Fault::camera_against_odometry);
-    state.others.push(near);
-    EXPECT_TRUE(driven().at_fence);
-    EXPECT_EQ(driven().speed_mps, 0.0);
+    EXPECT_LT(driven(0.97), slowed_mps) << "it brakes worse";
+    state.others.push(witness(sign * 1.03, 0.0, Fault::camera_against_odometry));
+    EXPECT_EQ(driven(0.0), 0.0);
     state.others[0].sd_m = 0.2;
-    EXPECT_FALSE(driven().at_fence) << "it may well be inside";
+    EXPECT_NEAR(driven(0.0), 0.1, 1e-9) << "it may well be inside";
   }
 }
 

@@ -1,6 +1,11 @@
+// Finding that the robot was pushed, and bringing it back to the path.
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "control/tracker.h"
 #include "lagging_robot.h"
@@ -58,105 +63,77 @@ TEST(Recovery, EndsOnceTheRobotHasBeenWithinACentimetreAndThreeDegreesForHalfASe
   }
 }
 
-struct Displacement {
-  double along_m = 0.0, left_m = 0.0, yaw_rad = 0.0;
-};
-
-/// The point about which a robot turns, as a distance ahead of it: the true one, and the one that
-/// the tracker uses.
-struct TurningCentre {
-  double ahead_m = 0.0, assumed_m = 0.0;
-};
-
-/// Drives `course`; at 6 s the robot is displaced, and the tracker is notified. Returns the
-/// duration of the recovery, -1 if there is none.
-double recovered_after_s(const course::Course& course, const Displacement& disturbance,
-                         double speed_share, double* fastest_mps = nullptr,
-                         double* furthest_jump_m = nullptr, const TurningCentre& centre = {}) {
-  Parameters parameters;
-  parameters.recovery_speed_share = speed_share;
-  const course::Path path(course);
-  Tracker tracker(parameters, path,
-                  {.speed_mps = course.speed_mps, .tracks = {.x_icr_m = centre.assumed_m}});
-  LaggingRobot robot;
-  robot.x_icr_m = centre.ahead_m;
-  double recovered_s = -1.0, progress_m = 0.0;
-  for (int i = 0; i < 4000; ++i) {
-    const bool now = i == 1200;
-    if (now) {
-      const double c = std::cos(robot.pose.yaw_rad), s = std::sin(robot.pose.yaw_rad);
-      robot.pose.x_m += c * disturbance.along_m - s * disturbance.left_m;
-      robot.pose.y_m += s * disturbance.along_m + c * disturbance.left_m;
-      robot.pose.yaw_rad += disturbance.yaw_rad;
+/// A drive along `path`, during which the robot is displaced at 6 s and the tracker is notified.
+/// The robot turns about a point `ahead_m` ahead of it, which the tracker takes for `assumed_m`.
+struct Displaced {
+  Displaced(std::vector<course::Segment> segments, double left_m, double yaw_rad,
+            double ahead_m = 0.0, double assumed_m = 0.0) {
+    const course::Path path(make_course(std::move(segments)));
+    Tracker tracker(Parameters{}, path, {.speed_mps = 0.1, .tracks = {.x_icr_m = assumed_m}});
+    LaggingRobot robot;
+    robot.x_icr_m = ahead_m;
+    double progress_m = 0.0;
+    for (int i = 0; i < 4000; ++i) {
+      const bool now = i == 1200;
+      if (now) {
+        robot.pose.x_m -= std::sin(robot.pose.yaw_rad) * left_m;
+        robot.pose.y_m += std::cos(robot.pose.yaw_rad) * left_m;
+        robot.pose.yaw_rad += yaw_rad;
+      }
+      const Target& target = tracker.update(robot.pose, robot.twist, kDt, now);
+      if (target.done) break;
+      EXPECT_TRUE(target.recovering || !now);
+      jump_m = std::max(jump_m, std::abs(target.progress_m - progress_m));
+      progress_m = target.progress_m;
+      if (target.recovering && std::abs(target.heading_error_rad) > 0.4)
+        fastest_mps = std::max(fastest_mps, target.speed_mps);
+      if (i > 1200 && recovered_s < 0.0 && !target.recovering) recovered_s = (i - 1200) * kDt;
+      robot.obey(target);
     }
-    const Target& target = tracker.update(robot.pose, robot.twist, kDt, now);
-    if (target.done) break;
-    if (now) {
-      EXPECT_TRUE(target.recovering);
-    }
-    if (furthest_jump_m != nullptr)
-      *furthest_jump_m = std::max(*furthest_jump_m, std::abs(target.progress_m - progress_m));
-    progress_m = target.progress_m;
-    if (target.recovering && std::abs(target.heading_error_rad) > 0.4 && fastest_mps != nullptr)
-      *fastest_mps = std::max(*fastest_mps, target.speed_mps);
-    if (i > 1200 && recovered_s < 0.0 && !target.recovering) recovered_s = (i - 1200) * kDt;
-    robot.obey(target);
   }
-  return recovered_s;
-}
 
-TEST(RecoveryDrive, BringsTheRobotBackFromEitherSide) {
+  double recovered_s = -1.0;  ///< duration of the recovery
+  double fastest_mps = 0.0;   ///< while the robot looks elsewhere
+  double jump_m = 0.0;        ///< greatest change of the progress in one step
+};
+
+// Turning back moves a robot with its turning centre ahead sideways, so that must be brought back.
+TEST(RecoveryDrive, BringsTheRobotBackSoonFromEitherSideWhereverItTurns) {
+  constexpr double kSoonS = 2.5 + Recovery::kRecoveredForS;
   for (const double side : {-1.0, 1.0}) {
-    for (const double yaw_deg : {-15.0, 15.0}) {
-      const double took_s =
-          recovered_after_s(make_course({course::Line{1.8}}),
-                            {.left_m = side * 0.04, .yaw_rad = yaw_deg * kRadPerDeg}, 0.5);
-      EXPECT_GT(took_s, 0.5);
-      EXPECT_LT(took_s, 2.5 + Recovery::kRecoveredForS) << side << ' ' << yaw_deg;
+    for (const double yaw_rad : {-0.26, 0.26}) {
+      for (const double ahead_m : {0.0, 0.03}) {
+        const Displaced robot({course::Line{1.8}}, side * 0.04, yaw_rad, ahead_m, ahead_m);
+        EXPECT_GT(robot.recovered_s, 0.5);
+        EXPECT_LT(robot.recovered_s, kSoonS) << side << ' ' << yaw_rad << ' ' << ahead_m;
+      }
     }
   }
-}
-
-// Turning back moves such a robot sideways, so the turning centre must be brought back.
-TEST(RecoveryDrive, BringsARobotBackSoonThatTurnsAboutAPointAheadOfIt) {
-  const course::Course course = make_course({course::Line{1.8}});
-  const Displacement disturbance{.left_m = 0.04, .yaw_rad = 15.0 * kRadPerDeg};
-  const double known_s =
-      recovered_after_s(course, disturbance, 0.5, nullptr, nullptr, {0.03, 0.03});
-  const double unknown_s =
-      recovered_after_s(course, disturbance, 0.5, nullptr, nullptr, {0.03, 0.0});
-  EXPECT_GT(known_s, 0.5);
-  EXPECT_LT(known_s, 2.5 + Recovery::kRecoveredForS);
-  EXPECT_GT(unknown_s, known_s + 0.3);
+  EXPECT_GT(Displaced({course::Line{1.8}}, 0.04, 0.26, 0.03).recovered_s,
+            Displaced({course::Line{1.8}}, 0.04, 0.26, 0.03, 0.03).recovered_s + 0.3);
 }
 
 TEST(RecoveryDrive, GoesSlowlyUntilItLooksBack) {
-  double fastest_mps = 0.0;
-  recovered_after_s(make_course({course::Line{1.8}}), {.left_m = 0.04, .yaw_rad = 0.4}, 0.5,
-                    &fastest_mps);
-  EXPECT_GT(fastest_mps, 0.0);
-  EXPECT_LE(fastest_mps, 0.5 * 0.10);
+  const Displaced robot({course::Line{1.8}}, 0.04, 0.4);
+  EXPECT_GT(robot.fastest_mps, 0.0);
+  EXPECT_LE(robot.fastest_mps, Parameters{}.recovery_speed_share * 0.1);
 }
 
 TEST(RecoveryDrive, PushedBackItDrivesThatPartAgain) {
-  const course::Course course = make_course({course::Line{1.2}});
-  const course::Path path(course);
+  const course::Path path(make_course({course::Line{1.2}}));
   Tracker tracker(Parameters{}, path, {.speed_mps = 0.1});
-  LaggingRobot robot;
-  for (int i = 0; i < 1200; ++i) robot.obey(tracker.update(robot.pose, robot.twist, kDt));
-  const double before_m = tracker.update(robot.pose, robot.twist, kDt).progress_m;
-  robot.pose.x_m -= 0.06;
-  EXPECT_NEAR(tracker.update(robot.pose, robot.twist, kDt, true).progress_m, before_m - 0.06, 1e-6);
+  tracker.resume(0.5, 0.0);
+  tracker.update({.x_m = 0.5}, {}, kDt);
+  EXPECT_NEAR(tracker.update({.x_m = 0.44}, {}, kDt).progress_m, 0.5, 1e-9);
+  EXPECT_NEAR(tracker.update({.x_m = 0.44}, {}, kDt, true).progress_m, 0.44, 1e-9);
 }
 
 // The two lines run side by side in opposite directions, 6 cm apart: the nearest point of the path
 // is on the wrong one.
 TEST(RecoveryDrive, DoesNotJumpToAPartOfThePathThatLiesBeside) {
-  const course::Course course =
-      make_course({course::Line{0.8}, course::Arc{0.03, kPi}, course::Line{0.8}});
-  double furthest_jump_m = 0.0;
-  recovered_after_s(course, {.left_m = 0.05}, 0.5, nullptr, &furthest_jump_m);
-  EXPECT_LT(furthest_jump_m, 0.11);
+  EXPECT_LT(
+      Displaced({course::Line{0.8}, course::Arc{0.03, kPi}, course::Line{0.8}}, 0.05, 0.0).jump_m,
+      0.11);
 }
 
 }  // namespace
