@@ -32,22 +32,6 @@ TEST(SlipTable, GivesThePrintedRowsAndIsLinearBetweenThem) {
   }
 }
 
-TEST(SlipTable, TheFitIsTheLeastSquaresLineThroughTheTable) {
-  double n = 0, sx = 0, sxx = 0, sl = 0, sxl = 0, sr = 0, sxr = 0;
-  for (const SlipRow& row : kSlipRows) {
-    const double deg = row.slope_deg;
-    n += 1, sx += deg, sxx += deg * deg;
-    sl += row.left, sxl += deg * row.left, sr += row.right, sxr += deg * row.right;
-  }
-  const double det = n * sxx - sx * sx;
-  for (const double deg : {0.0, 5.0, 28.0}) {
-    const SlipPair fit = at_deg(deg, SlipCurve::kFit);
-    EXPECT_NEAR(fit.left, (sl * sxx - sx * sxl + deg * (n * sxl - sx * sl)) / det, 2e-4);
-    EXPECT_NEAR(fit.right, (sr * sxx - sx * sxr + deg * (n * sxr - sx * sr)) / det, 2e-4);
-    EXPECT_FALSE(fit.outside);
-  }
-}
-
 // Outside the table each curve is held at its ends, or falls downhill like the fit to -28 deg.
 TEST(SlipTable, OutsideItsRowsEachCurveSaysSoAndIsHeldOrFallsLikeTheFit) {
   const struct {
