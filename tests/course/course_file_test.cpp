@@ -51,23 +51,11 @@ TEST(CourseFile, ReadsEveryKey) {
   EXPECT_EQ(course.fence.max_x_m, 3.0);
 }
 
-TEST(CourseFile, ReadsAFenceWithCornersAndAreasToKeepOutOf) {
-  const Course course =
-      parse_course(kLine +
-                       "[fence]\ncorners_m = [[-1, -1], [3, -1], [3, 1], [1.0, 0.5], [-1, 1]]\n"
-                       "[[keep_out]]\ncorners_m = [[0, -0.9], [1, -0.9], [1, -0.5]]\n",
-                   "c.toml");
-  EXPECT_EQ(course.fence.corners.size(), 5U);
-  EXPECT_EQ(course.fence.corners[3].y_m, 0.5);
-  EXPECT_EQ(course.fence.max_x_m, 3.0);
-  EXPECT_EQ(course.fence.min_y_m, -1.0);
-  ASSERT_EQ(course.fence.keep_out.size(), 1U);
-  EXPECT_EQ(course.fence.keep_out[0][2].y_m, -0.5);
-}
-
-TEST(CourseFile, ReadsTerrain) {
+TEST(CourseFile, ReadsFenceAreasToKeepOutOfAndTerrain) {
   const Course course = parse_course(
-      kLine + kFence +
+      kLine +
+          "[fence]\ncorners_m = [[-1, -1], [3, -1], [3, 1], [1.0, 0.5], [-1, 1]]\n"
+          "[[keep_out]]\ncorners_m = [[0, -0.9], [1, -0.9], [1, -0.5]]\n"
           "[[ramp]]\nx_m = 0.5\ny_m = 0.1\nheading_deg = 90\nheight_m = 0.08\nup_deg = 28\n"
           "top_m = 0\ndown_deg = 20\nwidth_m = 0.4\n"
           "[[block]]\nx_m = 1\ny_m = 0\nheight_m = 0.03\ndepth_m = 0.1\nwidth_m = 0.4\n"
@@ -75,12 +63,15 @@ TEST(CourseFile, ReadsTerrain) {
           "[[surface]]\nname = 'wet'\nx_m = 0.4\ny_m = 0\nheading_deg = 90\nlength_m = 0.4\n"
           "width_m = 0.1\nfriction_factor = 0.5\nslip_offset = 0.05\n",
       "c.toml");
+  EXPECT_EQ(course.fence.corners.size(), 5U);
+  EXPECT_EQ(course.fence.corners[3].y_m, 0.5);
+  EXPECT_EQ(course.fence.max_x_m, 3.0);
+  EXPECT_EQ(course.fence.min_y_m, -1.0);
+  EXPECT_EQ(course.fence.keep_out.at(0).at(2).y_m, -0.5);
   const Terrain& terrain = course.terrain;
-  ASSERT_EQ(terrain.ramps.size(), 1u);
-  EXPECT_DOUBLE_EQ(terrain.ramps[0].place.heading_rad, kPi / 2);
-  EXPECT_DOUBLE_EQ(terrain.ramps[0].down_rad, 20 * kRadPerDeg);
-  ASSERT_EQ(terrain.blocks.size(), 1u);
-  EXPECT_EQ(terrain.blocks[0].depth_m, 0.1);
+  EXPECT_DOUBLE_EQ(terrain.ramps.at(0).place.heading_rad, kPi / 2);
+  EXPECT_DOUBLE_EQ(terrain.ramps.at(0).down_rad, 20 * kRadPerDeg);
+  EXPECT_EQ(terrain.blocks.at(0).depth_m, 0.1);
   EXPECT_FALSE(terrain.flat());
   EXPECT_EQ(terrain.surface_at(0.0, 0.2)->name, "mat");
   EXPECT_EQ(terrain.surface_at(0.4, 0.15)->name, "wet");
@@ -104,11 +95,8 @@ TEST(CourseFile, RefusesWhatIsMissingMistypedOrOutOfRangeAtItsPlace) {
       {kLine, "missing key 'fence.min_x_m'"},
       {kLine + "[fence]\nmax_x_m = 3\nmin_y_m = -1\nmax_y_m = 1\n",
        ":4:1: missing key 'fence.min_x_m'"},
-      {kLine + "[fense]\nmin_x_m = -1\n", ":4:2: unknown key 'fense'; did you mean 'fence'?"},
       {kLine + "[fence]\nmin__m = -1\nmax_x_m = 3\nmin_y_m = -1\nmax_y_m = 1\n",
        ":5:1: unknown key 'fence.min__m'; did you mean 'fence.min_x_m'?"},
-      {"speeed_mps = 0.1\n" + kLine + kFence,
-       "dir/c.toml:1:1: unknown key 'speeed_mps'; did you mean 'speed_mps'?"},
       {"[[segments]]\ntype = 'line'\n" + kFence,
        "dir/c.toml:1:3: unknown key 'segments'; did you mean 'segment'?"},
       {"[[segment]]\ntype = 'line'\nradius_m = 1\nlength_m = 1\n" + kFence,
@@ -128,7 +116,6 @@ TEST(CourseFile, RefusesWhatIsMissingMistypedOrOutOfRangeAtItsPlace) {
       {kLine + "[[surface]]\nx_m = 1\n" + kFence, "needs a 'name'"},
       {kLine + "[[shove]]\nat_m = 0.5\n" + kFence,
        "unknown key 'shove'; did you mean 'disturbance'?"},
-      {kLine + "[[blok]]\nx_m = 1\n" + kFence, "did you mean 'block'?"},
   });
 }
 

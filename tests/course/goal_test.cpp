@@ -74,17 +74,6 @@ Miss miss(const Course& course, const Pose& goal) {
           std::abs(wrap_angle(end.yaw_rad - goal.yaw_rad))};
 }
 
-TEST(GoalCourse, IsAPivotALineAndAPivot) {
-  const Course course = to(kFree, {.x_m = 1.0, .yaw_rad = -1.0}, {.x_m = 1.0, .y_m = 2.0});
-  EXPECT_EQ(course.name, "goal");
-  EXPECT_EQ(course.description, "to (1.000, 2.000) m, 0.0 deg");
-  EXPECT_EQ(course.start.x_m, 1.0);
-  ASSERT_EQ(course.path.size(), 3u);
-  EXPECT_NEAR(std::get<Pivot>(course.path[0]).angle_rad, kPi / 2 + 1.0, 1e-12);
-  EXPECT_NEAR(std::get<Line>(course.path[1]).length_m, 2.0, 1e-12);
-  EXPECT_NEAR(std::get<Pivot>(course.path[2]).angle_rad, -kPi / 2, 1e-12);
-}
-
 TEST(GoalCourse, StartsAtThePoseAndEndsAtTheGoal) {
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> place(-35.0, 35.0), yaw(-100.0, 100.0);
@@ -117,19 +106,19 @@ TEST(GoalCourse, LeavesOutWhatNoCourseFileHas) {
             "the robot is there already");
 }
 
-TEST(GoalCourse, KeepsFloorAndSpeedOfTheCourse) {
+TEST(GoalCourse, KeepsFloorAndSpeedOfTheCourseAndNothingElse) {
   const Course before = parse_course(kEverything, "c.toml");
   const Course after = to(kEverything, {.x_m = -1.0}, {.x_m = 1.0});
+  EXPECT_EQ(after.name, "goal");
+  EXPECT_EQ(after.description, "to (1.000, 0.000) m, 0.0 deg");
   EXPECT_EQ(after.speed_mps, 0.125);
   EXPECT_FALSE(after.identifies);
   EXPECT_TRUE(after.disturbances.empty());
   EXPECT_EQ(after.path.size(), 1u);
-  ASSERT_EQ(after.terrain.ramps.size(), 1u);
-  EXPECT_EQ(after.terrain.ramps[0].place.y_m, 3.1);
-  EXPECT_EQ(after.terrain.ramps[0].place.heading_rad, before.terrain.ramps[0].place.heading_rad);
+  EXPECT_EQ(after.terrain.ramps.at(0).place.heading_rad,
+            before.terrain.ramps.at(0).place.heading_rad);
   EXPECT_EQ(after.terrain.blocks.size(), 1u);
-  ASSERT_EQ(after.terrain.surfaces.size(), 1u);
-  EXPECT_EQ(after.terrain.surfaces[0].name, "wet \"floor\"");
+  EXPECT_EQ(after.terrain.surfaces.at(0).name, "wet \"floor\"");
   EXPECT_EQ(after.fence.corners.size(), 4u);
   EXPECT_EQ(after.fence.keep_out.size(), 1u);
   // And again from its own output.
@@ -139,26 +128,22 @@ TEST(GoalCourse, KeepsFloorAndSpeedOfTheCourse) {
 }
 
 TEST(GoalCourse, OutsideOfTheFenceIsRefused) {
-  EXPECT_THAT(why_not(kEverything, {}, {.x_m = 4.5}), HasSubstr("the path leaves the fence at (4"));
   // Through the keep-out area, and beside it.
   EXPECT_THAT(why_not(kEverything, {.x_m = 2.5, .y_m = -3.2}, {.x_m = 3.9, .y_m = -3.2}),
               HasSubstr("the path leaves the fence at (3"));
   EXPECT_EQ(why_not(kEverything, {.x_m = 2.5, .y_m = -2.9}, {.x_m = 3.9, .y_m = -2.9}), "");
-  EXPECT_THAT(why_not(kEverything, {.x_m = 5.0}, {}), HasSubstr("the path leaves the fence"));
   EXPECT_THAT(why_not(kFree, {.x_m = -99.0}, {.x_m = 99.0}),
               HasSubstr("'segment.length_m' is 198"));
   EXPECT_THAT(why_not("", {}, {.x_m = 1.0}), HasSubstr("choose a course"));
-  // Random goals: refused exactly if the goal is outside, because the fence is convex.
-  constexpr const char* kSquare =
-      "[[segment]]\ntype = \"line\"\nlength_m = 0.3\n"
-      "[fence]\nmin_x_m = -1\nmax_x_m = 1\nmin_y_m = -1\nmax_y_m = 1\n";
+  // The fence is convex: from within it, exactly the goals outside are refused.
   std::mt19937_64 random(2);
-  std::uniform_real_distribution<double> inside(-0.99, 0.99), anywhere(-1.5, 1.5);
+  std::uniform_real_distribution<double> inside(-2.9, 2.9), anywhere(-6.0, 6.0);
   int refused = 0;
   for (int i = 0; i < 500; ++i) {
-    const Pose goal{.x_m = anywhere(random), .y_m = anywhere(random), .yaw_rad = anywhere(random)};
-    const bool out = std::max(std::abs(goal.x_m), std::abs(goal.y_m)) > 1.0;
-    const std::string why = why_not(kSquare, {.x_m = inside(random), .y_m = inside(random)}, goal);
+    const Pose goal{.x_m = anywhere(random), .y_m = std::abs(anywhere(random))};
+    const bool out = std::max(std::abs(goal.x_m), goal.y_m) > 4.0;
+    const std::string why =
+        why_not(kEverything, {.x_m = inside(random), .y_m = std::abs(inside(random))}, goal);
     EXPECT_EQ(why.empty(), !out) << why;
     refused += out ? 1 : 0;
   }

@@ -1,0 +1,150 @@
+// The courses, robots and cameras that are bundled, and how files are found and read.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <tuple>
+
+#include "core/arithmetic.h"
+#include "course/bundled_files.h"
+#include "course/camera.h"
+#include "course/course.h"
+#include "course/path.h"
+#include "course/robot_file.h"
+#include "support/paths.h"
+#include "support/refusal.h"
+#include "support/temporary_folder.h"
+
+namespace tp100::course {
+namespace {
+
+using testing::HasSubstr;
+
+Course bundled_course(const std::string& name) {
+  const TextFile file = read_text_file(source_path("config/courses/" + name + ".toml"));
+  return parse_course(file.text, file.path);
+}
+
+TEST(BundledCourses, HaveTheDocumentedLengthsAndEnds) {
+  struct Expected {
+    const char* name;
+    double length_m, end_x_m, end_y_m, end_yaw_deg;
+  };
+  for (const Expected& expected : {Expected{"1-straight", 1.7, 1.7, 0.0, 0.0},
+                                   Expected{"1-curve", 0.8 + 0.35 * kPi, 0.0, 0.7, 180.0},
+                                   Expected{"1-sharp", 1.7, 1.0, 0.7, 90.0},
+                                   Expected{"2", 2.6 + 0.15 * kPi, 0.3, -0.5, -180.0}}) {
+    SCOPED_TRACE(expected.name);
+    const Course course = bundled_course(expected.name);
+    const Path path(course);
+    EXPECT_EQ(course.speed_mps, 0.10);
+    EXPECT_NEAR(path.length_m(), expected.length_m, 1e-9);
+    EXPECT_NEAR(path.segments().back().end.x_m, expected.end_x_m, 1e-9);
+    EXPECT_NEAR(path.segments().back().end.y_m, expected.end_y_m, 1e-9);
+    EXPECT_NEAR(path.segments().back().end.yaw_rad, expected.end_yaw_deg * kRadPerDeg, 1e-9);
+    // In the paper's arena, with room for a push.
+    Fence room = course.fence;
+    EXPECT_NEAR(room.max_x_m - room.min_x_m, 1.9, 1e-9);
+    EXPECT_NEAR(room.max_y_m - room.min_y_m, 1.0, 1e-9);
+    for (double* low : {&room.min_x_m, &room.min_y_m}) *low += 0.095;
+    for (double* high : {&room.max_x_m, &room.max_y_m}) *high -= 0.095;
+    EXPECT_FALSE(first_point_outside(path, room));
+    EXPECT_EQ(course.disturbances.size(), course.name == "2" ? 2u : 0u);
+    for (const Disturbance& push : course.disturbances) {
+      EXPECT_DOUBLE_EQ(std::abs(push.sideways_m), 0.04);
+      EXPECT_DOUBLE_EQ(std::abs(push.yaw_rad), 15.0 * kRadPerDeg);
+    }
+  }
+}
+
+TEST(BundledCourses, Course3HasThePapersStepAndRampOnItsWayBack) {
+  const Course course = bundled_course("3");
+  const PathPoint end = Path(course).segments().back().end;
+  EXPECT_NEAR(end.x_m, 0.0, 1e-9);
+  EXPECT_NEAR(end.y_m, -0.8, 1e-9);
+  const Block& block = course.terrain.blocks.at(0);
+  const Ramp& ramp = course.terrain.ramps.at(0);
+  EXPECT_EQ(block.place.y_m, -0.80);
+  EXPECT_EQ(block.height_m, 0.037);
+  EXPECT_EQ(ramp.place.y_m, -0.80);
+  EXPECT_DOUBLE_EQ(ramp.up_rad, 28 * kRadPerDeg);
+  EXPECT_NEAR(ramp.length_m(), 0.2 + 2 * 0.08 / std::tan(28 * kRadPerDeg), 1e-12);
+}
+
+EmulatedCamera rough() {
+  EmulatedCamera values;
+  values.delay_s = 0.12;
+  values.delay_jitter_s = 0.02;
+  values.stamp_error_s = 0.004;
+  values.stamp_lag_s = 0.008;
+  values.bias_m = 0.004;
+  values.dropped = 0.1;
+  values.outliers = 0.02;
+  values.distortion = 0.02;
+  values.view_m = 1.5;
+  return values;
+}
+
+/// Expects that a bundled file is what `written` makes of its text. `scripts/test --accept` writes
+/// the file again.
+template <class Written>
+void expect_written(const std::string& name, Written written) {
+  const std::string path = source_path("config/" + name + ".toml");
+  const std::string text = read_text_file(path).text;
+  if (std::getenv("TP100_ACCEPT"))
+    std::ofstream(path, std::ios::binary) << written(text);
+  else
+    EXPECT_EQ(text, written(text)) << path << " differs from the key table";
+}
+
+TEST(BundledFiles, OfRobotsAndCamerasSayWhatTheKeyTableSays) {
+  for (const char* name : {"end-loaded", "uniform", "front-heavy", "slippery", "large", "worn"})
+    expect_written("robots/" + std::string(name), [&](const std::string& text) {
+      return write_robot(parse_robot(text, std::string(name) + ".toml"), head_note(text));
+    });
+  expect_written("cameras/overhead", [](const std::string& text) {
+    return write_camera(EmulatedCamera{}, head_note(text));
+  });
+  expect_written("cameras/rough",
+                 [](const std::string& text) { return write_camera(rough(), head_note(text)); });
+}
+
+TEST(BundledFiles, AreReadWholeWithEveryByte) {
+  const test::TemporaryFolder folder;
+  const std::string text("a\r\n\0b\xff", 6);
+  std::ofstream(folder.path() / "x.toml", std::ios::binary) << text;
+  const TextFile file = read_text_file(folder.file("x.toml"));
+  EXPECT_EQ(file.text, text);
+  EXPECT_EQ(file_stem(file.path), "x");
+  for (const char* name : {"/maxxii-indoor.csv", "/husky-windows.csv", "/README.md"})
+    EXPECT_FALSE(read_text_file(real_data_directory() + name).text.empty()) << name;
+}
+
+TEST(BundledFiles, WhatIsNoFileIsNamedInOneLine) {
+  const test::TemporaryFolder folder;
+  for (const auto& [kind, name, error] :
+       {std::tuple(Bundled::kCourses, folder.file("none.toml"),
+                   "none.toml: cannot be opened (No such file"),
+        {Bundled::kRobots, folder.path().string() + "/", "is a directory"},
+        {Bundled::kCourses, "no-such-course",
+         "no-such-course: no such course; give a file or one of"},
+        {Bundled::kRobots, "wron", "wron: no such robot; did you mean 'worn'?; give a file or"}}) {
+    const std::string why =
+        test::refusal([kind = kind, &name = name] { read_bundled(kind, name); });
+    EXPECT_THAT(why, HasSubstr(error));
+    EXPECT_THAT(why, testing::Not(HasSubstr("\n")));
+  }
+}
+
+TEST(CameraFile, ReadsBackWhatItWritesAndRefusesWhatItDoesNotKnow) {
+  EXPECT_EQ(write_camera(parse_camera(write_camera(rough(), ""), "f"), ""),
+            write_camera(rough(), ""));
+  EXPECT_THROW(parse_camera("rate_hz = 0.0\n", "f"), SetupError);
+  EXPECT_THROW(parse_camera("hight_m = 2.0\n", "f"), SetupError);
+}
+
+}  // namespace
+}  // namespace tp100::course
