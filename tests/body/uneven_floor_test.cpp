@@ -8,9 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/statistics.h"
+#include "drive.h"
 #include "sim/body/ode_body.h"
-#include "sim/body/shear_body.h"
 
 namespace tp100::sim {
 namespace {
@@ -51,12 +50,6 @@ std::vector<double> slips(const course::Emulated& values, double x_m, double y_m
   return all;
 }
 
-TEST(UnevenFloor, AnEvenFloorIsOneEverywhere) {
-  const UnevenFloor floor(course::Emulated{}, 7);
-  EXPECT_EQ(floor.at(3.0, -2.0).friction_factor, 1.0);
-  EXPECT_EQ(floor.at(3.0, -2.0).slip_offset, 0.0);
-}
-
 // Between the corners of the lattice and on them, near and far: the statistics are the same.
 TEST(UnevenFloor, MeanAndSpreadAreThoseOfTheFileAtEveryPlace) {
   for (const double tile_m : {0.0, 0.5}) {
@@ -89,31 +82,24 @@ TEST(UnevenFloor, IsMuchTheSameWithinItsLengthAndAnotherOneBeyond) {
     EXPECT_NEAR(correlation(here, slips(uneven(), x_m, y_m)), 0.0, 0.06) << x_m;
 }
 
-TEST(UnevenFloor, HasNoJumpsWithoutTiles) {
-  const UnevenFloor floor(uneven(), 3);
-  double last = floor.at(-5.0, 0.3).slip_offset;
-  for (double x_m = -5.0; x_m < 5.0; x_m += 0.001) {
-    const double now = floor.at(x_m, 0.3).slip_offset;
-    ASSERT_LT(std::abs(now - last), 0.0015) << x_m;
-    last = now;
-  }
+/// Jumps of the slip by more than `jump` along a line that crosses the tiles at an angle.
+int jumps(const course::Emulated& values, double jump) {
+  const UnevenFloor floor(values, 3);
+  int count = 0;
+  for (double x_m = 0.0; x_m < 10.0; x_m += 0.001)
+    count +=
+        std::abs(floor.at(x_m + 0.001, 0.3).slip_offset - floor.at(x_m, 0.3).slip_offset) > jump;
+  return count;
 }
 
-TEST(UnevenFloor, TilesDifferAtTheirJointsOnly) {
+TEST(UnevenFloor, JumpsAtTheJointsOfItsTilesOnly) {
   course::Emulated values = uneven();
+  EXPECT_EQ(jumps(values, 0.0015), 0);
   values.variation.tile_m = 0.5;
   values.variation.correlation_m = 20.0;
-  const UnevenFloor floor(values, 3);
-  int joints = 0;
-  double last = floor.at(0.0, 0.3).slip_offset;
-  for (double x_m = 0.0; x_m < 10.0; x_m += 0.001) {
-    const double now = floor.at(x_m, 0.3).slip_offset;
-    joints += std::abs(now - last) > 0.001;
-    last = now;
-  }
-  // Along a line that crosses them at an angle, between 20 and 28; some neighbours are alike.
-  EXPECT_GE(joints, 14);
-  EXPECT_LE(joints, 29);
+  // Between 20 and 28 joints; some neighbours are alike.
+  EXPECT_GE(jumps(values, 0.001), 14);
+  EXPECT_LE(jumps(values, 0.001), 29);
 }
 
 TEST(UnevenFloor, ASeedDrawsTensionPayloadBatteryGyroAndStart) {
@@ -140,30 +126,28 @@ TEST(UnevenFloor, ASeedDrawsTensionPayloadBatteryGyroAndStart) {
   EXPECT_NEAR(moments(x).sd, 0.01, 0.0005);
 }
 
-TEST(UnevenFloor, ARobotOnAnEvenFloorIsThatOfItsFile) {
+TEST(UnevenFloor, AnEvenFloorAndTheRobotOnItAreThoseOfTheFile) {
   course::Emulated values = uneven();
   values.floor = course::Floor::kEven;
+  EXPECT_EQ(UnevenFloor(values, 7).at(3.0, -2.0).friction_factor, 1.0);
+  EXPECT_EQ(UnevenFloor(values, 7).at(3.0, -2.0).slip_offset, 0.0);
+  EXPECT_EQ(placed({.x_m = 1.0}, values, 5).x_m, 1.0);
   const course::Emulated robot = sampled(values, 5);
   EXPECT_EQ(robot.body.track_deficit_left, values.body.track_deficit_left);
   EXPECT_EQ(robot.body.com_left_m, values.body.com_left_m);
   EXPECT_EQ(robot.battery.full_v, values.battery.full_v);
 }
 
-/// Position of a robot after two seconds straight ahead.
-Pose after_two_seconds(course::ContactLaw law, std::uint64_t floor_seed) {
-  course::Emulated values = uneven();
-  values.contact_law = law;
-  values.variation.friction_sd = 0.3;
-  const std::unique_ptr<Body> body = make_body(values, {}, false, {}, floor_seed);
-  for (int i = 0; i < 2000; ++i) body->step(0.08, 0.12);
-  return body->state().pose;
-}
-
 TEST(UnevenFloor, BothBodiesDriveOnIt) {
   for (const course::ContactLaw law : {course::ContactLaw::kOde, course::ContactLaw::kShear}) {
-    const Pose one = after_two_seconds(law, 1), other = after_two_seconds(law, 2);
-    EXPECT_GT(std::abs(one.yaw_rad - other.yaw_rad), 0.0005) << course::to_string(law);
-    EXPECT_EQ(one.yaw_rad, after_two_seconds(law, 1).yaw_rad) << course::to_string(law);
+    course::Emulated values = uneven();
+    values.contact_law = law;
+    values.variation.friction_sd = 0.3;
+    const auto yaw_rad = [&](std::uint64_t seed) {
+      return drive(*make_body(values, {}, false, {}, seed), 0.08, 0.12, 2.0).pose.yaw_rad;
+    };
+    EXPECT_GT(std::abs(yaw_rad(1) - yaw_rad(2)), 0.0005) << course::to_string(law);
+    EXPECT_EQ(yaw_rad(1), yaw_rad(1)) << course::to_string(law);
   }
 }
 
@@ -173,11 +157,8 @@ TEST(UnevenFloor, SlipOfTheFloorIsAddedToTheTracks) {
   values.variation = {.friction_sd = 0.0, .slip_sd = 0.05, .correlation_m = 20.0};
   for (std::uint64_t seed = 1; seed < 6; ++seed) {
     OdeBody even(values.body, {}, false), body(values.body, {}, false, {}, {values, seed});
-    for (int i = 0; i < 1000; ++i) {
-      even.step(0.1, 0.1);
-      body.step(0.1, 0.1);
-    }
-    const double lost = 1.0 - body.state().pose.x_m / even.state().pose.x_m;
+    const double lost =
+        1.0 - drive(body, 0.1, 0.1, 1.0).pose.x_m / drive(even, 0.1, 0.1, 1.0).pose.x_m;
     const double share = UnevenFloor(values, seed).at(0.04, 0.0).slip_offset /
                          (1.0 - values.body.track_deficit_left);
     EXPECT_NEAR(lost, share, 0.002) << seed;
