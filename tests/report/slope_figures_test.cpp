@@ -58,34 +58,30 @@ TEST(SlopeFigures, TellPitchErrorAndDelay) {
   EXPECT_EQ(figures.mistaken, 0);
 }
 
-TEST(SlopeFigures, WhatTheStateNeverSaidWasNotFound) {
-  std::vector<TrajectoryPoint> points = climb(0.0, 0.0);
-  for (TrajectoryPoint& point : points) point.slope = Slope::kFlat;
-  const SlopeFigures figures = slope_figures(points, one_ramp());
-  ASSERT_EQ(figures.changes.size(), 2u);
-  EXPECT_FALSE(figures.changes[0].found_s.has_value());
-}
-
-TEST(SlopeFigures, AStateWithoutACauseIsFalse) {
-  std::vector<TrajectoryPoint> points = climb(0.0, 0.1);
-  for (TrajectoryPoint& point : points)
-    if (point.t_s > 7.0 && point.t_s < 7.3) point.slope = Slope::kDown;
-  EXPECT_EQ(slope_figures(points, one_ramp()).false_changes, 2)
-      << "one change to down and one back";
-}
-
-TEST(SlopeFigures, ARampTakenForAStepIsAMistake) {
-  std::vector<TrajectoryPoint> points = climb(0.0, 0.1);
-  for (TrajectoryPoint& point : points)
+TEST(SlopeFigures, TellWhatWasNotFoundFalseOrMistaken) {
+  const auto changed = [](auto change) {
+    std::vector<TrajectoryPoint> points = climb(0.0, 0.1);
+    for (TrajectoryPoint& point : points) change(point);
+    return slope_figures(points, one_ramp());
+  };
+  const auto within = [](const TrajectoryPoint& point, double from_s, double to_s) {
+    return point.t_s > from_s && point.t_s < to_s;
+  };
+  const SlopeFigures unseen = changed([](TrajectoryPoint& point) { point.slope = Slope::kFlat; });
+  ASSERT_EQ(unseen.changes.size(), 2u);
+  EXPECT_FALSE(unseen.changes[0].found_s.has_value());
+  const SlopeFigures without_cause = changed([&](TrajectoryPoint& point) {
+    if (within(point, 7.0, 7.3)) point.slope = Slope::kDown;
+  });
+  EXPECT_EQ(without_cause.false_changes, 2) << "one change to down and one back";
+  const SlopeFigures step = changed([](TrajectoryPoint& point) {
     if (point.slope != Slope::kFlat) point.obstacle_class = ObstacleClass::kBlock;
-  EXPECT_EQ(slope_figures(points, one_ramp()).mistaken, 1);
-}
-
-TEST(SlopeFigures, AKnockThatDoesNotLastIsNoChangeOfTheBody) {
-  std::vector<TrajectoryPoint> points = climb(0.0, 0.1);
-  for (TrajectoryPoint& point : points)
-    if (point.t_s > 7.0 && point.t_s < 7.1) point.truth.pitch_rad = 0.2;
-  EXPECT_EQ(slope_figures(points, one_ramp()).changes.size(), 2u);
+  });
+  EXPECT_EQ(step.mistaken, 1);
+  const SlopeFigures knocked = changed([&](TrajectoryPoint& point) {
+    if (within(point, 7.0, 7.1)) point.truth.pitch_rad = 0.2;
+  });
+  EXPECT_EQ(knocked.changes.size(), 2u) << "what does not last is no change of the body";
 }
 
 }  // namespace
