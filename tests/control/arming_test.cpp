@@ -1,3 +1,6 @@
+// The start and the end of a run or drive: arming, motors that are on without a request, ends that
+// the robot must confirm, and the pause.
+
 #include "control/arming.h"
 
 #include <gtest/gtest.h>
@@ -5,10 +8,59 @@
 #include <functional>
 #include <vector>
 
-#include "arming_fixture.h"
+#include "support/sequence.h"
 
 namespace tp100::control {
 namespace {
+
+constexpr double kCycleS = 0.005;
+
+/// Arming with a robot whose samples and answers the tests set.
+class ArmingTest : public testing::Test {
+ protected:
+  /// Steps until something is requested, or `steps` have passed. Each step has a newer sample.
+  RobotRequest run(int steps) {
+    for (int i = 0; i < steps; ++i) {
+      const RobotRequest request = arming_.update(in_, kCycleS);
+      in_.new_session = in_.rebooted = false;
+      in_.answer = RequestAnswer::kNone;
+      sample_.measured_ns += 5 * kNsPerMs;
+      if (request != RobotRequest::kNone) return request;
+    }
+    return RobotRequest::kNone;
+  }
+  void connect() {
+    in_.session = SessionState::kReady;
+    in_.sample = &sample_;
+    in_.refusal = StartRefusal::kNone;
+    in_.aborts = 0;
+    in_.done = false;
+    sample_.state = RobotState::kDisarmed;
+    sample_.faults = 0;
+  }
+  void request_arm(RunState to = RunState::kRunning) {
+    connect();
+    to == RunState::kDriving ? arming_.drive() : arming_.start();
+    ASSERT_EQ(run(100), RobotRequest::kArm);
+  }
+  void begin(RunState to = RunState::kRunning) {
+    request_arm(to);
+    sample_.state = RobotState::kArmed;
+    in_.answer = RequestAnswer::kAcknowledged;
+    ASSERT_EQ(run(1), RobotRequest::kNone);
+    ASSERT_TRUE(arming_.just_began());
+    ASSERT_EQ(arming_.state(), to);
+  }
+  /// The robot has obeyed the disarm and confirms it.
+  void confirm_off() {
+    sample_.state = RobotState::kDisarmed;
+    in_.answer = RequestAnswer::kAcknowledged;
+  }
+
+  Arming arming_;
+  ArmingInputs in_{};
+  Sample sample_{};
+};
 
 TEST_F(ArmingTest, AStartArmsOnceSomeCommandsAreOnTheWayAndBeginsWhenAnswerAndSampleSaySo) {
   for (const bool answered_first : {true, false}) {
@@ -268,6 +320,172 @@ TEST(Pause, LastsTwoMinutesAtMostHoweverOftenItIsAskedFor) {
   pause.restart();
   EXPECT_FALSE(pause.active());
   EXPECT_EQ(pause.total_s(), 0.0);
+}
+
+TEST_F(ArmingTest, ACompletionThatIsNotConfirmedIsNone) {
+  const struct {
+    const char* name;
+    Fault fault;
+    RequestAnswer answer = RequestAnswer::kNone;
+    bool motors_on = false, link_breaks = false, restarts = false;
+  } cases[] = {
+      {"refused", Fault::not_acknowledged, RequestAnswer::kFailed},
+      {"no answer", Fault::not_acknowledged},
+      {"acknowledged, but on", Fault::moves_unasked, RequestAnswer::kAcknowledged, true},
+      {"the link breaks", Fault::link_lost, RequestAnswer::kNone, false, true},
+      {"the robot restarts", Fault::robot_rebooted, RequestAnswer::kNone, false, false, true}};
+  for (const auto& of : cases) {
+    SCOPED_TRACE(of.name);
+    arming_ = {};
+    begin();
+    in_.done = true;
+    ASSERT_EQ(run(1), RobotRequest::kDisarm);
+    in_.done = false;
+    in_.answer = of.answer;
+    in_.rebooted = of.restarts;
+    if (of.link_breaks) in_.sample = nullptr;
+    if (!of.motors_on) sample_.state = RobotState::kDisarmed;
+    run(48);
+    run(5);
+    EXPECT_EQ(arming_.state(), RunState::kAborted);
+    EXPECT_EQ(arming_.faults(), fault_bit(of.fault));
+    EXPECT_EQ(arming_.disarming(), of.motors_on) << "it lasts as long as the motors are on";
+  }
+}
+
+TEST_F(ArmingTest, MotorsThatNobodyAskedForAreStoppedAgainAndAgain) {
+  const std::function<void()> oddities[] = {
+      [&] { sample_.state = RobotState::kArmed; }, [&] { sample_.state = RobotState::kRunning; },
+      [&] { sample_.left_duty = 0.1; }, [&] { sample_.right_duty = -0.1; }};
+  for (const auto& oddity : oddities) {
+    arming_ = {};
+    sample_ = {};
+    connect();
+    ASSERT_EQ(run(100), RobotRequest::kNone);
+    oddity();
+    EXPECT_EQ(run(10), RobotRequest::kNone) << "a single sample may be an old one";
+    EXPECT_FALSE(arming_.at_rest());
+    EXPECT_EQ(run(2), RobotRequest::kStop);
+    EXPECT_EQ(arming_.state(), RunState::kAborted);
+    EXPECT_EQ(arming_.faults(), fault_bit(Fault::moves_unasked));
+    for (int again = 0; again < 5; ++again) {
+      EXPECT_EQ(run(38), RobotRequest::kNone);
+      EXPECT_EQ(run(4), RobotRequest::kStop);
+    }
+    sample_.state = RobotState::kFaulted;
+    sample_.left_duty = sample_.right_duty = 0.0;
+    EXPECT_EQ(run(1000), RobotRequest::kNone);
+    EXPECT_FALSE(arming_.disarming());
+    EXPECT_EQ(arming_.faults(), fault_bit(Fault::moves_unasked));
+  }
+}
+
+// The times are those of the samples: without a new one nothing is known.
+TEST_F(ArmingTest, MotorsThatNobodyAskedForAreStoppedAfterExactlyFiftyMilliseconds) {
+  connect();
+  sample_.state = RobotState::kArmed;
+  for (const HostNs after : {HostNs{0}, 50 * kNsPerMs - 1}) {
+    sample_.measured_ns = 7 * kNsPerS + after;
+    for (int i = 0; i < 100; ++i) EXPECT_EQ(arming_.update(in_, kCycleS), RobotRequest::kNone);
+  }
+  sample_.measured_ns = 7 * kNsPerS + 50 * kNsPerMs;
+  EXPECT_EQ(arming_.update(in_, kCycleS), RobotRequest::kStop);
+}
+
+TEST_F(ArmingTest, MotorsThatStayOnAfterARunAreStopped) {
+  begin();
+  in_.done = true;
+  ASSERT_EQ(run(1), RobotRequest::kDisarm);
+  in_.answer = RequestAnswer::kFailed;
+  EXPECT_EQ(run(48), RobotRequest::kNone) << "the link repeats the request for 0.2 s";
+  EXPECT_EQ(run(4), RobotRequest::kStop);
+  EXPECT_EQ(arming_.faults(), fault_bit(Fault::not_acknowledged) | fault_bit(Fault::moves_unasked));
+}
+
+TEST_F(ArmingTest, AStartIsVoidIfTheMotorsAreOnBeforeItArms) {
+  connect();
+  in_.refusal = StartRefusal::kMotorsOn;
+  sample_.state = RobotState::kRunning;
+  arming_.start();
+  EXPECT_EQ(run(30), RobotRequest::kStop);
+  EXPECT_EQ(arming_.state(), RunState::kAborted);
+}
+
+TEST_F(ArmingTest, ARobotThatIsPushedByHandIsNoFault) {
+  connect();
+  for (int i = 0; i < 1000; ++i) {
+    sample_.left_counts += 50;
+    ASSERT_EQ(run(1), RobotRequest::kNone);
+  }
+  EXPECT_EQ(arming_.faults(), 0u);
+}
+
+// An operator who presses anything, and a robot that mostly obeys.
+TEST_F(ArmingTest, WhateverHappensNothingMovesWithoutAStartAndEveryEndDisarms) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    test::Sequence any(seed);
+    arming_ = {};
+    connect();
+    int wanted = 0, due = 0;  // starts that were not used; steps until the robot answers
+    RobotRequest told = RobotRequest::kNone;
+    bool acknowledged = false;
+    for (int step = 0; step < 20000; ++step) {
+      if (any.chance(0.02)) connect();
+      if (any.chance(0.01)) in_.session = SessionState::kSyncing;
+      if (any.chance(0.01)) in_.sample = nullptr;
+      if (any.chance(0.002)) in_.refusal = StartRefusal::kNotStill;
+      if (any.chance(0.002)) sample_.faults = fault_bit(Fault::stalled_left);
+      if (any.chance(0.002)) sample_.state = RobotState::kRunning;
+      in_.new_session = any.chance(0.002);
+      in_.rebooted = any.chance(0.002);
+      in_.aborts = any.chance(0.002) ? fault_bit(Fault::fence) : 0;
+      in_.done = any.chance(0.005);
+      const RunState before = arming_.state();
+      const bool starts = any.chance(0.03), holds = any.chance(0.002), stops = any.chance(0.002);
+      if (starts) {
+        any.chance(0.5) ? arming_.start() : arming_.drive();
+        if (!under_way(before)) wanted = 1;
+      }
+      if (holds) arming_.hold();
+      if (stops) arming_.stop();
+      if (due > 0 && --due == 0) {
+        in_.answer = any.chance(0.9) ? RequestAnswer::kAcknowledged : RequestAnswer::kFailed;
+        if (in_.answer == RequestAnswer::kAcknowledged) {
+          acknowledged = told == RobotRequest::kArm;
+          sample_.state = acknowledged ? RobotState::kArmed : RobotState::kDisarmed;
+        }
+      }
+      const ArmingInputs in = in_;
+      const RobotRequest request = run(1);
+      const RunState after = arming_.state();
+      if (request == RobotRequest::kArm) {
+        ASSERT_EQ(wanted, 1) << step;
+        ASSERT_EQ(in.refusal, StartRefusal::kNone) << step;
+        wanted = 0;
+        acknowledged = false;
+      }
+      if (request != RobotRequest::kNone) {
+        told = request;
+        due = request == RobotRequest::kStop ? 0 : 1 + any.below(20);
+        if (request == RobotRequest::kStop) sample_.state = RobotState::kFaulted;
+      }
+      if (armed(after)) {
+        const bool healthy = in.session == SessionState::kReady && in.sample != nullptr &&
+                             !in.new_session && !in.rebooted && in.aborts == 0;
+        ASSERT_TRUE(healthy && acknowledged) << step;
+        ASSERT_EQ(arming_.just_began(), !armed(before)) << step;
+      }
+      if (under_way(before) && !under_way(after) && arming_.refused() == StartRefusal::kNone) {
+        ASSERT_TRUE(request == RobotRequest::kDisarm || request == RobotRequest::kStop) << step;
+      }
+      if (holds || stops) {
+        ASSERT_NE(request, RobotRequest::kNone) << step;
+      }
+      ASSERT_TRUE(after != RunState::kAborted || arming_.faults() != 0) << step;
+      ASSERT_TRUE(!under_way(after) || arming_.faults() == 0) << step;
+    }
+  }
 }
 
 }  // namespace
