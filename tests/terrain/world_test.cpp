@@ -1,16 +1,258 @@
+// Cuts through ramps and blocks, and what a world makes of them, against the pieces' own shape.
+
 #include "terrain/world.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
 
 #include "core/arithmetic.h"
+#include "course/course.h"
+#include "support/sequence.h"
 
 namespace tp100::terrain {
 namespace {
+
+const course::Ramp kRamp{{0.7, -0.4, 0.3}, 0.09, 0.42, 0.17, 0.31, 0.47};
+const course::Ramp kPeak{{-0.6, 0.2, -2.4}, 0.06, 0.5, 0.0, 0.35, 0.52};
+const course::Block kBlock{{1.9, 0.1, 0.3}, 0.037, 0.31, 0.45};
+
+/// A place in the frame of a piece.
+struct Local {
+  double along_m, left_m;
+};
+Local local(const course::Place& place, double x_m, double y_m) {
+  const double c = std::cos(place.heading_rad), s = std::sin(place.heading_rad);
+  const double dx = x_m - place.x_m, dy = y_m - place.y_m;
+  return {c * dx + s * dy, c * dy - s * dx};
+}
+/// Height of a ramp: its up side, its top or its down side, whichever is lowest.
+double height_of(const course::Ramp& ramp, double x_m, double y_m) {
+  const auto [along_m, left_m] = local(ramp.place, x_m, y_m);
+  if (std::abs(left_m) > ramp.width_m / 2.0) return 0.0;
+  const double half_m = ramp.length_m() / 2.0;
+  return std::max(0.0, std::min({(along_m + half_m) * std::tan(ramp.up_rad), ramp.height_m,
+                                 (half_m - along_m) * std::tan(ramp.down_rad)}));
+}
+double height_of(const course::Block& block, double x_m, double y_m) {
+  const auto [along_m, left_m] = local(block.place, x_m, y_m);
+  const bool inside =
+      std::abs(along_m) <= block.depth_m / 2.0 && std::abs(left_m) <= block.width_m / 2.0;
+  return inside ? block.height_m : 0.0;
+}
+
+/// Cuts in many directions: calls check(profile, height of the piece at a distance).
+template <class Piece, class Check>
+void for_many_cuts(const Piece& piece, Check check) {
+  const Outline outline = outline_of(piece);
+  test::Sequence any(9);
+  for (int i = 0; i < 400; ++i) {
+    SCOPED_TRACE(i);
+    const double yaw =
+        i % 4 == 0 ? piece.place.heading_rad + i / 4 * kPi / 2.0 : any.between(-4.0, 4.0);
+    const double x = piece.place.x_m + any.between(-0.5, 0.5);
+    const double y = piece.place.y_m + any.between(-0.5, 0.5);
+    const double c = std::cos(yaw), s = std::sin(yaw);
+    check(Profile(outline, x, y, c, s),
+          [&](double at_m) { return height_of(piece, x + at_m * c, y + at_m * s); });
+    if (testing::Test::HasFailure()) return;
+  }
+}
+
+template <class Piece>
+void expect_heights_and_ends(const Piece& piece) {
+  for_many_cuts(piece, [](const Profile& profile, const auto& height_at) {
+    double begin_m = 9.0, end_m = -9.0;
+    for (double at_m = -1.5; at_m < 1.5; at_m += 0.0037) {
+      const double height_m = height_at(at_m);
+      if (height_m > 0.0) {
+        begin_m = std::min(begin_m, at_m);
+        end_m = std::max(end_m, at_m);
+      }
+      // Within rounding of a wall either height may be meant.
+      if (std::abs(height_at(at_m - 1e-6) - height_at(at_m + 1e-6)) < 1e-5) {
+        ASSERT_NEAR(profile.height_m(at_m), height_m, 1e-9) << at_m;
+      }
+    }
+    if (begin_m > end_m) return;
+    ASSERT_FALSE(profile.empty());
+    EXPECT_NEAR(profile.begin_m(), begin_m - 0.0037 / 2.0, 0.0038 / 2.0);
+    EXPECT_NEAR(profile.end_m(), end_m + 0.0037 / 2.0, 0.0038 / 2.0);
+  });
+}
+
+TEST(Profile, IsTheHeightOfThePieceAlongTheCut) {
+  expect_heights_and_ends(kRamp);
+  expect_heights_and_ends(kPeak);
+  expect_heights_and_ends(kBlock);
+}
+
+// A wheel is lifted until no point of the piece, at any distance, is inside it.
+template <class Piece>
+void expect_lifted(const Piece& piece) {
+  static constexpr double kRadiusM = 0.033, kFirstM = -0.31, kStepM = 0.063;
+  for_many_cuts(piece, [](const Profile& profile, const auto& height_at) {
+    std::array<double, 11> wheel{};
+    std::array<ObstacleClass, 11> ground{};
+    wheel.fill(0.03);
+    profile.lift({kFirstM, kStepM, kRadiusM}, ObstacleClass::kBlock, wheel, ground);
+    for (std::size_t n = 0; n < wheel.size(); ++n) {
+      const double at_m = kFirstM + kStepM * static_cast<double>(n);
+      double highest_m = 0.0;
+      for (double angle = -kPi / 2.0; angle < kPi / 2.0; angle += 5e-4) {
+        const double height_m = height_at(at_m + kRadiusM * std::sin(angle));
+        if (height_m > 0.0) highest_m = std::max(highest_m, height_m + kRadiusM * std::cos(angle));
+      }
+      // The foot of a ramp has no height, but the wheel touches it: at most the floor's radius.
+      ASSERT_GT(wheel[n], highest_m - 1e-9) << n;
+      ASSERT_LT(wheel[n], std::max(kRadiusM, highest_m + 1e-4) + 1e-9) << n;
+      ASSERT_EQ(ground[n] == ObstacleClass::kBlock, wheel[n] > 0.03) << n;
+    }
+  });
+}
+
+TEST(Profile, LiftsWheelsOutOfThePiece) {
+  expect_lifted(kRamp);
+  expect_lifted(kBlock);
+}
+
+constexpr course::ShapeValues kLopsided{.length_m = 0.2,
+                                        .height_m = 0.07,
+                                        .axle_spacing_m = 0.141,
+                                        .wheel_radius_m = 0.028,
+                                        .gauge_m = 0.163,
+                                        .com_height_m = 0.025,
+                                        .com_forward_m = 0.007};
+
+/// A robot that crosses a ramp along its heading, `along_m` from its middle.
+Pose crossing(const course::Ramp& ramp, double along_m, bool back, double pitch_rad) {
+  const double c = std::cos(ramp.place.heading_rad), s = std::sin(ramp.place.heading_rad);
+  return {.x_m = ramp.place.x_m + c * along_m,
+          .y_m = ramp.place.y_m + s * along_m,
+          .pitch_rad = pitch_rad,
+          .yaw_rad = ramp.place.heading_rad + (back ? kPi : 0.0)};
+}
+
+// The underside of a track is the hull of its wheels. It rests on the ground on both sides of the
+// centre of mass and enters it nowhere.
+TEST(World, ATrackRestsOnTheGroundOnBothSidesOfItsMass) {
+  course::Terrain terrain;
+  terrain.ramps = {kRamp, kPeak};
+  const World world(terrain, kLopsided);
+  for (const course::Ramp& ramp : {kRamp, kPeak}) {
+    for (const bool back : {false, true}) {
+      double pitch_rad = 0.0;
+      for (double t = -0.5; t < 0.5; t += 0.0091) {
+        const Pose pose = crossing(ramp, back ? -t : t, back, pitch_rad);
+        const ContactPose on = world.at(pose);
+        pitch_rad = on.pitch_rad;
+        SCOPED_TRACE(testing::Message() << t << " back " << back);
+        ASSERT_NEAR(on.roll_rad, 0.0, 1e-9);
+        ASSERT_EQ(on.slope_rad, -on.pitch_rad);
+        const double c = std::cos(on.slope_rad), s = std::sin(on.slope_rad);
+        const double r = kLopsided.wheel_radius_m;
+        const double mass_m = kLopsided.com_forward_m * c - kLopsided.com_height_m * s;
+        double least_m = 9.0, before_m = 9.0, beyond_m = 9.0;
+        for (double flat = -0.5; flat <= 0.5001; flat += 0.025) {
+          // Centre of a wheel of the track, ahead of and above the reference point.
+          const double ahead = flat * kLopsided.axle_spacing_m * c - r * s;
+          const double above = on.height_m + flat * kLopsided.axle_spacing_m * s + r * c;
+          double room_m = 9.0;
+          for (double angle = -1.2; angle <= 1.2; angle += 0.01) {
+            const double at = (ahead + r * std::sin(angle)) * (back ? -1.0 : 1.0);
+            const Pose place = crossing(ramp, (back ? -t : t) + at, false, 0.0);
+            room_m = std::min(room_m,
+                              above - r * std::cos(angle) - height_of(ramp, place.x_m, place.y_m));
+          }
+          least_m = std::min(least_m, room_m);
+          const double touches = ahead + r * s;  // along the underside
+          double& side = touches < mass_m ? before_m : beyond_m;
+          side = std::min(side, room_m);
+        }
+        EXPECT_GT(least_m, -1.5e-3);
+        EXPECT_LT(before_m, 1.5e-3);
+        EXPECT_LT(beyond_m, 1.5e-3);
+      }
+    }
+  }
+}
+
+TEST(World, IsTheSameWhereverItsPiecesLieAndMirrored) {
+  test::Sequence any(12);
+  course::Course here;
+  here.terrain.ramps = {kRamp, kPeak};
+  here.terrain.blocks = {kBlock, {{-1.7, -0.6, 1.1}, 0.024, 0.11, 0.38}};
+  const World world(here.terrain, kLopsided);
+  const World mirrored(course::mirrored(here).terrain, kLopsided);
+  for (int i = 0; i < 300; ++i) {
+    const Transform2d move{any.between(-3.0, 3.0), any.between(-3.0, 3.0), any.between(-4.0, 4.0)};
+    course::Terrain there = here.terrain;
+    const auto moved = [&](course::Place& place) {
+      const Pose at = move.of({.x_m = place.x_m, .y_m = place.y_m, .yaw_rad = place.heading_rad});
+      place = {at.x_m, at.y_m, at.yaw_rad};
+    };
+    for (course::Ramp& ramp : there.ramps) moved(ramp.place);
+    for (course::Block& block : there.blocks) moved(block.place);
+    const course::Place near = i % 3 == 0 ? kBlock.place : i % 3 == 1 ? kRamp.place : kPeak.place;
+    const Pose pose{.x_m = near.x_m + any.between(-0.4, 0.4),
+                    .y_m = near.y_m + any.between(-0.3, 0.3),
+                    .pitch_rad = any.between(-0.3, 0.3),
+                    .yaw_rad = any.between(-4.0, 4.0)};
+    const Pose across{
+        .x_m = pose.x_m, .y_m = -pose.y_m, .pitch_rad = pose.pitch_rad, .yaw_rad = -pose.yaw_rad};
+    const ContactPose on = world.at(pose), image = mirrored.at(across);
+    const ContactPose same = World(there, kLopsided).at(move.of(pose));
+    for (const ContactPose& other : {same, image}) {
+      EXPECT_NEAR(other.height_m, on.height_m, 1e-6) << i;
+      EXPECT_NEAR(other.pitch_rad, on.pitch_rad, 1e-5) << i;
+      EXPECT_EQ(other.obstacle, on.obstacle) << i;
+    }
+    EXPECT_NEAR(same.roll_rad, on.roll_rad, 1e-5) << i;
+    EXPECT_NEAR(image.roll_rad, -on.roll_rad, 1e-5) << i;
+  }
+}
+
+TEST(World, TheNextBlockIsTheFirstOnTheLineFromTheRearEnd) {
+  course::Terrain terrain;
+  terrain.ramps = {kRamp};
+  terrain.blocks = {kBlock, {{2.4, 0.2, 0.3}, 0.03, 0.2, 0.6}, {{1.5, 0.3, 1.0}, 0.02, 0.1, 0.3}};
+  const World world(terrain, kLopsided);
+  test::Sequence any(14);
+  int found = 0;
+  for (int i = 0; i < 400; ++i) {
+    const Pose pose{.x_m = any.between(1.0, 2.8),
+                    .y_m = any.between(-0.4, 0.6),
+                    .yaw_rad = any.between(-4.0, 4.0)};
+    const double c = std::cos(pose.yaw_rad), s = std::sin(pose.yaw_rad);
+    const double rear_m = -kLopsided.axle_spacing_m / 2.0 - kLopsided.wheel_radius_m;
+    // Where each block that is not wholly behind begins and ends on the line.
+    double first_m = 9.0, depth_m = 0.0;
+    for (const course::Block& block : terrain.blocks) {
+      double begin_m = 9.0, end_m = -9.0;
+      for (double at = -1.2; at < 1.2; at += 2e-4) {
+        if (height_of(block, pose.x_m + at * c, pose.y_m + at * s) == 0.0) continue;
+        begin_m = std::min(begin_m, at);
+        end_m = at;
+      }
+      if (begin_m > end_m || end_m < rear_m || begin_m > 0.5 || begin_m > first_m) continue;
+      first_m = begin_m;
+      depth_m = end_m - begin_m;
+    }
+    const auto next = world.next_block(pose, 0.5);
+    if (depth_m < 1e-3 || std::abs(first_m - 0.5) < 1e-3 ||
+        std::abs(first_m + depth_m - rear_m) < 1e-3)
+      continue;
+    ASSERT_TRUE(next) << i;
+    ASSERT_NEAR(next->distance_m, first_m, 3e-4) << i;
+    ASSERT_NEAR(next->depth_m, depth_m, 5e-4) << i;
+    ++found;
+  }
+  EXPECT_GT(found, 100);
+}
 
 constexpr double kUpRad = 28 * kRadPerDeg;
 
