@@ -23,11 +23,6 @@ Ground any_ground(AnyMotion& any) {
           .tilt_radps = any.between(0.0, 3.0)};
 }
 
-TEST(ExpectedMarker, OnAPlaneItIsThePose) {
-  const Eigen::Vector3d pose(0.7, -0.4, 2.1);
-  EXPECT_LT((expected_marker(pose, {}, {}, kPlace) - pose).norm(), 1e-12);
-}
-
 // Two points of the marker, rotated with the body in space and seen from the lens on the plane of
 // the marker of a level robot.
 TEST(ExpectedMarker, IsTheImageOfAMarkerThatTiltsWithTheBody) {

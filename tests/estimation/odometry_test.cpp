@@ -47,16 +47,6 @@ class OdometryTest : public testing::Test {
   std::normal_distribution<double> normal_{};
 };
 
-TEST_F(OdometryTest, AQuarterCircleEndsWhereGeometrySays) {
-  Odometry odometry(tracks_, noise_);
-  rest(odometry, 0.02);
-  const double rate = 0.25, speed = 0.1;
-  drive(odometry, speed, rate, 0.02, kPi / 2 / rate);
-  EXPECT_NEAR(odometry.pose().x_m, speed / rate, 2e-3);
-  EXPECT_NEAR(odometry.pose().y_m, speed / rate, 2e-3);
-  EXPECT_NEAR(odometry.pose().yaw_rad, kPi / 2, 2e-3);
-}
-
 TEST_F(OdometryTest, ATwistThatNoIntervalHasShownIsUnknown) {
   Odometry odometry(tracks_, noise_);
   EXPECT_EQ(odometry.twist_covariance().xx, kUnknownVariance);
@@ -166,73 +156,6 @@ TEST_F(OdometryTest, ARobotThatStoodForLongIsKnownAsWellAsBefore) {
     EXPECT_NEAR(odometry.pose().x_m, 30.0 * speed, 1e-3) << speed;
     EXPECT_NEAR(odometry.pose().yaw_rad, 0.5, 1e-3) << speed;
     EXPECT_TRUE(odometry.state().covariance.allFinite()) << speed;
-  }
-}
-
-// The robot may be carried around after it was switched on, before it stands.
-TEST_F(OdometryTest, ATurnOfTheCarriedRobotIsNoBias) {
-  Odometry odometry(tracks_, noise_);
-  drive(odometry, 0.0, 0.0, 0.02 + 0.1, 10.0);  // its tracks stand still
-  rest(odometry, 0.02);
-  odometry.begin({});
-  drive(odometry, 0.1, 0.0, 0.02, 10.0);
-  EXPECT_NEAR(odometry.pose().yaw_rad, 0.0, 0.01);
-}
-
-// On a ramp one track carries more load and slips more, which is not a drift of the gyro.
-TEST_F(OdometryTest, SlopesTeachNothingOfTheGyro) {
-  Odometry odometry(tracks_, noise_);
-  rest(odometry, 0.02);
-  odometry.begin({});
-  drive(odometry, 0.1, 0.0, 0.02, 60.0);
-  const double bias_radps = odometry.state().mean[kBias];
-  for (int i = 0; i < 4000; ++i) {
-    now_ += kPeriod;
-    odometry.advance({.end_ns = now_,
-                      .dt_s = kDt,
-                      .tracks = {0.125, 0.125 * (1.0 + 1e-6 * i)},
-                      .gyro_z_radps = 0.02,
-                      .gyro = true,
-                      .ground = {.pitch_rad = -0.2, .slip = {0.2, 0.2}}});
-  }
-  EXPECT_NEAR(odometry.state().mean[kBias], bias_radps, 1e-5);
-}
-
-// An error of the wheelbase must not change the heading of a gyro that was at rest before.
-TEST_F(OdometryTest, InTurnsTheGyroKnowsBetter) {
-  Odometry odometry(tracks_, noise_);
-  rest(odometry, 0.02);
-  odometry.begin({});
-  tracks_.wheelbase_m *= 1.1;  // of the robot; the estimator knows nothing of it
-  drive(odometry, 0.1, 0.4, 0.02, 2.0 * kPi / 0.4);
-  EXPECT_NEAR(odometry.pose().yaw_rad, 2.0 * kPi, 0.02);
-}
-
-// The wheelbase that a turn needs depends on how sharp it is, and to which side.
-TEST_F(OdometryTest, ATurnToTheOtherSideMakesTheTurnGainUncertainAgain) {
-  Odometry odometry(tracks_, noise_);
-  rest(odometry, 0.02);
-  odometry.begin({});
-  const auto variance = [&] { return odometry.state().covariance(kTurnGain, kTurnGain); };
-  drive(odometry, 0.1, 0.0, 0.02, 60.0);  // shows that the tracks slip alike
-  drive(odometry, 0.1, 0.4, 0.02, 30.0);
-  const double learned = variance();
-  drive(odometry, 0.1, 0.4, 0.02, 7.0);
-  EXPECT_LT(variance(), learned);
-  drive(odometry, 0.1, -0.4, 0.02, 7.0);
-  EXPECT_GT(variance(), 1.5 * learned);
-}
-
-// A robot that is turned from outside: slowly, while it drives straight ahead.
-TEST_F(OdometryTest, ATurnThatTheTracksDidNotMakeIsFollowed) {
-  for (const double rate : {0.05, 0.1, 0.3, 0.9}) {
-    Odometry odometry(tracks_, noise_);
-    rest(odometry, 0.02);
-    odometry.begin({});
-    drive(odometry, 0.1, 0.0, 0.02, 5.0);
-    drive(odometry, 0.1, 0.0, 0.02 + rate, 0.26 / rate);
-    drive(odometry, 0.1, 0.0, 0.02, 5.0);
-    EXPECT_NEAR(odometry.pose().yaw_rad, 0.26, 0.03) << rate;
   }
 }
 
