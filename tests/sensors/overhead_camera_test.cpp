@@ -1,12 +1,18 @@
 #include "sim/sensors/overhead_camera.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
-#include <sstream>
+#include <fstream>
 #include <vector>
 
+#include "../support/temporary_folder.h"
 #include "core/arithmetic.h"
+#include "core/time.h"
+#include "sim/sensors/detections.h"
+#include "support/refusal.h"
 
 namespace tp100::sim {
 namespace {
@@ -31,14 +37,6 @@ course::EmulatedCamera perfect() {
   course::EmulatedCamera values;
   values.noise_m = values.noise_rad = values.bias_m = values.dropped = values.stamp_error_s = 0.0;
   return values;
-}
-
-TEST(OverheadCamera, SeesARobotOnTheFloorWhereItIs) {
-  const Pose pose{.x_m = 0.7, .y_m = -0.4, .yaw_rad = 2.0};
-  const Taken taken = watch(perfect(), pose, 1.0).back();
-  EXPECT_NEAR(taken.sample.x_m, 0.7, 1e-12);
-  EXPECT_NEAR(taken.sample.y_m, -0.4, 1e-12);
-  EXPECT_NEAR(taken.sample.yaw_rad, 2.0, 1e-12);
 }
 
 TEST(OverheadCamera, ALensErrorGrowsWithTheCubeOfTheDistance) {
@@ -90,31 +88,36 @@ TEST(OverheadCamera, HasTheNoiseAndTheLastingErrorThatItsValuesSay) {
   EXPECT_NEAR(yaw / n, 0.0, 1e-3);
 }
 
-TEST(OverheadCamera, APitchedMarkerFallsBackAndARaisedOneLooksFurtherOut) {
-  const Pose tilted{.pitch_rad = -28.0 * kRadPerDeg};
-  EXPECT_NEAR(watch(perfect(), tilted, 0.5).back().sample.x_m, -0.028, 0.0005);
-  const Pose raised{.x_m = 1.2, .z_m = 0.08};
-  EXPECT_NEAR(watch(perfect(), raised, 0.5).back().sample.x_m, 1.2 * 2.44 / 2.36, 1e-9);
-  const Pose rolled{.roll_rad = 10.0 * kRadPerDeg};
-  EXPECT_LT(watch(perfect(), rolled, 0.5).back().sample.y_m, -0.010);
-}
-
 // The front of a marker that is pitched down is further from the camera than its back, so that
 // beside the camera's axis the marker seems turned.
-TEST(OverheadCamera, APitchedMarkerBesideTheAxisSeemsTurned) {
+TEST(OverheadCamera, SeesTheMarkerOfARaisedAndTiltedRobotInPerspective) {
   const course::EmulatedCamera values = perfect();
-  const Pose pose{.x_m = 0.8, .y_m = 0.6, .pitch_rad = 20.0 * kRadPerDeg};
   const double up_m = values.marker_height_m, to_floor_m = values.height_m - up_m;
-  const auto image = [&](double ahead_m) {
-    const double s = std::sin(pose.pitch_rad), c = std::cos(pose.pitch_rad);
-    const double stretch = to_floor_m / (values.height_m + s * ahead_m - c * up_m);
-    return std::pair{(pose.x_m + c * ahead_m + s * up_m) * stretch, pose.y_m * stretch};
-  };
-  const auto [front_x, front_y] = image(values.marker_size_m / 2.0);
-  const auto [back_x, back_y] = image(-values.marker_size_m / 2.0);
-  const double yaw_rad = std::atan2(front_y - back_y, front_x - back_x);
-  EXPECT_GT(std::abs(yaw_rad), 0.02);
-  EXPECT_NEAR(watch(values, pose, 0.5).back().sample.yaw_rad, yaw_rad, 1e-9);
+  for (const double roll : {0.0, 0.17}) {
+    for (const double pitch : {0.0, -0.49, 0.35}) {
+      const Pose pose{.x_m = 0.8,
+                      .y_m = 0.6,
+                      .z_m = 0.08,
+                      .roll_rad = roll,
+                      .pitch_rad = pitch,
+                      .yaw_rad = 2.0};
+      const Eigen::Vector3d at(pose.x_m, pose.y_m, pose.z_m);
+      const Eigen::Matrix3d turned = (Eigen::AngleAxisd(2.0, Eigen::Vector3d::UnitZ()) *
+                                      Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY()) *
+                                      Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitX()))
+                                         .toRotationMatrix();
+      const auto image = [&](double ahead_m) -> Eigen::Vector2d {
+        const Eigen::Vector3d point = at + turned * Eigen::Vector3d(ahead_m, 0.0, up_m);
+        return point.head<2>() * to_floor_m / (values.height_m - point.z());
+      };
+      const Eigen::Vector2d along =
+          image(values.marker_size_m / 2.0) - image(-values.marker_size_m / 2.0);
+      const CameraSample seen = watch(values, pose, 0.5).back().sample;
+      EXPECT_NEAR(seen.x_m, image(0.0).x(), 1e-9) << roll << ' ' << pitch;
+      EXPECT_NEAR(seen.y_m, image(0.0).y(), 1e-9) << roll << ' ' << pitch;
+      EXPECT_NEAR(seen.yaw_rad, std::atan2(along.y(), along.x()), 1e-9) << roll << ' ' << pitch;
+    }
+  }
 }
 
 TEST(OverheadCamera, OutliersAreFarOff) {
@@ -127,15 +130,49 @@ TEST(OverheadCamera, OutliersAreFarOff) {
 }
 
 TEST(OverheadCamera, TheSameSeedGivesTheSameImages) {
-  const auto text = [](std::uint64_t seed) {
-    std::ostringstream out;
-    out.precision(17);
+  const auto images = [](std::uint64_t seed) {
+    double sum = 0.0;
     for (const Taken& t : watch({}, {}, 2.0, seed))
-      out << t.sample.x_m << ' ' << t.sample.measured_ns << ' ' << t.arrived_ns << '\n';
-    return out.str();
+      sum += t.sample.x_m * to_s(t.sample.measured_ns) * to_s(t.arrived_ns);
+    return sum;
   };
-  EXPECT_EQ(text(1), text(1));
-  EXPECT_NE(text(1), text(2));
+  EXPECT_EQ(images(1), images(1));
+  EXPECT_NE(images(1), images(2));
+}
+
+using ::testing::HasSubstr;
+
+class Detections : public testing::Test {
+ protected:
+  std::vector<CameraSample> read(const std::string& text) const {
+    std::ofstream(folder_.file("found.tum")) << text;
+    return read_detections(folder_.file("found.tum"));
+  }
+  std::string problem(const std::string& text) const {
+    return test::refusal([&] { read(text); });
+  }
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(Detections, AreSamplesAtTheTimesOfTheirImages) {
+  const auto samples = read(
+      "# t_s x_m y_m z_m qx qy qz qw\n0.5 1.25 -0.5 0 0 0 0 1\n"
+      "0.7 1.5 -0.75 0 0 0 0.382683 0.923880\n");
+  ASSERT_EQ(samples.size(), 2U);
+  EXPECT_EQ(samples[0].measured_ns, 500 * kNsPerMs);
+  EXPECT_EQ(samples[0].x_m, 1.25);
+  EXPECT_EQ(samples[0].y_m, -0.5);
+  EXPECT_EQ(samples[0].yaw_rad, 0.0);
+  EXPECT_NEAR(samples[1].yaw_rad, M_PI / 4, 1e-5);
+  EXPECT_GT(samples[1].sequence, samples[0].sequence);
+}
+
+TEST_F(Detections, OfAnotherKindOfFileAreRefusedWithTheLine) {
+  EXPECT_THAT(problem("# nothing\n"), HasSubstr("no detection"));
+  EXPECT_THAT(problem("0.5 1 2 0 0 0 0\n"), HasSubstr("found.tum:1: fewer than 8 numbers"));
+  EXPECT_THAT(problem("0.5 nan 2 0 0 0 0 1\n"), HasSubstr("fewer than 8 numbers"));
+  EXPECT_THAT(problem("0.5 1e9 2 0 0 0 0 1\n"), HasSubstr("out of range"));
+  EXPECT_THAT(problem("1 0 0 0 0 0 0 1\n1 0 0 0 0 0 0 1\n"), HasSubstr(":2: not later"));
 }
 
 }  // namespace
