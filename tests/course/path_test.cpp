@@ -1,3 +1,5 @@
+// Paths, how they are mirrored, and fences around them.
+
 #include "course/path.h"
 
 #include <gtest/gtest.h>
@@ -76,13 +78,6 @@ TEST(Path, ProjectionReturnsTheOffsetOfPointsBesideTheSegment) {
   }
 }
 
-TEST(Path, ProjectionOntoAnArcOfManyTurnsStopsAtItsEnds) {
-  const Path path(course_of({Arc{0.5, 4.0 * kPi}}));
-  const double length = path.length_m();
-  EXPECT_EQ(path.project(0, -0.1, 0.0, 0.0), 0.0) << "a little behind the start";
-  EXPECT_EQ(path.project(0, 0.1, 0.0, length), length) << "a little behind the end";
-}
-
 TEST(Path, ProjectionAndOffsetsStopAtTheEnds) {
   const Path path(course_of({Line{1.0}, Arc{0.5, kPi / 2}}));
   EXPECT_EQ(path.project(0, -3.0, 1.0), 0.0);
@@ -93,6 +88,9 @@ TEST(Path, ProjectionAndOffsetsStopAtTheEnds) {
   EXPECT_EQ(path.at(0, 5.0).x_m, 1.0);
   EXPECT_EQ(path.at(-5.0).x_m, 0.0);
   EXPECT_NEAR(path.at(5.0).y_m, 0.5, 1e-12);
+  const Path turns(course_of({Arc{0.5, 4.0 * kPi}}));
+  EXPECT_EQ(turns.project(0, -0.1, 0.0, 0.0), 0.0) << "a little behind the start";
+  EXPECT_EQ(turns.project(0, 0.1, 0.0, turns.length_m()), turns.length_m());
 }
 
 TEST(Path, AtAPivotTheLengthGivesThePoseBeforeIt) {
