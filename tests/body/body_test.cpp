@@ -1,4 +1,4 @@
-// What the body `ode` and the body `shear` do alike.
+// What the bodies `ode` and `shear` do alike, and what `ode` does on the level.
 
 #include <gtest/gtest.h>
 
