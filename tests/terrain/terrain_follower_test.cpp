@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kSteepRad = 28 * kRadPerDeg;
 constexpr double kDistanceM = 5e-4, kStepS = 5e-3;
+constexpr double kTouchM = 0.45 - 0.133 / 2.0 - 0.026;  // of the block below
 
 course::Terrain ramp_at_half_a_metre() {
   course::Terrain terrain;
@@ -126,10 +127,9 @@ TEST(TerrainFollower, ABlockThatWasClimbedIsClimbedAgainOnlyAfterItWasFarAway) {
 
 TEST(TerrainFollower, ARestartEndsAClimbAndForgetsTheBlockBehind) {
   const World world(block_at_half_a_metre(), {});
-  const double touch_m = 0.45 - 0.133 / 2.0 - 0.026;
   TerrainFollower terrain_follower(world, {});
   Pose pose{};
-  drive_to(terrain_follower, pose, touch_m + 0.02);
+  drive_to(terrain_follower, pose, kTouchM + 0.02);
   ASSERT_TRUE(terrain_follower.state().climbing);
   terrain_follower.restart();
   EXPECT_FALSE(terrain_follower.state().climbing);
@@ -138,15 +138,14 @@ TEST(TerrainFollower, ARestartEndsAClimbAndForgetsTheBlockBehind) {
   EXPECT_FALSE(terrain_follower.state().climbing);
   drive_to(terrain_follower, pose, 0.7);
   terrain_follower.restart();
-  terrain_follower.advance({.x_m = touch_m + 0.01}, kDistanceM, kStepS);
+  terrain_follower.advance({.x_m = kTouchM + 0.01}, kDistanceM, kStepS);
   EXPECT_TRUE(terrain_follower.state().climbing);
 }
 
 TEST(TerrainFollower, ARealBodyClimbsWhenItsNoseRisesNotWhereTheMapHasTheBlock) {
   const World world(block_at_half_a_metre(), {});
   TerrainFollower terrain_follower(world, {});
-  const double touch_m = 0.45 - 0.133 / 2.0 - 0.026;
-  Pose pose{.x_m = touch_m + 0.03};
+  Pose pose{.x_m = kTouchM + 0.03};
   terrain_follower.advance(pose, kDistanceM, kStepS, Attitude{});
   EXPECT_FALSE(terrain_follower.state().climbing);
   terrain_follower.advance(pose, kDistanceM, kStepS, Attitude{.pitch_rad = -4 * kRadPerDeg});
