@@ -1,3 +1,5 @@
+// How a robot climbs a block, and which ones it can climb.
+
 #include "model/step_climb.h"
 
 #include <gmock/gmock.h>

@@ -1,3 +1,5 @@
+// Eqs 1-5 and the extended model: slip, turns and the motion that follows.
+
 #include "model/track_model.h"
 
 #include <gtest/gtest.h>
