@@ -1,10 +1,17 @@
+// The specification of a campaign: what varies, and from which files it is made.
+
 #include "sim/campaign/campaign_spec.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <fstream>
 #include <set>
 
+#include "../support/temporary_folder.h"
+#include "sim/campaign/campaign_folder.h"
 #include "support/refusal.h"
 
 namespace tp100::sim {
@@ -13,10 +20,6 @@ namespace {
 using testing::HasSubstr;
 
 CampaignSpec spec(const std::string& text) { return parse_campaign(text, "spec.toml"); }
-
-std::string refused(const std::string& text) {
-  return test::refusal([&] { spec(text); });
-}
 
 TEST(CampaignSpec, WithoutAnythingElseRunsDifferByTheirSeedOnly) {
   const CampaignSpec of = spec("runs = 3\nseed = 100\ncourse = \"1-curve\"");
@@ -53,12 +56,9 @@ TEST(CampaignSpec, BodyAndFloorAreChoices) {
   std::set<std::pair<course::ContactLaw, course::Floor>> seen;
   for (std::uint64_t index = 0; index < of.runs; ++index) {
     const PlannedRun run = plan(of, index);
-    EXPECT_EQ(run.sampled.at(0).first, "body");
     const auto& emulated = load(run.options).robot.emulated;
-    EXPECT_EQ(emulated.contact_law == course::ContactLaw::kOde,
-              std::get<std::string>(run.sampled.at(0).second) == "ode");
-    EXPECT_EQ(emulated.floor == course::Floor::kEven,
-              std::get<std::string>(run.sampled.at(1).second) == "even");
+    EXPECT_EQ(to_string(emulated.contact_law), std::get<std::string>(run.sampled.at(0).second));
+    EXPECT_EQ(to_string(emulated.floor), std::get<std::string>(run.sampled.at(1).second));
     seen.emplace(emulated.contact_law, emulated.floor);
   }
   EXPECT_EQ(seen.size(), 4u);
@@ -81,24 +81,171 @@ TEST(CampaignSpec, ValuesReachConfigurationAndRobot) {
             load(plan(of, 0).options).robot.emulated.body.friction);
 }
 
-TEST(CampaignSpec, WhatNobodyKnowsIsNamed) {
-  const CampaignSpec of =
-      spec("runs = 1\ncourse = \"3\"\n[robot_values]\nemulated.body.fricton = 0.5");
-  EXPECT_THAT([&] { load(plan(of, 0).options); },
-              testing::ThrowsMessage<SetupError>(
-                  testing::AllOf(HasSubstr("end-loaded.toml with other values"),
-                                 HasSubstr("did you mean 'emulated.body.friction'?"))));
+TEST(CampaignSpec, NonsenseIsRefusedWithItsPlace) {
+  for (const auto& [text, error] :
+       {std::pair{"course = \"3\"", "missing key 'runs'"},
+        {"runs = 0\ncourse = \"3\"", "spec.toml:1:8: 'runs' is 0"},
+        {"runs = 1", "missing key 'course'"},
+        {"runs = 1\ncourse = 3", "course needs a string"},
+        {"runs = 1\ncourse = { uniform = [1, 2] }", "course needs a string"},
+        {"runs = 1\ncourse = \"3\"\nrobt = \"x\"", "did you mean 'robot'?"},
+        {"runs = 1\ncourse = \"3\"\n[robot_values]\nemulated.body.fricton = 0.5",
+         "did you mean 'emulated.body.friction'?"}})
+    EXPECT_THAT(test::refusal([text = text] { load(plan(spec(text), 0).options); }),
+                HasSubstr(error));
 }
 
-TEST(CampaignSpec, NonsenseIsRefusedWithItsPlace) {
-  EXPECT_THAT(refused("course = \"3\""), HasSubstr("missing key 'runs'"));
-  EXPECT_THAT(refused("runs = 0\ncourse = \"3\""), HasSubstr("spec.toml:1:8: 'runs' is 0"));
-  EXPECT_THAT(refused("runs = 1"), HasSubstr("missing key 'course'"));
-  EXPECT_THAT(refused("runs = 1\ncourse = 3"), HasSubstr("course needs a string"));
-  EXPECT_THAT(refused("runs = 1\ncourse = \"3\"\nrobt = \"x\""),
-              HasSubstr("did you mean 'robot'?"));
-  EXPECT_THAT(refused("runs = 1\ncourse = { uniform = [1, 2] }"),
-              HasSubstr("course needs a string"));
+std::vector<Variable> read(const std::string& text) {
+  text::TomlTable root = text::TomlDocument(text, "spec.toml").root();
+  std::vector<Variable> variables = read_variables(root);
+  root.finish();
+  return variables;
+}
+
+Variable one(const std::string& text) { return read("x = " + text).at(0); }
+
+double number(const Variable& variable, std::uint64_t index, std::uint64_t seed = 1) {
+  return std::get<double>(draw(variable, {seed, index, index}));
+}
+
+TEST(Variable, AValueIsTheSameInEveryRun) {
+  const Variable variable = one("0.25");
+  EXPECT_FALSE(variable.varies());
+  EXPECT_EQ(number(variable, 0), 0.25);
+  EXPECT_EQ(number(variable, 999), 0.25);
+  EXPECT_EQ(std::get<bool>(draw(one("true"), {1, 0, 0})), true);
+  EXPECT_EQ(std::get<long long>(draw(one("7"), {1, 0, 0})), 7);
+}
+
+TEST(Variable, UniformAndNormalValuesHaveTheirRangesAndMoments) {
+  const Variable uniform = one("{ uniform = [-1, 3.0] }"), normal = one("{ normal = [5, 2] }");
+  double least = 9.0, most = -9.0, sum = 0.0, off = 0.0, squares = 0.0;
+  int within = 0;
+  for (std::uint64_t i = 0; i < 4000; ++i) {
+    const double value = number(uniform, i), deviation = number(normal, i) - 5.0;
+    sum += value;
+    least = std::min(least, value);
+    most = std::max(most, value);
+    off += deviation;
+    squares += deviation * deviation;
+    within += std::abs(deviation) < 2.0 ? 1 : 0;
+  }
+  EXPECT_TRUE(least >= -1.0 && least < -0.99 && most > 2.99 && most <= 3.0);
+  EXPECT_NEAR(sum / 4000.0, 1.0, 0.06);
+  EXPECT_NEAR(off / 4000.0, 0.0, 0.12);
+  EXPECT_NEAR(std::sqrt(squares / 4000.0), 2.0, 0.08);
+  EXPECT_NEAR(within / 4000.0, 0.683, 0.025);
+}
+
+TEST(Variable, WhatIsSampledDependsOnSeedIndexAndName) {
+  const std::vector<Variable> two = read("a = { uniform = [0, 1] }\nb = { uniform = [0, 1] }");
+  std::set<double> values;
+  for (const Variable& variable : two)
+    for (const std::uint64_t seed : {1U, 2U})
+      for (std::uint64_t index = 0; index < 100; ++index) {
+        values.insert(number(variable, index, seed));
+        EXPECT_EQ(number(variable, index, seed), number(variable, index, seed));
+      }
+  EXPECT_EQ(values.size(), 400u);
+}
+
+TEST(Variable, AListGoesRound) {
+  const Variable variable = one(R"({ list = ["a", "b", "c"] })");
+  EXPECT_EQ(variable.choices(), 3u);
+  for (std::uint64_t turn = 0; turn < 9; ++turn)
+    EXPECT_EQ(std::get<std::string>(draw(variable, {1, 0, turn})),
+              std::string(1, static_cast<char>('a' + turn % 3)));
+}
+
+TEST(Variable, TablesWithinAreNamedInFull) {
+  const std::vector<Variable> variables =
+      read("b.d = 1\n[a]\nx = { normal = [0, 1] }\n[a.c]\ny = \"text\"");
+  ASSERT_EQ(variables.size(), 3u);
+  EXPECT_EQ(variables[0].name, "a.c.y");
+  EXPECT_EQ(variables[1].name, "a.x");
+  EXPECT_EQ(variables[2].name, "b.d");
+}
+
+TEST(Variable, NonsenseIsRefusedWithItsPlace) {
+  for (const auto& [text, error] :
+       {std::pair{"x = { uniform = [2, 1] }", "spec.toml:1:17: the lowest comes first"},
+        {"x = { uniform = [2] }",
+         "spec.toml:1:17: uniform needs two numbers: the lowest and the highest"},
+        {"x = { normal = [0, -1] }", "spec.toml:1:16: a standard deviation is not negative"},
+        {"x = { list = [] }", "needs a value, or one of"},
+        {"x = [1, 2]", "expected true, false, a number or a string"},
+        {"x = { uniform = [0, 1], sd = 1 }", "unknown key 'x.sd'"},
+        {"x = { uniform = [0, nan] }", "two numbers"}})
+    EXPECT_THAT([text = text] { read(text); },
+                testing::ThrowsMessage<SetupError>(testing::HasSubstr(error)));
+}
+
+using test::TemporaryFolder;
+using testing::Contains;
+using testing::Key;
+using testing::Not;
+using testing::Pair;
+
+Origin origin(const std::string& spec) {
+  return origin_of(parse_campaign("runs = 2\n" + spec, "spec.toml"));
+}
+
+void write(const std::string& path, const std::string& text) { std::ofstream(path) << text; }
+
+TEST(Origin, HasEveryFileOfEveryList) {
+  const Origin of = origin(
+      "course = { list = [\"2\", \"3\"] }\nrobot = { list = [\"uniform\", \"\"] }\n"
+      "camera = { list = [\"\", \"overhead\"] }\n");
+  for (const char* name :
+       {"course 2", "course 3", "robot uniform", "robot end-loaded", "camera overhead"})
+    EXPECT_THAT(of, Contains(Pair(name, testing::MatchesRegex("[0-9a-f]{16}"))));
+  EXPECT_NE(of.at("course 2"), of.at("course 3"));
+  EXPECT_THAT(of, Not(Contains(Key("camera "))));
+}
+
+TEST(Origin, HasTheRobotsThatTheConfigurationNames) {
+  const TemporaryFolder folder;
+  write(folder.file("tp100.toml"), "robot = \"uniform\"\n");
+  const std::string spec = "course = \"3\"\nconfig = \"" + folder.file("tp100.toml") + "\"\n";
+  const Origin of = origin(spec);
+  EXPECT_THAT(of, Contains(Key("robot uniform")));
+  EXPECT_THAT(of, Contains(Key("configuration " + folder.file("tp100.toml"))));
+  EXPECT_THAT(of, Not(Contains(Key("robot end-loaded"))));
+  EXPECT_THAT(origin(spec + "[configuration]\nrobot = { list = [\"uniform\", \"end-loaded\"] }\n"),
+              Contains(Key("robot end-loaded")));
+}
+
+TEST(Origin, HasTheProgramItsLibrariesAndTheFirmwareIfTheImageRuns) {
+  const std::string text = origin_text(origin("course = \"3\"\n"));
+  EXPECT_THAT(text, testing::ContainsRegex("program: tp100-sim [0-9.]+, build [0-9a-f]{16,40}\n"));
+  EXPECT_THAT(text, testing::ContainsRegex("library libode.so.*: [0-9a-f]{40}\n"));
+  EXPECT_THAT(text, Not(HasSubstr("firmware")));
+  EXPECT_THAT(origin("course = \"3\"\nboard = { list = [\"native\", \"avr\"] }\n"),
+              Contains(Key("firmware")));
+}
+
+TEST(Origin, ChangesWithAFileAndSaysWhich) {
+  const TemporaryFolder folder;
+  const std::string course = folder.file("course.toml"), spec = "course = \"" + course + "\"\n";
+  const Origin none = origin(spec);
+  EXPECT_EQ(none.at("course " + course), "not there");
+  write(course, "a");
+  const Origin first = origin(spec);
+  // This is the published FNV-1a hash of "a".
+  EXPECT_EQ(first.at("course " + course), "af63dc4c8601ec8c");
+  EXPECT_EQ(difference(none, first), "course " + course + " was not there, is af63dc4c8601ec8c");
+  EXPECT_EQ(difference(first, origin(spec)), "");
+  write(course, "b");
+  EXPECT_THAT(difference(first, origin(spec)), HasSubstr("course " + course + " was af63dc4c"));
+}
+
+TEST(Origin, IsReadBackAsItWasWritten) {
+  const Origin of = {{"course a: b.toml", "1"}, {"program", "tp100-sim 1.0, build 2"}};
+  EXPECT_EQ(read_origin(origin_text(of)), of);
+  EXPECT_EQ(read_origin("nothing\n\n"), Origin());
+  EXPECT_EQ(difference(of, {{"program", "tp100-sim 1.0, build 2"}}),
+            "course a: b.toml was 1, is not there");
+  EXPECT_EQ(difference({}, {{"x", "1"}}), "x was not there, is 1");
 }
 
 }  // namespace

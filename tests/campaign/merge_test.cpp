@@ -1,12 +1,18 @@
+// Figures of a campaign's runs, merged.
+
 #include "sim/campaign/merge.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <random>
 
 #include "sim/campaign/shown_figures.h"
+#include "sim/campaign/summary.h"
+#include "support/refusal.h"
 
 namespace tp100::sim {
 namespace {
@@ -61,11 +67,16 @@ TEST(Merge, TakesEveryFigureButThoseOfTheMachine) {
   EXPECT_EQ(run.sampled_numbers.at("control.gain"), 0.4);
 }
 
-TEST(Merge, CountsWhatIsMissing) {
+TEST(Merge, CountsWhatIsMissingAndGroupsByWhatWasListed) {
   const Merged merged = merge(spec(), runs_of({0, 1, 4}));
   EXPECT_THAT(merged.missing, testing::ElementsAre(2, 3, 5));
   EXPECT_EQ(merged.driven, 3u);
   EXPECT_EQ(merged.completed, 3u);
+  ASSERT_EQ(merged.groups.size(), 2u);
+  EXPECT_EQ(merged.groups[0].value, "a");
+  EXPECT_EQ(merged.groups[0].driven, 2u);
+  EXPECT_DOUBLE_EQ(merged.groups[0].figures.at("duration_s").percentiles[1].value, 2.5);
+  EXPECT_EQ(merged.groups[1].driven, 1u);
 }
 
 TEST(Merge, NamesTheWorstRunsFirst) {
@@ -75,15 +86,6 @@ TEST(Merge, NamesTheWorstRunsFirst) {
   ASSERT_EQ(of.worst.size(), 5u);
   EXPECT_EQ(of.worst[0], std::pair(std::uint64_t{5}, 0.05));
   EXPECT_THAT(of.correlations, testing::ElementsAre(testing::Pair("control.gain", 1.0)));
-}
-
-TEST(Merge, GroupsByWhatWasListed) {
-  const Merged merged = merge(spec(), runs_of({0, 1, 2, 3, 4}));
-  ASSERT_EQ(merged.groups.size(), 2u);
-  EXPECT_EQ(merged.groups[0].value, "a");
-  EXPECT_EQ(merged.groups[0].driven, 3u);
-  EXPECT_DOUBLE_EQ(merged.groups[0].figures.at("duration_s").percentiles[1].value, 2.5);
-  EXPECT_EQ(merged.groups[1].driven, 2u);
 }
 
 TEST(Merge, ARefusedRunIsNoRunThatFailed) {
@@ -131,12 +133,9 @@ TEST(Merge, WritesOneRowARun) {
 TEST(Merge, WhatIsNoRunsFileIsAnErrorThatNamesIt) {
   for (const char* text :
        {"", "{}", "[1]", R"({"index":"x"})", R"({"index":1,"seed":1,"sampled":[]})"})
-    try {
-      parse_run_file(text, "runs/000001.json");
-      ADD_FAILURE() << text;
-    } catch (const SetupError& error) {
-      EXPECT_THAT(error.what(), HasSubstr("runs/000001.json: not the file of a run"));
-    }
+    EXPECT_THAT(test::refusal([&] { parse_run_file(text, "runs/000001.json"); }),
+                HasSubstr("runs/000001.json: not the file of a run"))
+        << text;
 }
 
 TEST(MergePage, BeginsWithVerdictAndFactsAndEndsWithTheSpecification) {
@@ -147,20 +146,24 @@ TEST(MergePage, BeginsWithVerdictAndFactsAndEndsWithTheSpecification) {
   EXPECT_THAT(top, HasSubstr("<dt>begun</dt><dd>2026-05-31 14:05 UTC</dd>"));
   EXPECT_THAT(page, HasSubstr("runs = 6"));
   EXPECT_THAT(page, Not(HasSubstr("Failed runs")));
-  EXPECT_THAT(page, Not(HasSubstr("Refused")));
   EXPECT_THAT(merge_page(merge(spec(), runs_of({0})), "x"), HasSubstr("<p class='verdict bad'>"));
-  EXPECT_THAT(merge_page(merge(spec(), {}), ""), HasSubstr("6 missing"));
+  // 0 to 5 cm, of all runs and of either robot.
+  EXPECT_THAT(page, HasSubstr("<td>Model: largest position error [cm]</td><td>6</td><td>2.50 ("));
+  for (const char* part : {"all (6)</text>", "a (3)</text>", "b (3)</text>"})
+    EXPECT_THAT(page, HasSubstr(part));
 }
 
-TEST(MergePage, ShowsFailedRunsAheadOfTheWorst) {
+TEST(MergePage, ShowsFailedRunsAheadOfTheWorstAndHowToDriveThemAgain) {
   std::vector<MergedRun> runs = runs_of({0, 1});
   runs.push_back(parse_run_file(failed_file_of(2, "<cross_track>"), ""));
+  runs.push_back(runs_of({5})[0]);
   const std::string page = merge_page(merge(spec(), std::move(runs)), "x");
   EXPECT_THAT(page, HasSubstr("&lt;cross_track&gt;"));
   EXPECT_THAT(page, HasSubstr("control.gain 0.2, robot a"));
   EXPECT_LT(page.find("Failed runs"), page.find("Worst completed runs"));
-  EXPECT_THAT(page, HasSubstr("worse than these are the failed runs"));
-
+  for (const char* index : {"2", "5"})
+    EXPECT_THAT(page, HasSubstr("tp100-sim campaign spec.toml --out again --index " +
+                                std::string(index) + " --record again"));
   std::vector<MergedRun> many;
   for (int index = 0; index < 2000; ++index)
     many.push_back(parse_run_file(failed_file_of(index, "tilt"), ""));
@@ -168,36 +171,84 @@ TEST(MergePage, ShowsFailedRunsAheadOfTheWorst) {
               HasSubstr("The first 500 of 2000 failed runs; merged.json lists all"));
 }
 
-TEST(MergePage, ShowsEveryFigureInItsUnitWithABoxForEveryListedValue) {
-  const std::string page = merge_page(merge(spec(), runs_of({0, 1, 2, 3, 4, 5})), "x");
-  // 0 to 5 cm.
-  EXPECT_THAT(page, HasSubstr("<td>Model: largest position error [cm]</td><td>6</td><td>2.50 ("));
-  for (const char* part : {"all (6)</text>", "a (3)</text>", "b (3)</text>"})
-    EXPECT_THAT(page, HasSubstr(part));
-  EXPECT_THAT(page, HasSubstr(">Duration of the run [s]</text>"));
-}
-
-TEST(MergePage, HasAChartForEveryStrongCorrelationAndSaysWhatIsStrong) {
+TEST(MergePage, HasAChartForEveryStrongCorrelation) {
   EXPECT_TRUE(is_strong(-0.61, 100));
   EXPECT_FALSE(is_strong(0.6, 100));
   EXPECT_FALSE(is_strong(0.85, 6)) << "chance alone gives as much";
   EXPECT_FALSE(is_strong(1.0, 1));
-  const std::string page = merge_page(merge(spec(), runs_of({0, 1, 2, 3, 4, 5})), "x");
-  EXPECT_THAT(page, HasSubstr("above 0.6"));
-  EXPECT_THAT(page, HasSubstr("+1.00 strong"));
-  EXPECT_THAT(page, HasSubstr("Model: largest position error against control.gain</figcaption>"));
-  EXPECT_THAT(page, HasSubstr(">control.gain</text>"));
-  EXPECT_THAT(merge_page(merge(spec(), runs_of({0, 1, 2})), "x"), HasSubstr("None is."));
+  const char* chart = "Model: largest position error against control.gain</figcaption>";
+  EXPECT_THAT(merge_page(merge(spec(), runs_of({0, 1, 2, 3, 4, 5})), "x"), HasSubstr(chart));
+  EXPECT_THAT(merge_page(merge(spec(), runs_of({0, 1, 2})), "x"), Not(HasSubstr(chart)));
 }
 
-TEST(MergePage, SaysHowToDriveTheWorstRunsAgain) {
-  std::vector<MergedRun> runs = runs_of({0, 1, 5});
-  runs.push_back(parse_run_file(failed_file_of(2, "tilt"), ""));
-  std::ranges::sort(runs, {}, &MergedRun::index);
-  const std::string page = merge_page(merge(spec(), std::move(runs)), "x");
-  for (const char* index : {"2", "5"})
-    EXPECT_THAT(page, HasSubstr("tp100-sim campaign spec.toml --out again --index " +
-                                std::string(index) + " --record again"));
+TEST(Summary, OfHundredNumbersIsWhatTablesSay) {
+  std::vector<double> values;
+  for (int i = 100; i >= 1; --i) values.push_back(i);
+  const Summary of = summarise(values);
+  EXPECT_EQ(of.count, 100u);
+  EXPECT_DOUBLE_EQ(of.mean, 50.5);
+  EXPECT_NEAR(of.sd, 29.0115, 1e-4);
+  EXPECT_EQ(of.least, 1.0);
+  EXPECT_EQ(of.most, 100.0);
+  ASSERT_EQ(of.percentiles.size(), 4u);
+  EXPECT_DOUBLE_EQ(of.percentiles[1].value, 50.5);
+  // Order statistics 40 and 61 are the textbook interval of the median of 100 values.
+  ASSERT_TRUE(of.percentiles[1].interval.has_value());
+  EXPECT_EQ(*of.percentiles[1].interval, std::pair(40.0, 61.0));
+  // t(99) = 1.984.
+  ASSERT_TRUE(of.mean_interval.has_value());
+  EXPECT_NEAR(of.mean_interval->first, 50.5 - 1.984 * 2.90115, 1e-3);
+  // A hundred runs are too few for an interval of the 99th percentile.
+  EXPECT_FALSE(of.percentiles[3].interval.has_value());
+}
+
+TEST(Summary, IntervalsHoldTheTruthAsOftenAsTheySay) {
+  std::mt19937 random(7);
+  std::exponential_distribution<double> draw(1.0);
+  int median_held = 0, p95_held = 0;
+  constexpr int kCampaigns = 600;
+  for (int i = 0; i < kCampaigns; ++i) {
+    std::vector<double> values(200);
+    for (double& value : values) value = draw(random);
+    const Summary of = summarise(values);
+    const auto held = [&](std::size_t at, double truth) {
+      return of.percentiles[at].interval->first <= truth &&
+             truth <= of.percentiles[at].interval->second;
+    };
+    median_held += held(1, std::log(2.0)) ? 1 : 0;
+    p95_held += held(2, std::log(20.0)) ? 1 : 0;
+  }
+  EXPECT_GE(median_held, 0.93 * kCampaigns);
+  EXPECT_GE(p95_held, 0.93 * kCampaigns);
+  EXPECT_LE(median_held, 0.985 * kCampaigns);
+}
+
+TEST(Summary, OfNothingOrOneClaimsNothingAndWhatNeverHappenedIsTheLargest) {
+  EXPECT_EQ(summarise({}).count, 0u);
+  const Summary one = summarise({3.0});
+  EXPECT_EQ(one.mean, 3.0);
+  EXPECT_FALSE(one.mean_interval.has_value());
+  EXPECT_FALSE(one.percentiles[1].interval.has_value());
+  const Summary of = summarise({1.0, std::numeric_limits<double>::infinity(), 2.0});
+  EXPECT_FALSE(std::isfinite(of.most));
+  EXPECT_EQ(of.percentiles[1].value, 2.0);
+  EXPECT_FALSE(of.mean_interval.has_value());
+}
+
+TEST(Summary, SharesAreClopperAndPearsons) {
+  EXPECT_NEAR(share_interval(8, 10).first, 0.4439, 1e-4);
+  EXPECT_NEAR(share_interval(8, 10).second, 0.9748, 1e-4);
+  EXPECT_NEAR(share_interval(0, 20).second, 0.1684, 1e-4);
+  EXPECT_EQ(share_interval(0, 20).first, 0.0);
+  EXPECT_EQ(share_interval(20, 20).second, 1.0);
+}
+
+TEST(RankCorrelation, SeesOrderAndNothingElse) {
+  EXPECT_NEAR(*rank_correlation({1, 2, 3, 4}, {1, 8, 27, 64}), 1.0, 1e-12);
+  EXPECT_NEAR(*rank_correlation({1, 2, 3, 4}, {9, 5, 2, -7}), -1.0, 1e-12);
+  EXPECT_NEAR(*rank_correlation({1, 2, 3, 4, 5}, {2, 1, 4, 3, 5}), 0.8, 1e-12);
+  EXPECT_FALSE(rank_correlation({1, 2, 3}, {5, 5, 5}).has_value());
+  EXPECT_FALSE(rank_correlation({1, 2}, {1, 2}).has_value());
 }
 
 }  // namespace
