@@ -1,3 +1,5 @@
+// A robot's parameters from its drives, on slopes too, and the files of drives.
+
 #include "identify/identify.h"
 
 #include <gmock/gmock.h>
@@ -8,6 +10,7 @@
 
 #include "core/arithmetic.h"
 #include "core/error.h"
+#include "identify/drive_file.h"
 #include "identify/drive_motion.h"
 #include "identify/identify_report.h"
 #include "simulated_drives.h"
@@ -21,7 +24,10 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 TEST(Identify, FindsARobotOfWhichNothingIsKnown) {
-  const Truth truth;
+  Truth truth;
+  truth.wheelbase_m = 0.49;
+  expect_all_found(identify(all_kinds(truth), unknown()), truth);
+  truth = {};
   const Identification found = identify(all_kinds(truth), unknown());
   expect_all_found(found, truth);
   EXPECT_LT(found.extended.rms_m, 0.003);
@@ -38,22 +44,21 @@ TEST(Identify, SimplerFormsComeFromTheSameDrives) {
   even.slip_right = even.slip_left;
   even.x_icr_m = even.slip_angle_rad = 0.0;
   const Identification found = identify(all_kinds(even), unknown());
-  const auto fit = [](const Identification& from, const char* key) {
+  const auto fit = [](const Identification& from, std::string_view key) {
     return from.baselines[model::baseline(key)];
   };
-  for (const char* key : {"differential_fitted", "eqs_1_5", "icr", "gyro"}) {
-    SCOPED_TRACE(key);
-    ASSERT_TRUE(fit(found, key));
-    expect_found(*fit(found, key), &TrackParameters::slip_left, even.slip_left, 0.003);
-    EXPECT_LT(fit(found, key)->rms_m, 0.003);
+  for (const model::ModelForm& form : model::kBaselines) {
+    SCOPED_TRACE(form.key);
+    ASSERT_EQ(fit(found, form.key).has_value(), form.fixed == nullptr);
+    if (form.fixed != nullptr) continue;
+    const Fit& of = *fit(found, form.key);
+    expect_found(of, &TrackParameters::slip_left, even.slip_left, 0.003);
+    EXPECT_LT(of.rms_m, 0.003);
+    if (form.yaw_from_gyro)
+      expect_found(of, &TrackParameters::gyro_scale, even.gyro_scale, 0.004);
+    else
+      expect_found(of, &TrackParameters::wheelbase_m, even.wheelbase_m, 0.01 * even.wheelbase_m);
   }
-  for (const char* key : {"differential_fitted", "eqs_1_5", "icr"})
-    expect_found(*fit(found, key), &TrackParameters::wheelbase_m, even.wheelbase_m,
-                 0.01 * even.wheelbase_m);
-  expect_found(*fit(found, "gyro"), &TrackParameters::gyro_scale, even.gyro_scale, 0.004);
-  // None of these is fitted.
-  EXPECT_FALSE(fit(found, "differential"));
-  EXPECT_FALSE(fit(found, "eqs_1_5_printed"));
 
   Truth ahead;
   ahead.slip_angle_rad = 0.0;
@@ -65,10 +70,8 @@ TEST(Identify, SimplerFormsComeFromTheSameDrives) {
   // Also in the robot's file.
   const course::Robot robot = identified_robot(turned, {}, "");
   const course::Robot read = course::parse_robot(course::write_robot(robot, ""), "r.toml");
-  const auto& icr = read.baselines[model::baseline("icr")];
-  ASSERT_TRUE(icr);
-  EXPECT_NEAR(icr->x_icr_m, (*fit(turned, "icr"))[&TrackParameters::x_icr_m].value, 5.1e-6);
-  EXPECT_EQ(icr->slip_angle_straight_rad, 0.0);
+  EXPECT_NEAR(read.baselines[model::baseline("icr")].value().x_icr_m,
+              (*fit(turned, "icr"))[&TrackParameters::x_icr_m].value, 5.1e-6);
 }
 
 TEST(Identify, ImagesThatAreOffTogetherSayLess) {
@@ -117,12 +120,6 @@ TEST(Identify, AnOscillatingYawDoesNotCountAsATightTurn) {
   EXPECT_NEAR(turned_rad(0.05), steady_rad, 0.05 * steady_rad);
 }
 
-TEST(Identify, ALargerRobotConvergesFromTheSameStart) {
-  Truth truth;
-  truth.wheelbase_m = 0.49;
-  expect_all_found(identify(all_kinds(truth), unknown()), truth);
-}
-
 TEST(Identify, TapeAndProtractorAreEnough) {
   const Truth truth;
   std::vector<RecordedDrive> drives = all_kinds(truth);
@@ -152,32 +149,26 @@ TEST(Identify, SaysWhatStraightRunsDoNotShow) {
 }
 
 TEST(Identify, IsReportedAsJsonToo) {
-  const Truth truth;
   course::Robot base;
   base.name = "mine";
-  base.drive.counts_per_metre = truth.counts_per_metre;
+  base.drive.counts_per_metre = Truth{}.counts_per_metre;
   const Identification found =
-      identify({simulated_drive(truth, "a", 0.117, 0.123, 12.0, 1)}, prior_of(base, 0.1));
+      identify({simulated_drive(Truth{}, "a", 0.117, 0.123, 12.0, 1)}, prior_of(base, 0.1));
   const course::Robot robot = identified_robot(found, base, "2026-01-02");
   const auto json = nlohmann::json::parse(identify_json(found, base, robot));
   EXPECT_EQ(json["robot"], "mine");
   for (const auto& parameter : json["parameters"]) {
-    const bool seen = parameter["found"];
-    EXPECT_EQ(parameter.contains("value"), seen);
-    if (parameter["name"] == "slip_left") {
-      EXPECT_TRUE(seen);
-      EXPECT_EQ(parameter["before"], base.model.slip_left);
-      EXPECT_EQ(parameter["value"], robot.model.slip_left);
-      EXPECT_GT(parameter["half_interval"], 0.0);
-    }
+    EXPECT_EQ(parameter.contains("value"), parameter["found"].get<bool>());
     if (parameter["name"] == "wheelbase_spin_m") {
-      EXPECT_FALSE(seen);
-      EXPECT_EQ(parameter["unit"], "m");
+      EXPECT_FALSE(parameter["found"]);
     }
+    if (parameter["name"] != "slip_left") continue;
+    EXPECT_EQ(parameter["before"], base.model.slip_left);
+    EXPECT_EQ(parameter["value"], robot.model.slip_left);
+    EXPECT_GT(parameter["half_interval"], 0.0);
   }
   EXPECT_GT(json["errors_before"]["rms_m"], json["errors_after"]["rms_m"]);
   EXPECT_EQ(json["errors_after"]["runs"][0]["name"], "a");
-  EXPECT_FALSE(json["errors_after"]["runs"][0].contains("distance_off_m"));
   EXPECT_FALSE(json["warnings"].empty());
 }
 
@@ -224,6 +215,156 @@ TEST(CalibrationCourses, HaveWideAndTightArcsForEverySize) {
   EXPECT_THAT(arcs_of(0.31), ElementsAre(widest, wide, arc));
   for (double gauge_m = 0.03; gauge_m <= 1.0; gauge_m += 0.005)
     EXPECT_GE(arcs_of(gauge_m).size(), 3u) << gauge_m;
+}
+
+/// Straight up a board, on which both tracks slip more.
+RecordedDrive on_board(const Truth& truth, double slope_deg, double added_left,
+                       double added_right) {
+  Truth slipping = truth;
+  slipping.slip_left += added_left;
+  slipping.slip_right += added_right;
+  RecordedDrive board = simulated_drive(slipping, "board", 0.1, 0.1, 8.0, 3);
+  const double left_m = 0.8 * (1.0 - slipping.slip_left),
+               right_m = 0.8 * (1.0 - slipping.slip_right);
+  const double turned_rad = (right_m - left_m) / truth.wheelbase_m;
+  board.measured = {.distance_m = (left_m + right_m) / 2.0,
+                    .turned_rad = turned_rad,
+                    .slope_rad = slope_deg * kRadPerDeg};
+  return board;
+}
+
+TEST(IdentifySlopes, RunsOnSlopesShowWhatTheseAddToTheSlip) {
+  const Truth truth;
+  std::vector<RecordedDrive> drives = all_kinds(truth);
+  drives.insert(drives.begin(), on_board(truth, 28.0, 0.21, 0.19));
+  drives.push_back(on_board(truth, 28.2, 0.23, 0.21));
+  drives.push_back(on_board(truth, -16.0, -0.05, -0.05));
+  const Identification found = identify(drives, unknown());
+  expect_all_found(found, truth);
+  ASSERT_EQ(found.slopes.size(), 2u);
+  EXPECT_NEAR(found.slopes[0].slope_rad, -16.0 * kRadPerDeg, 1e-12);
+  EXPECT_NEAR(found.slopes[0].left, -0.05, 0.003);
+  EXPECT_NEAR(found.slopes[1].left, 0.22, 0.003) << "mean of both runs";
+  EXPECT_NEAR(found.slopes[1].right, 0.20, 0.003);
+  EXPECT_EQ(found.prior.tracks.slopes, 2u);
+
+  const course::Robot robot = identified_robot(found, {}, "");
+  EXPECT_EQ(robot.model.slopes, 2u);
+  EXPECT_NEAR(robot.model.added_slips[1].right, 0.20, 0.003);
+
+  // Without runs on slopes what is known of them stays.
+  const Identification level =
+      identify(all_kinds(truth), {.tracks = robot.model, .counts_per_metre = 20000.0});
+  EXPECT_EQ(identified_robot(level, robot, "").model.slopes, 2u);
+}
+
+TEST(IdentifySlopes, WithoutAMeasuredTurnBothTracksSlipAlikeOnASlope) {
+  const Truth truth;
+  std::vector<RecordedDrive> drives = all_kinds(truth);
+  drives.push_back(on_board(truth, 20.0, 0.1, 0.1));
+  drives.back().measured.turned_rad.reset();
+  const Identification found = identify(drives, unknown());
+  ASSERT_EQ(found.slopes.size(), 1u);
+  EXPECT_NEAR(found.slopes[0].left, 0.1, 0.003);
+  EXPECT_NEAR(found.slopes[0].right, 0.1, 0.003);
+}
+
+TEST(IdentifySlopes, RefusesRunsOnSlopesThatSayNothing) {
+  const Truth truth;
+  const auto told = [&](const std::vector<RecordedDrive>& drives) {
+    return test::refusal([&] { identify(drives, unknown()); });
+  };
+  EXPECT_THAT(told({on_board(truth, 20.0, 0.1, 0.1)}), HasSubstr("runs on level ground"));
+  std::vector<RecordedDrive> drives = all_kinds(truth);
+  drives.push_back(on_board(truth, 20.0, 0.1, 0.1));
+  drives.back().measured.turned_rad = 0.5;
+  EXPECT_THAT(told(drives), HasSubstr("board: turned by more than 20 deg"));
+  drives.back().measured = {.distance_m = 0.02, .slope_rad = 0.3};
+  EXPECT_THAT(told(drives), HasSubstr("board: on a slope a run must go forward"));
+  drives.back() = on_board(truth, 20.0, 0.1, 0.1);
+  drives.back().measured.distance_m = 3.0 * *drives.back().measured.distance_m;
+  EXPECT_THAT(told(drives), HasSubstr("board: its slope would add -"));
+  const double turned_rad = 0.33, half_m = turned_rad * truth.wheelbase_m / 2.0;
+  drives.back().measured.turned_rad = turned_rad;
+  drives.back().measured.distance_m = 0.8 * (1.0 - truth.slip_right + 0.52) - half_m;
+  EXPECT_THAT(told(drives), HasSubstr("to the slip of the right track, outside -0.5 to 0.9"));
+  drives.pop_back();
+  for (int i = 0; i < 9; ++i) drives.push_back(on_board(truth, 3.0 * (i + 1), 0.1, 0.1));
+  EXPECT_THAT(told(drives), HasSubstr("runs on more than 8 slopes"));
+}
+
+std::string told(std::string_view text) {
+  return test::refusal([&] { parse_drive(text, "d.csv"); });
+}
+
+TEST(DriveFile, ReadsSamplesAndImagesFromTheirRows) {
+  const RecordedDrive drive = parse_drive(
+      "t_s,left_count,right_count,gyro_z_radps,camera_x_m,camera_y_m,camera_yaw_rad\n"
+      "0,1,-2,0.5,,,\n0.001,,,,0.1,0.2,0.3\n0.005,3,4,0.25,1,2,3\n",
+      "dir/run-7.csv");
+  EXPECT_EQ(drive.name, "run-7");
+  EXPECT_EQ(drive.samples.at(0).right_counts, -2);
+  EXPECT_EQ(drive.samples.at(1).gyro_z_radps, 0.25);
+  EXPECT_EQ(drive.camera.at(0).t_s, 0.001);
+  EXPECT_EQ(drive.camera.at(1).yaw_rad, 3.0);
+}
+
+TEST(DriveFile, AWrittenDriveReadsBackBitForBit) {
+  RecordedDrive drive;
+  drive.name = "w";
+  for (int i = 0; i < 20; ++i) {
+    drive.samples.push_back({0.1 * i / 3.0, 9'000'000'000'000'000 - i, -7 * i, 1e-3 / (i + 3)});
+    if (i % 3 == 0) drive.camera.push_back({0.1 * i / 3.0, 1.0 / 3, -2.0 / 7, 0.1 * i});
+    if (i % 4 == 1) drive.camera.push_back({0.1 * i / 3.0 + 0.001, 0.1, 1e-17, -3.0});
+  }
+  const std::string text = write_drive(drive);
+  const RecordedDrive again = parse_drive(text, "w.csv");
+  EXPECT_EQ(write_drive(again), text);
+  ASSERT_EQ(again.samples.size(), drive.samples.size());
+  ASSERT_EQ(again.camera.size(), drive.camera.size());
+  EXPECT_EQ(again.samples[19].left_counts, drive.samples[19].left_counts);
+  EXPECT_EQ(again.camera[1].y_m, drive.camera[1].y_m);
+  drive.camera.clear();
+  EXPECT_THAT(write_drive(drive), HasSubstr("gyro_z_radps\n"));
+  EXPECT_EQ(parse_drive(write_drive(drive), "w.csv").samples.size(), 20u);
+}
+
+TEST(DriveFile, RefusesABadRowAtItsLine) {
+  const std::string head = "t_s,left_count,right_count,gyro_z_radps\n";
+  EXPECT_EQ(told(head + "0,1,2,0\n0.1,1.5,2,0\n"),
+            "d.csv:3: left_count is 1.5, expected a whole number");
+  EXPECT_EQ(told(head + "0,1,2,0\n0.1,,2,0\n"),
+            "d.csv:3: of left_count, right_count and gyro_z_radps only some have a value; give all "
+            "or none");
+  EXPECT_THAT(told(head + "0,1,2,0\n0.1,1e17,2,0\n"), HasSubstr("d.csv:3: left_count is"));
+  EXPECT_THAT(told(head + "0,1,2,0\n0.1,1,2,nan\n"), HasSubstr("d.csv:3: gyro_z_radps is"));
+  EXPECT_EQ(told(head + "0,,,\n"), "d.csv:2: neither a sample nor a camera pose in this row");
+  EXPECT_THAT(told(head + "0,1,2,0\n"), HasSubstr("fewer than two samples"));
+  EXPECT_EQ(told("t_s,left_count,right_count,gyro_z_radps,camera_x_m\n0,1,2,0,\n"),
+            "d.csv:1: column 'camera_y_m' is missing; a camera pose needs all three");
+}
+
+TEST(DriveFile, HandMeasurementsGoToTheirRun) {
+  std::vector<RecordedDrive> drives(3);
+  add_measured("run,distance_m,turned_deg\n1,1.5,\n3,,-360\n", "m.csv", drives);
+  EXPECT_EQ(drives[0].measured.distance_m, 1.5);
+  EXPECT_FALSE(drives[0].measured.turned_rad);
+  EXPECT_FALSE(drives[1].measured.distance_m);
+  ASSERT_TRUE(drives[2].measured.turned_rad);
+  EXPECT_DOUBLE_EQ(*drives[2].measured.turned_rad, -2.0 * kPi);
+  add_measured("run,distance_m,slope_deg\n1,,0\n2,0.8,-16\n", "m.csv", drives);
+  EXPECT_NEAR(drives[1].measured.slope_rad.value(), -16.0 * kRadPerDeg, 1e-12);
+  EXPECT_FALSE(drives[0].measured.slope_rad) << "level";
+  std::vector<RecordedDrive> again(3);
+  add_measured(write_measured(drives), "w.csv", again);
+  EXPECT_EQ(again[0].measured.distance_m, drives[0].measured.distance_m);
+  EXPECT_EQ(again[2].measured.turned_rad, drives[2].measured.turned_rad);
+  EXPECT_NEAR(again[1].measured.slope_rad.value(), -16.0 * kRadPerDeg, 1e-12);
+  EXPECT_EQ(write_measured(std::vector<RecordedDrive>(2)), "");
+  EXPECT_EQ(test::refusal([&] { add_measured("run,left_m\n4,0\n", "m.csv", drives); }),
+            "m.csv:2: run is 4, but there are runs 1 to 3");
+  EXPECT_THROW(add_measured("run,slope_deg\n3,16\n", "m.csv", drives), SetupError)
+      << "without a distance";
 }
 
 }  // namespace
