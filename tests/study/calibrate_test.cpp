@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "core/arithmetic.h"
-#include "model/track_model.h"
 #include "sim/study/commands.h"
 #include "sim/study/constants_study.h"
 #include "sim/study/study.h"
@@ -52,72 +51,6 @@ TEST(SlopeDrives, ASlopeThatIsTooSteepIsLeftOut) {
   ASSERT_FALSE(drives.empty());
   for (const identify::RecordedDrive& drive : drives)
     EXPECT_LT(*drive.measured.slope_rad, 20.0 * kRadPerDeg);
-}
-
-/// A drive that follows the extended model exactly: each pair of ground speeds for some seconds.
-CalibrationDrive follow(const model::TrackParameters& truth, double counts_per_metre,
-                        const std::vector<std::pair<double, double>>& speeds_mps) {
-  constexpr double kStepS = 0.005;
-  constexpr int kSteps = 800;
-  model::TrackModel model(truth, model::Mode::kExtended);
-  CalibrationDrive drive;
-  double left_m = 0.0, right_m = 0.0;
-  const auto take = [&](double t_s) {
-    drive.drive.samples.push_back({t_s, std::llround(left_m * counts_per_metre),
-                                   std::llround(right_m * counts_per_metre), 0.0});
-    drive.truth.push_back(model.pose());
-  };
-  take(0.0);
-  for (const auto& [left, right] : speeds_mps) {
-    const double left_mps = left / (1.0 - truth.slip_left);
-    const double right_mps = right / (1.0 - truth.slip_right);
-    for (int i = 0; i < kSteps; ++i) {
-      model.advance(left_mps, right_mps, kStepS);
-      left_m += left_mps * kStepS;
-      right_m += right_mps * kStepS;
-      take(drive.drive.samples.back().t_s + kStepS);
-    }
-  }
-  return drive;
-}
-
-// Of arcs of any radius, also within one drive.
-TEST(EffectiveMotion, FindsTheParametersThatAMotionFollows) {
-  model::TrackParameters truth;
-  truth.slip_angle_turning_rad = 0.01;
-  truth.wheelbase_m = 0.24;
-  truth.wheelbase_medium_m = 0.245;
-  truth.wheelbase_tight_m = 0.25;
-  truth.wheelbase_spin_m = 0.22;
-  truth.x_icr_m = 0.01;
-  truth.x_icr_tight_shift_m = 0.008;
-  truth.x_icr_spin_shift_m = -0.006;
-  truth.turn_slip = 0.03;
-  truth.turn_slip_tight = 0.02;
-  truth.turn_loss = 0.05;
-  course::Emulated robot;
-  robot.encoder.counts_per_metre = 20000.0;
-  robot.body.gauge_m = 0.16;
-  const double counts = robot.encoder.counts_per_metre;
-  const CalibrationDrive straight = follow(truth, counts, {{0.1, 0.1}});
-  const CalibrationDrive left =
-      follow(truth, counts, {{0.08, 0.1}, {0.05, 0.1}, {0.03, 0.1}, {0.01, 0.1}, {-0.1, 0.1}});
-  const CalibrationDrive right =
-      follow(truth, counts, {{0.1, -0.1}, {0.1, 0.02}, {0.1, 0.04}, {0.1, 0.065}});
-  const CalibrationDrive wide = follow(truth, counts, std::vector(8, std::pair{0.085, 0.1}));
-
-  const model::TrackParameters found = effective_motion({straight, left, right, wide}, robot);
-  for (const model::ParameterRow& row : model::kTrackParameters) {
-    if (row.of == model::ParameterOf::kGyro) continue;
-    EXPECT_NEAR(found.*row.value, truth.*row.value, 5e-4) << row.key;
-  }
-
-  const model::TrackParameters without_arcs = effective_motion(
-      {straight, follow(truth, counts, {{-0.1, 0.1}}), follow(truth, counts, {{0.1, -0.1}})},
-      robot);
-  EXPECT_NEAR(without_arcs.wheelbase_spin_m, truth.wheelbase_spin_m, 5e-4);
-  EXPECT_TRUE(std::isnan(without_arcs.wheelbase_m));
-  EXPECT_TRUE(std::isnan(without_arcs.turn_slip_tight));
 }
 
 // Tracks that are evenly loaded turn on the spot with another wheelbase, and a turn costs no

@@ -11,6 +11,7 @@
 #include <set>
 #include <sstream>
 
+#include "course/bundled_files.h"
 #include "live/link_monitor.h"
 #include "live/live_events.h"
 #include "sim/study/encoder_study.h"
@@ -26,14 +27,7 @@ constexpr const char* kEnd = "<!-- end of rows -->\n";
 constexpr const char* kEncoderMark = "<!-- encoders -->\n";
 constexpr const char* kEncoderEnd = "<!-- end of encoders -->\n";
 
-std::string text_of_file(const std::string& path) {
-  std::ifstream file(path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
-std::string page() { return text_of_file(kPage); }
+std::string page() { return course::read_text_file(kPage).text; }
 
 /// The text between two marks of the page.
 std::string part(const std::string& text, const std::string& from, const std::string& to) {
@@ -131,6 +125,14 @@ std::vector<EncoderFailure> failures_on_the_page() {
   return all;
 }
 
+std::string told(const EncoderTrial& trial, const EncoderOutcome& outcome) {
+  std::ostringstream out;
+  out << trial.failure.fault << " at " << trial.speed_mps << ", " << to_string(trial.onset) << ", "
+      << trial.robot << ": " << outcome.end << ", " << outcome.beyond_m << " m, "
+      << outcome.beyond_rad << " rad";
+  return out.str();
+}
+
 class EncoderTest : public ::testing::TestWithParam<EncoderFailure> {};
 
 // Each speed is tested with one robot in turn; `tp100-sim faults --encoders` tests all robots and
@@ -143,9 +145,7 @@ TEST_P(EncoderTest, TheMotorsAreOffBeforeTheRobotIsFarFromWhereItShouldBe) {
     for (const EncoderTrial& trial :
          encoder_trials(GetParam(), speed_mps, BoardKind::kNative, false)) {
       const EncoderOutcome outcome = study.drive(trial);
-      EXPECT_TRUE(outcome.good()) << speed_mps << " m/s, " << to_string(trial.onset) << ", "
-                                  << trial.robot << ": " << outcome.end << ", " << outcome.beyond_m
-                                  << " m, " << outcome.beyond_rad << " rad";
+      EXPECT_TRUE(outcome.good()) << told(trial, outcome);
       row.back().merge(outcome);
     }
   }
@@ -162,10 +162,9 @@ TEST(EncoderFaultsOnTheChip, EndTheRunAsWell) {
   EncoderStudy study;
   for (const char* fault : {"encoder-stuck:left", "encoder-lose:0.3:right", "encoder-lose:0.5"}) {
     for (const Onset onset : {Onset::kStraight, Onset::kArc}) {
-      const EncoderOutcome outcome =
-          study.drive({{fault}, 0.1, onset, "end-loaded", BoardKind::kAvr});
-      EXPECT_TRUE(outcome.good()) << fault << " " << to_string(onset) << ": " << outcome.end << ", "
-                                  << outcome.beyond_m << " m";
+      const EncoderTrial trial{{fault}, 0.1, onset, "end-loaded", BoardKind::kAvr};
+      const EncoderOutcome outcome = study.drive(trial);
+      EXPECT_TRUE(outcome.good()) << told(trial, outcome);
     }
   }
 }
@@ -178,11 +177,10 @@ TEST(EncoderFaultsWithoutTheHost, StopTheRobotOnAStraight) {
        {"encoder-stuck:left", "encoder-silent", "encoder-lose:0.3", "encoder-lose:0.3:left",
         "encoder-lose:0.5:right", "encoder-lose:0.7"}) {
     for (const double speed_mps : {0.03, 0.06, 0.1, 0.15}) {
-      const EncoderOutcome outcome =
-          study.drive({{fault}, speed_mps, Onset::kStraight, "end-loaded"});
-      EXPECT_TRUE(outcome.good()) << fault << " at " << speed_mps << ": " << outcome.end << ", "
-                                  << outcome.beyond_m << " m";
-      EXPECT_TRUE(outcome.end.starts_with("stalled_")) << outcome.end;
+      const EncoderTrial trial{{fault}, speed_mps, Onset::kStraight, "end-loaded"};
+      const EncoderOutcome outcome = study.drive(trial);
+      EXPECT_TRUE(outcome.good()) << told(trial, outcome);
+      EXPECT_TRUE(outcome.end.starts_with("stalled_")) << told(trial, outcome);
     }
   }
 }
@@ -196,11 +194,9 @@ TEST(EncoderFaultsWithoutTheHost, StopTheRobotInATurn) {
             EncoderFailure{"encoder-lose:0.3:right"}, EncoderFailure{"encoder-stuck"},
             EncoderFailure{"encoder-jump:-200", 0.25}}) {
         for (const double speed_mps : {0.15, 0.2}) {
-          const EncoderOutcome outcome = study.drive({failure, speed_mps, onset, robot});
-          EXPECT_TRUE(outcome.good())
-              << failure.fault << " at " << speed_mps << ", " << to_string(onset) << ", " << robot
-              << ": " << outcome.end << ", " << outcome.beyond_m << " m, " << outcome.beyond_rad
-              << " rad";
+          const EncoderTrial trial{failure, speed_mps, onset, robot};
+          const EncoderOutcome outcome = study.drive(trial);
+          EXPECT_TRUE(outcome.good()) << told(trial, outcome);
         }
       }
     }
@@ -268,7 +264,7 @@ std::set<std::string> tests_in_the_sources() {
   const std::regex pattern(R"(TEST(_F|_P)?\(\s*(\w+),\s*(\w+)\s*\))");
   for (const auto& entry : std::filesystem::recursive_directory_iterator(source_path("tests"))) {
     if (entry.path().extension() != ".cpp") continue;
-    const std::string text = text_of_file(entry.path());
+    const std::string text = course::read_text_file(entry.path()).text;
     for (std::size_t at = 0; (at = text.find("\nTEST", at)) != std::string::npos; ++at) {
       const std::string head = text.substr(at + 1, 200);
       std::smatch found;

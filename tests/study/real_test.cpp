@@ -5,9 +5,9 @@
 #include <cmath>
 #include <random>
 
-#include "core/error.h"
 #include "sim/study/real_study.h"
 #include "sim/study/reproduce.h"
+#include "support/refusal.h"
 
 namespace tp100::sim {
 namespace {
@@ -57,39 +57,21 @@ SlipForm known_form() {
            &SlipConstants::slip_by_difference_spm, &SlipConstants::wheelbase_opposed_shift_m}};
 }
 
-class FittedRobot : public testing::TestWithParam<std::size_t> {};
-
-TEST_P(FittedRobot, RecoversKnownConstantsInsideItsIntervals) {
+TEST(FittedForm, RecoversKnownConstantsInsideItsIntervals) {
   const SlipForm form = known_form();
-  const RealRobot robot = made_up(robots()[GetParam()], form, known(), 0.02);
-  SlipConstants start;
-  start.wheelbase_m = robot.gauge_m;
-  const SlipFit found = fit(form, robot.motions, robot.gauge_m, start);
-  ASSERT_EQ(found.fitted.size(), form.free.size());
-  for (const FittedConstant& one : found.fitted) {
-    const double off = found.constants.*one.constant - known().*one.constant;
-    EXPECT_LT(std::abs(off), 1.5 * one.half_interval) << name_of(one.constant);
-    EXPECT_LT(one.half_interval, 0.04) << name_of(one.constant);
-    EXPECT_TRUE(one.shown) << name_of(one.constant);
+  for (const RealRobot& real : robots()) {
+    const RealRobot robot = made_up(real, form, known(), 0.02);
+    SlipConstants start;
+    start.wheelbase_m = robot.gauge_m;
+    const SlipFit found = fit(form, robot.motions, robot.gauge_m, start);
+    ASSERT_EQ(found.fitted.size(), form.free.size());
+    for (const FittedConstant& one : found.fitted) {
+      const double off = found.constants.*one.constant - known().*one.constant;
+      EXPECT_LT(std::abs(off), 1.5 * one.half_interval) << name_of(one.constant);
+      EXPECT_LT(one.half_interval, 0.04) << name_of(one.constant);
+      EXPECT_TRUE(one.shown) << name_of(one.constant);
+    }
   }
-}
-
-INSTANTIATE_TEST_SUITE_P(Both, FittedRobot, testing::Values(0U, 1U));
-
-TEST(FittedForm, FindsWhereRightTurnsBreakAway) {
-  SlipForm form = known_form();
-  form.free.push_back(&SlipConstants::break_away_mps);
-  form.free.push_back(&SlipConstants::break_away_scale_mps);
-  SlipConstants truth = known();
-  truth.break_away_mps = 0.72;
-  truth.break_away_scale_mps = 0.06;
-  const RealRobot robot = made_up(robots()[0], form, truth, 0.002);
-  SlipConstants start;
-  start.wheelbase_m = robot.gauge_m;
-  start.break_away_mps = 0.8;
-  const SlipFit found = fit(form, robot.motions, robot.gauge_m, start);
-  EXPECT_NEAR(found.constants.break_away_mps, 0.72, 0.01);
-  EXPECT_NEAR(found.constants.break_away_scale_mps, 0.06, 0.01);
 }
 
 TEST(FittedForm, SaysWhichConstantTheMotionsDoNotShow) {
@@ -169,13 +151,8 @@ TEST(RealStudy, EveryLimitHoldsAndWouldNotWithoutTheForm) {
   }
 }
 
-std::string refusal(RealRobot (*parse)(const course::TextFile&), const std::string& text) {
-  try {
-    parse({"real.csv", text});
-  } catch (const SetupError& error) {
-    return error.what();
-  }
-  return "no error";
+std::string refused(RealRobot (*parse)(const course::TextFile&), const std::string& text) {
+  return test::refusal([&] { parse({"real.csv", text}); });
 }
 
 TEST(RealData, RefusesACorruptedFileByItsLine) {
@@ -183,23 +160,23 @@ TEST(RealData, RefusesACorruptedFileByItsLine) {
       "left_track_mps,right_track_mps,left_slip_mps,right_slip_mps,side_slip_rad\n";
   std::string row;
   for (int i = 0; i < 8; ++i) row += "0.1,0.2,0,0,0\n";
-  EXPECT_THAT(refusal(parse_maxxii, grid + row + "0.1,0.2,0,0,0\n"), "no error");
-  EXPECT_THAT(refusal(parse_maxxii, grid + row), HasSubstr("real.csv:9: the last left_track_mps"));
-  EXPECT_THAT(refusal(parse_maxxii, grid + row + "0.2,0.2,0,0,0\n"),
+  EXPECT_THAT(refused(parse_maxxii, grid + row + "0.1,0.2,0,0,0\n"), "");
+  EXPECT_THAT(refused(parse_maxxii, grid + row), HasSubstr("real.csv:9: the last left_track_mps"));
+  EXPECT_THAT(refused(parse_maxxii, grid + row + "0.2,0.2,0,0,0\n"),
               HasSubstr("real.csv:10: left_track_mps changes"));
-  EXPECT_THAT(refusal(parse_maxxii, grid + "0.1,x,0,0,0\n"), HasSubstr("real.csv:2: right_track"));
-  EXPECT_THAT(refusal(parse_maxxii, "left_track_mps\n0.1\n"),
+  EXPECT_THAT(refused(parse_maxxii, grid + "0.1,x,0,0,0\n"), HasSubstr("real.csv:2: right_track"));
+  EXPECT_THAT(refused(parse_maxxii, "left_track_mps\n0.1\n"),
               HasSubstr("real.csv:1: column 'right_track_mps' is missing"));
 
   const std::string head =
       "window,step,t_s,left_wheel_mps,right_wheel_mps,gyro_z_radps,x_m,y_m,yaw_rad\n";
   const std::string begin = "0,0,0.00,0,0,0,0,0,0\n0,0,0.05,0,0,0,0,0,0\n";
-  EXPECT_THAT(refusal(parse_husky, head + begin), "no error");
-  EXPECT_THAT(refusal(parse_husky, head + begin + "0,0,0.20,0,0,0,0,0,0\n"),
+  EXPECT_THAT(refused(parse_husky, head + begin), "");
+  EXPECT_THAT(refused(parse_husky, head + begin + "0,0,0.20,0,0,0,0,0,0\n"),
               HasSubstr("t_s does not increase in even steps"));
-  EXPECT_THAT(refusal(parse_husky, head + begin + "0,1,0.10,0,0,0,0,0,0\n"),
+  EXPECT_THAT(refused(parse_husky, head + begin + "0,1,0.10,0,0,0,0,0,0\n"),
               HasSubstr("real.csv:4: step changes"));
-  EXPECT_THAT(refusal(parse_husky, head + begin + "1,0,0.00,0,0,0,0,0,0\n"),
+  EXPECT_THAT(refused(parse_husky, head + begin + "1,0,0.00,0,0,0,0,0,0\n"),
               HasSubstr("real.csv:4: a window of one sample"));
 }
 

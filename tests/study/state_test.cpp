@@ -6,11 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "core/arithmetic.h"
 #include "report/metrics.h"
 #include "sim/robot/lockstep.h"
 #include "sim/robot/options.h"
 #include "sim/study/body_turn.h"
+#include "sim/study/commands.h"
 #include "sim/study/covariance_study.h"
+#include "sim/study/reproduce.h"
 #include "sim/study/state_study.h"
 
 namespace tp100::sim {
@@ -41,26 +44,32 @@ TEST(State, ABodyThatSlipsIsNotTheCaseWithoutSlip) {
 
 // By eq 7 a robot on four points with this axle spacing and gauge has 0.2691 m.
 TEST(BodyTurn, EndLoadedTracksTurnWithALongerWheelbaseThanEvenOnes) {
-  const auto turns = [](const char* robot) {
-    Options options;
-    options.robot = robot;
-    return measure_turns(load(options).robot.emulated);
-  };
-  const std::vector<BodyTurn> ends = turns("end-loaded"), even = turns("uniform");
+  Options even;
+  even.robot = "uniform";
+  const std::vector<BodyTurn> ends = measure_turns(load({}).robot.emulated);
   ASSERT_EQ(ends.size(), 2u);
-  EXPECT_NEAR(ends[0].wheelbase_m, 0.274, 0.006);
-  EXPECT_NEAR(ends[1].wheelbase_m, 0.274, 0.004);
-  EXPECT_NEAR(even[0].wheelbase_m, 0.205, 0.006);
-  EXPECT_NEAR(even[1].wheelbase_m, 0.194, 0.004);
+  for (const BodyTurn& turn : ends) EXPECT_NEAR(turn.wheelbase_m, 0.274, 0.006);
+  for (const BodyTurn& turn : measure_turns(load(even).robot.emulated))
+    EXPECT_NEAR(turn.wheelbase_m, 0.20, 0.01);
 }
 
-/// NIS of the camera over several runs together, and the confidence band for that many samples.
-struct Consistency {
-  double mean = 0.0;
-  double half_band = 0.0;
-};
+TEST(BodySlope, TheReferenceRobotSlipsAsInThePapersTableAtAnySpeedAsLongAsItHasGrip) {
+  course::EmulatedBody values = load({}).robot.emulated.body;
+  for (const SlopeRow& row : slope_rows()) {
+    if (!row.paper_left) continue;
+    const SlopeSlip slip = measure_slope(values, row.slope_deg * kRadPerDeg, 0.10);
+    EXPECT_TRUE(slip.climbed);
+    EXPECT_NEAR(slip.left, *row.paper_left, 0.02) << row.slope_deg;
+    EXPECT_NEAR(slip.right, *row.paper_right, 0.02) << row.slope_deg;
+    EXPECT_NEAR(measure_slope(values, row.slope_deg * kRadPerDeg, 0.30).left, slip.left, 0.005);
+  }
+  values.friction = 0.45;
+  EXPECT_FALSE(measure_slope(values, 28 * kRadPerDeg, 0.10).climbed);
+  EXPECT_TRUE(measure_slope(values, 20 * kRadPerDeg, 0.10).climbed);
+}
 
-Consistency consistency(const std::string& robot, double noise_factor) {
+/// NIS of the camera over several runs together, whose noise is `noise_factor` times the assumed.
+report::CameraFigures nis(const std::string& robot, double noise_factor) {
   Options options;
   options.robot = robot;
   LockstepSettings run{.course = load_course("1-curve"),
@@ -76,23 +85,21 @@ Consistency consistency(const std::string& robot, double noise_factor) {
         (all.nis_mean * all.judged + one.nis_mean * one.judged) / (all.judged + one.judged);
     all.judged += one.judged;
   }
-  return {all.nis_mean, all.nis_half_band()};
+  return all;
 }
 
 // The filter allows for changing slip, which these runs do not have: it may be 5 % too cautious,
-// but never overconfident.
+// but never overconfident. A better and a worse camera leave the band.
 TEST(CameraNoise, IsWhatTheFilterAssumesOnRobotsOfEveryKind) {
   constexpr double kCautious = 0.15;
   for (const char* robot : {"end-loaded", "uniform", "slippery"}) {
-    const Consistency c = consistency(robot, 1.0);
-    EXPECT_GT(c.mean, 3.0 - c.half_band - kCautious) << robot;
-    EXPECT_LT(c.mean, 3.0 + c.half_band) << robot;
+    const report::CameraFigures of = nis(robot, 1.0);
+    EXPECT_GT(of.nis_mean, 3.0 - of.nis_half_band() - kCautious) << robot;
+    EXPECT_LT(of.nis_mean, 3.0 + of.nis_half_band()) << robot;
   }
-  // A better and a worse camera leave the band.
-  const Consistency better = consistency("end-loaded", 0.8);
-  EXPECT_LT(better.mean, 3.0 - 3.0 * better.half_band);
-  const Consistency worse = consistency("end-loaded", 1.25);
-  EXPECT_GT(worse.mean, 3.0 + 3.0 * worse.half_band);
+  const report::CameraFigures better = nis("end-loaded", 0.8), worse = nis("end-loaded", 1.25);
+  EXPECT_LT(better.nis_mean, 3.0 - 3.0 * better.nis_half_band());
+  EXPECT_GT(worse.nis_mean, 3.0 + 3.0 * worse.nis_half_band());
 }
 
 // The short form of `tp100-sim reproduce --part covariance`. Forty draws of where the robot is

@@ -1,5 +1,6 @@
 #include "sim/study/study_processes.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <unistd.h>
@@ -11,7 +12,7 @@
 #include <string>
 #include <thread>
 
-#include "core/error.h"
+#include "support/refusal.h"
 
 namespace tp100::sim {
 namespace {
@@ -49,7 +50,6 @@ TEST(StudyProcesses, ReturnEveryStudyInTheOrderOfTheJobs) {
   const CourseStudy& one = studies[1];
   EXPECT_EQ(one.course, "second");
   EXPECT_TRUE(one.uneven);
-  EXPECT_EQ(one.runs, 3);
   EXPECT_EQ(one.distance_m, 0.1);
   ASSERT_EQ(one.judged.size(), 1U);
   EXPECT_EQ(one.judged[0].ours.median, std::numeric_limits<double>::infinity());
@@ -60,22 +60,13 @@ TEST(StudyProcesses, ReturnEveryStudyInTheOrderOfTheJobs) {
 }
 
 TEST(StudyProcesses, AJobThatFailsOrIsKilledIsAnError) {
-  const auto told = [](StudyProcesses::Job job) -> std::string {
-    StudyProcesses fails({std::move(job), [] { return std::vector{study_called("good")}; }});
-    try {
-      fails.results();
-    } catch (const SetupError& error) {
-      return std::string("set-up: ") + error.what();
-    } catch (const std::exception& error) {
-      return error.what();
-    }
-    return "nothing";
-  };
-  EXPECT_EQ(told([]() -> std::vector<CourseStudy> { throw SetupError("no such robot"); }),
-            "set-up: no such robot");
-  EXPECT_EQ(told([]() -> std::vector<CourseStudy> { throw std::out_of_range("a defect"); }),
-            "a defect");
-  StudyProcesses killed({[]() -> std::vector<CourseStudy> {
+  using Studies = std::vector<CourseStudy>;
+  StudyProcesses fails({[]() -> Studies { throw SetupError("no such robot"); },
+                        [] { return Studies{study_called("good")}; }});
+  EXPECT_EQ(test::refusal([&] { fails.results(); }), "no such robot");
+  StudyProcesses defect({[]() -> Studies { throw std::out_of_range("a defect"); }});
+  EXPECT_THAT([&] { defect.results(); }, testing::ThrowsMessage<std::runtime_error>("a defect"));
+  StudyProcesses killed({[]() -> Studies {
     raise(SIGKILL);
     return {};
   }});
