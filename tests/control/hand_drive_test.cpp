@@ -1,3 +1,5 @@
+// Driving by hand within the limits of fence and tracks.
+
 #include "control/hand_drive.h"
 
 #include <gtest/gtest.h>

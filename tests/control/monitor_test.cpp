@@ -1,3 +1,5 @@
+// The monitors of a run, together and each by itself.
+
 #include "control/monitor.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,5 @@
+// Following a path, and coming back to it after a push.
+
 #include "control/tracker.h"
 
 #include <gtest/gtest.h>
