@@ -1,3 +1,5 @@
+// What the IMU shows: attitude, slope and obstacles by the pitch, and the gyro's bias at rest.
+
 #include "estimation/attitude.h"
 
 #include <gtest/gtest.h>

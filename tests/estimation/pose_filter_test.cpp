@@ -1,3 +1,5 @@
+// Odometry corrected by a camera whose samples arrive late.
+
 #include "estimation/pose_filter.h"
 
 #include <gtest/gtest.h>
