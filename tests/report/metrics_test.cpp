@@ -1,3 +1,5 @@
+// Errors of estimates and tracking, and what a push costs.
+
 #include "report/metrics.h"
 
 #include <gmock/gmock.h>

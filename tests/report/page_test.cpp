@@ -1,3 +1,5 @@
+// Charts and pages of reports.
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

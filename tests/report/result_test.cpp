@@ -1,3 +1,5 @@
+// Results of a run as JSON, table and POSES.csv.
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
