@@ -1,3 +1,5 @@
+// The emulated overhead camera, and detections of a real one.
+
 #include "sim/sensors/overhead_camera.h"
 
 #include <gmock/gmock.h>
