@@ -131,10 +131,13 @@ TEST_F(HandDriveInputs, StraightOnTheYawIsHeldOnceTheTurnIsOver) {
 }
 
 TEST_F(HandDriveInputs, ATurnOnTheSpotThatFrictionHoldsIsNone) {
-  yaw_rate_radps_ = 0.02;
+  yaw_rate_radps_ = 0.049;
   EXPECT_EQ(run(1.0).yaw_rate_radps, 0.0);
   speed_mps_ = 0.1;
-  EXPECT_EQ(run(1.0).yaw_rate_radps, 0.02) << "while driving it is a wide curve";
+  EXPECT_EQ(run(1.0).yaw_rate_radps, 0.049) << "while driving it is a wide curve";
+  speed_mps_ = 0.0;
+  yaw_rate_radps_ = 0.051;
+  EXPECT_EQ(run(1.0).yaw_rate_radps, 0.051);
 }
 
 TEST_F(HandDriveInputs, ATurnAgainstTheOneBeforeBeginsWhenThatOneIsOver) {
