@@ -92,30 +92,6 @@ TEST(ShearBody, TurnsHarderThanItsGaugeAndHarderYetWithItsLoadAtTheEnds) {
   EXPECT_GT(wheelbase_in_a_spin(robot(0.001, 0.9)), 1.15 * even);
 }
 
-/// Distance that the tracks move until the yaw rate has reached 63 % of its final value.
-double travel_until_turning(double modulus_m) {
-  ShearBody settled(robot(modulus_m), {}, false);
-  const double track_mps = 0.08;
-  const double before = drive(settled, -track_mps, track_mps, 4.0).pose.yaw_rad;
-  const double steady = drive(settled, -track_mps, track_mps, 2.0).pose.yaw_rad - before;
-  ShearBody body(robot(modulus_m), {}, false);
-  for (int i = 0; i < 4000; ++i) {
-    body.step(-track_mps, track_mps);
-    if (body.state().rate_radps[2] > 0.63 * steady / 2.0) return i * track_mps * 1e-3;
-  }
-  return 1e9;
-}
-
-TEST(ShearBody, ATurnNeedsTravelToBuildUp) {
-  const double hard = travel_until_turning(0.001);
-  const double soft = travel_until_turning(0.005);
-  const double softer = travel_until_turning(0.025);
-  EXPECT_GT(soft, 1.5 * hard);
-  EXPECT_GT(softer, 1.5 * soft);
-  EXPECT_GT(softer, 0.2 * 0.025);
-  EXPECT_LT(softer, 3.0 * 0.025);
-}
-
 TEST(ShearBody, TheGroundNeverHoldsMoreThanFriction) {
   course::Emulated values = robot(0.0005, 0.6);
   values.body.com_forward_m = 0.012;
