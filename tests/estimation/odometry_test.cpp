@@ -47,14 +47,6 @@ class OdometryTest : public testing::Test {
   std::normal_distribution<double> normal_{};
 };
 
-TEST_F(OdometryTest, ATwistThatNoIntervalHasShownIsUnknown) {
-  Odometry odometry(tracks_, noise_);
-  EXPECT_EQ(odometry.twist_covariance().xx, kUnknownVariance);
-  drive(odometry, 0.1, 0.0, 0.0, 0.1);
-  EXPECT_LT(odometry.twist_covariance().xx, square(0.02));
-  EXPECT_LT(odometry.twist_covariance().yaw_yaw, square(0.1));
-}
-
 // The relation of the clocks may jump back a little.
 TEST_F(OdometryTest, AMotionEndsAfterTheOneBeforeUntilTheSamplesBeginAnew) {
   Odometry odometry(tracks_, noise_);
