@@ -1,4 +1,3 @@
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,12 +6,9 @@
 
 #include "sim/study/real_study.h"
 #include "sim/study/reproduce.h"
-#include "support/refusal.h"
 
 namespace tp100::sim {
 namespace {
-
-using testing::HasSubstr;
 
 const std::vector<RealRobot>& robots() {
   static const std::vector<RealRobot> read = read_real_robots();
@@ -149,35 +145,6 @@ TEST(RealStudy, EveryLimitHoldsAndWouldNotWithoutTheForm) {
       EXPECT_LT(one.limit, 1.05 * one.ours.median + 0.06) << one.what;
     }
   }
-}
-
-std::string refused(RealRobot (*parse)(const course::TextFile&), const std::string& text) {
-  return test::refusal([&] { parse({"real.csv", text}); });
-}
-
-TEST(RealData, RefusesACorruptedFileByItsLine) {
-  const std::string grid =
-      "left_track_mps,right_track_mps,left_slip_mps,right_slip_mps,side_slip_rad\n";
-  std::string row;
-  for (int i = 0; i < 8; ++i) row += "0.1,0.2,0,0,0\n";
-  EXPECT_THAT(refused(parse_maxxii, grid + row + "0.1,0.2,0,0,0\n"), "");
-  EXPECT_THAT(refused(parse_maxxii, grid + row), HasSubstr("real.csv:9: the last left_track_mps"));
-  EXPECT_THAT(refused(parse_maxxii, grid + row + "0.2,0.2,0,0,0\n"),
-              HasSubstr("real.csv:10: left_track_mps changes"));
-  EXPECT_THAT(refused(parse_maxxii, grid + "0.1,x,0,0,0\n"), HasSubstr("real.csv:2: right_track"));
-  EXPECT_THAT(refused(parse_maxxii, "left_track_mps\n0.1\n"),
-              HasSubstr("real.csv:1: column 'right_track_mps' is missing"));
-
-  const std::string head =
-      "window,step,t_s,left_wheel_mps,right_wheel_mps,gyro_z_radps,x_m,y_m,yaw_rad\n";
-  const std::string begin = "0,0,0.00,0,0,0,0,0,0\n0,0,0.05,0,0,0,0,0,0\n";
-  EXPECT_THAT(refused(parse_husky, head + begin), "");
-  EXPECT_THAT(refused(parse_husky, head + begin + "0,0,0.20,0,0,0,0,0,0\n"),
-              HasSubstr("t_s does not increase in even steps"));
-  EXPECT_THAT(refused(parse_husky, head + begin + "0,1,0.10,0,0,0,0,0,0\n"),
-              HasSubstr("real.csv:4: step changes"));
-  EXPECT_THAT(refused(parse_husky, head + begin + "1,0,0.00,0,0,0,0,0,0\n"),
-              HasSubstr("real.csv:4: a window of one sample"));
 }
 
 }  // namespace

@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "../support/temporary_folder.h"
-#include "core/arithmetic.h"
 #include "core/error.h"
 #include "course/path.h"
 #include "identify/identify_report.h"
@@ -23,7 +22,6 @@
 #include "sim/study/random_study.h"
 #include "sim/study/sampled.h"
 #include "terrain/climbable.h"
-#include "text/format.h"
 
 namespace tp100::sim {
 namespace {
@@ -371,28 +369,6 @@ TEST(Reproduction, ShowsTheModelAsItIsJudgedRestartedAfterEachPush) {
   EXPECT_THAT(page, HasSubstr("reset to the truth"));
   run.disturbances.clear();
   EXPECT_THAT(reproduction_page(what), testing::Not(HasSubstr("model, restarted")));
-}
-
-TEST(Reproduction, SetsThePaperBesideEq7AndTheEmulatedRobot) {
-  Reproduction what = made_up(0.5);
-  what.turns = {{"on the spot", -0.08, 0.08, 0.2715, 0.5}};
-  const std::string page = reproduction_page(what);
-  const auto cell = [](double value, int decimals = 4) {
-    return "<td>" + text::format("%.*f", decimals, value) + "</td>";
-  };
-  const model::TrackParameters& found = what.reference.model;
-  const model::TrackParameters& fitted = *what.reference.baselines[model::kEqsFitted];
-  for (const double wheelbase_m : {model::equivalent_wheelbase_m({}), 0.2715, found.wheelbase_m,
-                                   found.wheelbase_spin_m, fitted.wheelbase_m})
-    EXPECT_THAT(page, HasSubstr(cell(wheelbase_m)));
-  // Table 3 and our forms; course 1-curve by the paper, by eqs 1-5 and by the extended model.
-  EXPECT_THAT(page, HasSubstr("<td>0.404</td><td>0.000</td>" +
-                              cell(fitted.slip_angle_straight_rad * kDegPerRad, 3)));
-  EXPECT_THAT(
-      page,
-      HasSubstr("<td>1.20</td><td>-</td><td>5.00</td><td>0.20</td><td>0.50 (limit 0.60)</td>"));
-  EXPECT_THAT(reproduction_table(what), HasSubstr("2.50 / 2.50")) << "% of two metres";
-  EXPECT_THAT(page, testing::Not(HasSubstr("Climbing a step"))) << "it was not driven";
 }
 
 }  // namespace
