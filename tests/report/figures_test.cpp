@@ -1,4 +1,4 @@
-// The simpler forms of the model on a run, compared with results calculated by hand.
+// Errors of the simpler forms of the model, and of the pitch and the slope that a robot found.
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,24 @@
-// Results of a run as JSON, table and POSES.csv.
+// Results of a run as JSON, table and POSES.csv, and charts and pages of reports.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
 #include <deque>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <string>
+#include <utility>
 
+#include "core/arithmetic.h"
+#include "core/statistics.h"
+#include "report/chart.h"
+#include "report/colours.h"
+#include "report/html_page.h"
 #include "report/result_text.h"
 #include "report/run_result.h"
 #include "text/csv_reader.h"
@@ -195,6 +207,153 @@ TEST(PosesCsv, EveryColumnHoldsWhatItsNameSays) {
   }
   run.has_camera = false;
   EXPECT_THAT(poses_csv(run), testing::Not(testing::HasSubstr("fused")));
+}
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+TEST(Spread, IsMedianAndNinetyFifthPercentile) {
+  std::vector<double> values;
+  for (int i = 100; i >= 0; --i) values.push_back(i);
+  EXPECT_DOUBLE_EQ(spread(values).median, 50.0);
+  EXPECT_DOUBLE_EQ(spread(values).p95, 95.0);
+  EXPECT_DOUBLE_EQ(percentile({1.0, 2.0}, 0.25), 1.25);
+  EXPECT_TRUE(std::isnan(percentile({}, 0.5)));
+  // What is no number is the worst.
+  EXPECT_DOUBLE_EQ(percentile({1.0, kNone, 2.0}, 0.5), 2.0);
+  EXPECT_TRUE(std::isinf(percentile({1.0, kNone}, 1.0)));
+}
+
+TEST(Tum, TurnsAnglesIntoAQuaternion) {
+  EXPECT_EQ(tum_line(1.5, {.x_m = 1.0, .y_m = -2.0, .z_m = 0.25}),
+            "1.500000 1.000000 -2.000000 0.250000 0.000000000 0.000000000 0.000000000 "
+            "1.000000000\n");
+  EXPECT_THAT(tum_line(0.0, {.yaw_rad = kPi / 2}), HasSubstr("0.000000000 0.000000000 "
+                                                             "0.707106781 0.707106781"));
+  EXPECT_THAT(tum_line(0.0, {.pitch_rad = kPi / 2}), HasSubstr(" 0.707106781 0.000000000 0.7"));
+}
+
+TEST(HtmlPage, EscapesWhatItIsGivenAndHasVerdictAndFactsAboveItsContents) {
+  HtmlPage page("a & b");
+  page.verdict(false, "Not completed: tilt.");
+  page.facts({{"robot", "a < b"}, {"steps", Cell("3 missing", true)}});
+  for (const char* part : {"Errors", "Figures", "Settings"}) page.heading(part);
+  page.table(
+      {{"", "number", "words"}, {"<script>", "-1.5 cm", "1-curve"}, {"b", Cell("1.0", true)}},
+      "caption");
+  const std::string text = page.text();
+  for (const char* part :
+       {"a &amp; b", "<dt>robot</dt><dd>a &lt; b</dd>", "<dd class='missed'>3 missing</dd>",
+        "<a href='#part-2'>Figures</a>", "<h2 id='part-2'>Figures</h2>",
+        "<td>&lt;script&gt;</td><td>-1.5 cm</td><td class='t'>1-curve</td>",
+        "<td class='missed'>1.0</td>"})
+    EXPECT_THAT(text, HasSubstr(part));
+  EXPECT_THAT(text, Not(HasSubstr("http")));
+  const auto at = [&](const char* part) { return text.find(part); };
+  EXPECT_LT(at("Not completed"), at("<dl>"));
+  EXPECT_LT(at("<dl>"), at("<nav"));
+  EXPECT_LT(at("<nav"), at("<h2"));
+}
+
+/// WCAG 2's relative luminance of "#rrggbb".
+double luminance(const char* colour) {
+  double sum = 0.0;
+  for (const auto& [at, weight] : {std::pair{std::size_t{1}, 0.2126}, {3, 0.7152}, {5, 0.0722}}) {
+    const double part = std::stoi(std::string(colour).substr(at, 2), nullptr, 16) / 255.0;
+    sum += weight * (part <= 0.04045 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4));
+  }
+  return sum;
+}
+
+double contrast(const char* a, const char* b) {
+  const auto [low, high] = std::minmax({luminance(a), luminance(b)});
+  return (high + 0.05) / (low + 0.05);
+}
+
+TEST(Colours, AreReadableOnPaperAndInTheDark) {
+  EXPECT_NEAR(contrast("#000000", "#ffffff"), 21.0, 1e-9);
+  for (const Colour& colour : kColours) {
+    EXPECT_GE(contrast(colour.light, kGround.light), 4.5) << colour.name;
+    EXPECT_GE(contrast(colour.dark, kGround.dark), 4.5) << colour.name;
+  }
+}
+
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+
+TEST(SvgChart, DrawsEverySeriesAndBreaksLinesWhereThereIsNothing) {
+  const std::string picture =
+      svg({.title = "a < b",
+           .x_label = "x",
+           .y_label = "y",
+           .series = {{.name = "one",
+                       .colour = "#123456",
+                       .points = {{0, 0}, {1, 1}, {2, kNothing}, {3, 1}, {4, 0}}},
+                      {.name = "two", .colour = "red", .points = {{0, 1}}, .marks = true}}});
+  EXPECT_THAT(picture, HasSubstr("a &lt; b"));
+  EXPECT_THAT(picture, HasSubstr("stroke='#123456'"));
+  EXPECT_THAT(picture, HasSubstr("<circle"));
+  EXPECT_THAT(picture, Not(HasSubstr("nan")));
+  const auto at = picture.find("d='M", picture.find("#123456"));
+  const std::string path = picture.substr(at, picture.find("'/>", at) - at);
+  EXPECT_EQ(std::count(path.begin(), path.end(), 'M'), 2);
+}
+
+TEST(Charts, OfNothingOrOfValuesThatHardlyDifferAreStillPictures) {
+  const auto a_picture = testing::AllOf(HasSubstr("</svg>"), Not(HasSubstr("inf")));
+  EXPECT_THAT(svg({}), a_picture);
+  EXPECT_THAT(box_plot({}), a_picture);
+  for (const double x : {1e6, -1e6, 1e-9, 0.0})
+    EXPECT_THAT(svg({.series = {{.points = {{x, x}, {x + 1e-10, x + 1e-10}}}}}), a_picture);
+}
+
+/// The points of the blue line of a picture.
+std::array<std::array<double, 2>, 3> blue_line(const std::string& picture) {
+  std::array<std::array<double, 2>, 3> p{};
+  const auto at = picture.find("d='M", picture.find("stroke='blue'"));
+  EXPECT_EQ(std::sscanf(picture.c_str() + at, "d='M%lf %lfL%lf %lfL%lf %lf", &p[0][0], &p[0][1],
+                        &p[1][0], &p[1][1], &p[2][0], &p[2][1]),
+            6);
+  return p;
+}
+
+TEST(SvgChart, EveryPointLiesInTheFrameAndTheExtremesNearItsEdges) {
+  const std::string picture =
+      svg({.series = {{.colour = "blue", .points = {{-3, 10}, {1, -20}, {5, 40}}}}});
+  double left, top, width, height;
+  ASSERT_EQ(
+      std::sscanf(picture.c_str() + picture.find("<rect x="),
+                  "<rect x='%lf' y='%lf' width='%lf' height='%lf'", &left, &top, &width, &height),
+      4);
+  const auto p = blue_line(picture);
+  EXPECT_LT(left, p[0][0]);
+  EXPECT_LT(p[0][0], left + 0.1 * width);
+  EXPECT_GT(p[2][0], left + 0.9 * width);
+  EXPECT_LT(p[2][0], left + width);
+  EXPECT_GT(p[2][1], top);
+  EXPECT_LT(p[2][1], top + 0.1 * height);
+  EXPECT_GT(p[1][1], top + 0.9 * height);
+  EXPECT_LT(p[1][1], top + height);
+}
+
+TEST(SvgChart, AMapHasOneScale) {
+  const auto p = blue_line(svg({.series = {{.colour = "blue", .points = {{0, 0}, {1, 0}, {1, 1}}}},
+                                .equal_scale = true,
+                                .width_px = 700,
+                                .height_px = 300}));
+  EXPECT_NEAR(p[1][0] - p[0][0], p[1][1] - p[2][1], 0.3);
+}
+
+TEST(BoxPlot, HasABoxForEveryRowWithItsCount) {
+  const std::string picture = box_plot(
+      {.title = "t",
+       .x_label = "error [cm]",
+       .boxes = {{"all <runs>", {1, 2, 3, 4, 100}}, {"a", {1, 2, kNothing}}, {"none", {}}}});
+  for (const char* part : {"all &lt;runs&gt; (5)", "a (3)", "none (0)", "error [cm]"})
+    EXPECT_THAT(picture, HasSubstr(part));
+  // The frame and two boxes.
+  const std::string box = "fill='white' stroke='";
+  EXPECT_NE(picture.find(box), std::string::npos);
+  EXPECT_NE(picture.find(box), picture.rfind(box));
+  EXPECT_THAT(picture, testing::AllOf(HasSubstr("<circle"), Not(HasSubstr("nan"))));
 }
 
 }  // namespace
