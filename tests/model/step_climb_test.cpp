@@ -142,6 +142,24 @@ TEST(StepClimb, GivesThePublishedCheckValues) {
   EXPECT_NEAR(climb.state().travel_m, 0.1764, 2e-4) << "where it lands on the block";
 }
 
+// There the ground no longer pushes: just after, the body's rotation accelerates as just before.
+TEST(StepClimb, LiftsOffWhereItsRearContactWouldHaveToPull) {
+  constexpr double kStepS = 1e-4;
+  for (const double mps : {0.05, 0.10, 0.20}) {
+    StepClimb climb({}, {}, RiserForm::kTrackHolds, TipStart::kLiftOff);
+    const auto rate = [&] { return climb.advance(mps * kStepS, kStepS).pitch_rate_radps; };
+    double last = 0.0, before = 0.0, here = 0.0;
+    while (climb.state().phase != ClimbPhase::kTip) {
+      before = last;
+      last = here;
+      here = rate();
+    }
+    const double slower = (last - before) / kStepS, first = rate();
+    EXPECT_NEAR((rate() - first) / kStepS, slower, 0.05 * std::abs(slower)) << mps;
+    EXPECT_GT(std::abs(slower), 0.01);
+  }
+}
+
 TEST(StepClimb, FallsWithoutLosingEnergyWhenTheTracksStand) {
   StepClimb climb({}, {});
   while (climb.state().phase != ClimbPhase::kTip) climb.advance(1e-5, 1e-4);
