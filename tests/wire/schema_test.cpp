@@ -115,7 +115,7 @@ TEST(Schema, APayloadHasTheStatedSizeAndIsReadOnlyWithIt) {
 }
 
 TEST(ProtocolDocument, QuotesEveryGoldenFrame) {
-  const auto lines = golden::read_lines(source_path("tests/wire/golden_frames.txt"));
+  const auto lines = golden::read_lines();
   ASSERT_FALSE(lines.empty());
   for (const golden::Line& line : lines) {
     expect_in_document("\n" + line.name + " " + line.hex + "\n");
