@@ -6,7 +6,7 @@
 #include <string>
 #include <tuple>
 
-#include "avr_rig.h"
+#include "board_rig.h"
 
 namespace tp100::sim {
 namespace {
@@ -26,38 +26,24 @@ void reach(AvrRig& rig, wire::State state) {
     ASSERT_EQ(rig.hellos.back().state, static_cast<std::uint8_t>(state));
     return;
   }
-  rig.connect();
-  rig.streams = true;
-  rig.run(50);
-  if (state == wire::State::kArmed || state == wire::State::kRunning) rig.arm();
-  if (state == wire::State::kRunning) rig.speed_mps = 0.15f;
+  rig.be_ready();
+  if (state == wire::State::kArmed) rig.drive(0.0f);
+  if (state == wire::State::kRunning) rig.drive(0.15f);
   if (state == wire::State::kFaulted) rig.send(wire::Stop{++rig.token});
-  rig.run(300);
+  rig.run(100);
   ASSERT_EQ(rig.state(), state);
   ASSERT_EQ(rig.moves(), state == wire::State::kRunning);
 }
 
-/// Simulates one millisecond of a host that fails in this way.
-void fail(AvrRig& rig, Failure failure, const std::vector<std::uint8_t>& stale, int ms) {
-  switch (failure) {
-    case Failure::kSilent:
-      break;
-    case Failure::kGarbage:
-      if (ms % 3 == 0) {
-        std::vector<std::uint8_t> bytes;
-        for (int i = 0; i < 40; ++i) bytes.push_back(static_cast<std::uint8_t>(ms * 31 + i * 17));
-        rig.send_bytes(bytes);
-      }
-      break;
-    case Failure::kFlood: {  // bytes at line rate without the end of a frame
-      rig.send_bytes(std::vector<std::uint8_t>(50, 0xA5));
-      break;
-    }
-    case Failure::kStale:
-      if (ms % 10 == 0) rig.send_bytes(stale);
-      break;
-  }
-  rig.run(1);
+/// What a host that fails in this way sends in one millisecond.
+std::vector<std::uint8_t> sent_by(Failure failure, const wire::Command& stale, int ms) {
+  std::vector<std::uint8_t> bytes;
+  if (failure == Failure::kGarbage && ms % 3 == 0)
+    for (int i = 0; i < 40; ++i) bytes.push_back(static_cast<std::uint8_t>(ms * 31 + i * 17));
+  // Bytes at line rate without the end of a frame.
+  if (failure == Failure::kFlood) bytes.assign(50, 0xA5);
+  if (failure == Failure::kStale && ms % 10 == 0) bytes = test::frame_of(stale);
+  return bytes;
 }
 
 class AvrFailSafe : public ::testing::TestWithParam<std::tuple<int, int>> {};
@@ -71,10 +57,10 @@ TEST_P(AvrFailSafe, MotorsAreOffInTimeAndStayOffUntilAFreshArm) {
   wire::Command last = rig.command();
   last.sequence = static_cast<std::uint16_t>(last.sequence - 1);
   last.speed_mps = 0.15f;
-  last.expiry_us = rig.device_us() + 195'000;
   for (int ms = 0; ms < 600; ++ms) {
     last.expiry_us = rig.device_us() + 195'000;
-    fail(rig, failure, test::frame_of(last), ms);
+    rig.send_bytes(sent_by(failure, last, ms));
+    rig.run(1);
     if (ms >= kLimitMs) {
       ASSERT_FALSE(rig.moves()) << ms << " ms after the host failed";
     }
@@ -88,8 +74,7 @@ TEST_P(AvrFailSafe, MotorsAreOffInTimeAndStayOffUntilAFreshArm) {
     ASSERT_FALSE(rig.moves()) << ms << " ms after the host came back";
   }
   rig.speed_mps = 0.0f;
-  rig.connect();
-  rig.run(50);
+  rig.be_ready();
   const wire::Acknowledge armed = rig.arm();
   ASSERT_EQ(armed.result, static_cast<std::uint8_t>(wire::Result::kAccepted))
       << "detail " << armed.detail;
@@ -105,45 +90,6 @@ std::string name_of(const ::testing::TestParamInfo<std::tuple<int, int>>& test) 
 INSTANTIATE_TEST_SUITE_P(States, AvrFailSafe,
                          ::testing::Combine(::testing::Range(0, 6), ::testing::Range(0, 4)),
                          name_of);
-
-TEST(AvrHang, AHungMainLoopStopsTheMotorsInTimeAndTheWatchdogRecovers) {
-  AvrRig rig;
-  ASSERT_TRUE(rig.boot());
-  rig.drive();
-  ASSERT_TRUE(rig.moves());
-  const std::size_t hellos = rig.hellos.size();
-  rig.board.hang_main_loop();
-  const int off_ms = rig.ms_until_off(kLimitMs);
-  EXPECT_GE(off_ms, 0);
-  // The timer switches the motors off before the watchdog is due.
-  EXPECT_EQ(rig.board.counters().watchdog_resets, 0U);
-  for (int ms = 0; ms < 500; ++ms) {
-    rig.run(1);
-    ASSERT_FALSE(rig.moves());
-  }
-  EXPECT_EQ(rig.board.counters().watchdog_resets, 1U);
-  ASSERT_GT(rig.hellos.size(), hellos);
-  EXPECT_EQ(rig.hellos.back().reset_cause, static_cast<std::uint8_t>(wire::ResetCause::kWatchdog));
-  rig.speed_mps = 0.0f;
-  rig.connect();
-  rig.run(50);
-  EXPECT_EQ(rig.arm().result, static_cast<std::uint8_t>(wire::Result::kAccepted));
-}
-
-TEST(AvrHang, AResetLetsTheMotorsGoAtOnce) {
-  for (const PowerUp cause : {PowerUp::kExternal, PowerUp::kBrownOut, PowerUp::kPowerOn}) {
-    AvrRig rig;
-    ASSERT_TRUE(rig.boot());
-    rig.drive();
-    ASSERT_TRUE(rig.moves());
-    rig.board.reset(cause, rig.now_ns);
-    EXPECT_FALSE(rig.moves());
-    for (int ms = 0; ms < 300; ++ms) {
-      rig.run(1);
-      ASSERT_FALSE(rig.moves());
-    }
-  }
-}
 
 }  // namespace
 }  // namespace tp100::sim

@@ -7,7 +7,6 @@
 namespace tp100::sim {
 namespace {
 
-constexpr std::int64_t kByteNs = 20'000;
 constexpr double kTopMps = 0.25;  // track speed at full duty
 
 BodyState standstill() {
@@ -18,8 +17,10 @@ BodyState standstill() {
 
 }  // namespace
 
-BoardRig::BoardRig(std::uint64_t seed) : imu({}, seed), left({}, 0, 11), right({}, 2, 12) {}
-BoardRig::~BoardRig() = default;
+BoardRig::BoardRig(std::uint64_t seed)
+    : WireHost(5, 50, 300), imu({}, seed), left({}, 0, 11), right({}, 2, 12) {
+  parameters.dead_band = 0.05f;
+}
 
 void BoardRig::send_bytes(const std::vector<std::uint8_t>& sent) {
   for (const std::uint8_t value : sent) {
@@ -65,10 +66,6 @@ void BoardRig::step() {
   to_board_.erase(to_board_.begin(), due);
   hardware().advance(until, edges_, received);
   now_ns = until;
-  collect();
-}
-
-void BoardRig::collect() {
   for (const TimedByte& byte : hardware().take_sent()) {
     bytes.push_back(byte);
     const std::optional<wire::Type> type = receive(byte.value);
@@ -87,59 +84,13 @@ bool BoardRig::boot(PowerUp cause) {
   if (cause == PowerUp::kPowerOn) imu.power_on();
   hardware().reset(cause, now_ns);
   restart();
-  for (int ms = 0; ms < 1500; ++ms) {
-    run(1);
-    if (hellos.size() > before) return true;
-  }
-  return false;
-}
-
-wire::Parameters BoardRig::parameters() const {
-  wire::Parameters p = test::good_parameters();
-  p.boot_nonce = nonce;
-  p.token = token;
-  p.dead_band = 0.05f;
-  return p;
+  for (int ms = 0; ms < 1500 && hellos.size() == before; ++ms) run(1);
+  return hellos.size() > before;
 }
 
 std::uint32_t BoardRig::device_us() const {
   if (samples.empty()) return 0;
   return last().device_us + static_cast<std::uint32_t>((now_ns - sample_ns.back()) / 1000) + 1000;
-}
-
-wire::Command BoardRig::command() {
-  wire::Command c{};
-  c.boot_nonce = nonce;
-  c.sequence = ++sequence;
-  c.answers = samples.empty() ? std::uint16_t{0} : last().sequence;
-  c.speed_mps = speed_mps;
-  c.expiry_us = device_us() + 195'000;
-  return c;
-}
-
-wire::Arm BoardRig::arm_message() { return {nonce, ++token, device_us() + 200'000}; }
-
-void BoardRig::connect() {
-  send(wire::HelloRequest{wire::kProtocolVersion, wire::kSchemaHash});
-  run(4);
-  ++token;
-  send(parameters());
-  run(30);
-}
-
-wire::Acknowledge BoardRig::arm() {
-  send(arm_message());
-  run(5);
-  return acknowledges.empty() ? wire::Acknowledge{} : acknowledges.back();
-}
-
-void BoardRig::drive(float speed) {
-  connect();
-  streams = true;
-  run(50);
-  arm();
-  speed_mps = speed;
-  run(300);
 }
 
 int BoardRig::ms_until_off(int limit_ms) {

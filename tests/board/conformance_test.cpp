@@ -10,14 +10,13 @@
 #include <string>
 #include <vector>
 
-#include "avr_rig.h"
+#include "board_rig.h"
 #include "wire/faults.h"
 
 namespace tp100::sim {
 namespace {
 
 using wire::Fault;
-using wire::Result;
 using wire::State;
 
 class Conformance : public ::testing::TestWithParam<const char*> {
@@ -31,26 +30,6 @@ class Conformance : public ::testing::TestWithParam<const char*> {
     EXPECT_TRUE(rig().boot());
   }
   BoardRig& rig() { return *rig_; }
-  /// Brings the robot to the disarmed state with a fresh command.
-  void be_ready() {
-    rig().connect();
-    rig().streams = true;
-    rig().run(50);
-    ASSERT_EQ(rig().state(), State::kDisarmed);
-  }
-  /// Sends a message and returns the result of its acknowledgement.
-  template <class Message>
-  Result ask(const Message& message) {
-    rig().acknowledges.clear();
-    rig().send(message);
-    rig().run(10);
-    EXPECT_EQ(rig().acknowledges.size(), 1U);
-    return rig().acknowledges.empty() ? Result{0xFF} : Result{rig().acknowledges.back().result};
-  }
-  wire::Arm arm_with(std::uint32_t token, int ahead_ms = 200) {
-    const auto ahead_us = static_cast<std::uint32_t>(ahead_ms * 1000);
-    return {rig().nonce, token, rig().device_us() + ahead_us};
-  }
   wire::SyncReply sync() {
     rig().send(wire::SyncRequest{1});
     rig().run(10);
@@ -60,27 +39,6 @@ class Conformance : public ::testing::TestWithParam<const char*> {
  private:
   std::unique_ptr<BoardRig> rig_;
 };
-
-TEST_P(Conformance, EveryAnswerToAnArmIsThatOfTheDocument) {
-  be_ready();
-  wire::Arm other = arm_with(1000);
-  other.boot_nonce ^= 0x10000U;
-  EXPECT_EQ(ask(other), Result::kWrongBoot);
-  EXPECT_EQ(ask(arm_with(0x10000, 600)), Result::kOutOfRange);
-  EXPECT_EQ(ask(arm_with(0x10001, -20)), Result::kOutOfRange);
-  EXPECT_EQ(ask(arm_with(0xFFFF)), Result::kStaleToken);
-  EXPECT_EQ(ask(arm_with(0x10001)), Result::kOutOfRange) << "the answer to a token stays the same";
-  rig().streams = false;
-  rig().run(250);
-  EXPECT_EQ(ask(arm_with(0x10002)), Result::kFaultPersists);
-  EXPECT_EQ(rig().acknowledges.back().detail, wire::fault_bit(Fault::command_timeout));
-  rig().streams = true;
-  rig().run(50);
-  EXPECT_EQ(ask(arm_with(0x10003, 490)), Result::kAccepted);
-  rig().run(10);
-  EXPECT_EQ(rig().state(), State::kArmed);
-  EXPECT_EQ(ask(rig().parameters()), Result::kWrongState);
-}
 
 TEST_P(Conformance, ADisarmedRobotWaits700MsForACommandAndASecondForAnything) {
   rig().connect();
@@ -96,7 +54,6 @@ TEST_P(Conformance, ADisarmedRobotWaits700MsForACommandAndASecondForAnything) {
 
 TEST_P(Conformance, AUsbVoltageThatFallsWhileDrivingDoesNotHideAnEmptyBattery) {
   rig().battery_v = 6.3;
-  be_ready();
   rig().drive();
   rig().hardware().set_supply(4.5);
   rig().run(20'000);
@@ -106,11 +63,11 @@ TEST_P(Conformance, AUsbVoltageThatFallsWhileDrivingDoesNotHideAnEmptyBattery) {
   EXPECT_GE(rig().ms_until_off(1200), 900);
   rig().run(20);
   EXPECT_EQ(rig().last().faults, wire::fault_bit(Fault::battery_low));
-  EXPECT_EQ(ask(arm_with(1000)), Result::kFaultPersists);
+  EXPECT_EQ(rig().arm().result, static_cast<std::uint8_t>(wire::Result::kFaultPersists));
 }
 
 TEST_P(Conformance, EdgesThatWereMissedAreCountedInTheClockAnswer) {
-  be_ready();
+  rig().be_ready();
   const std::uint16_t before = sync().missed_edges;
   // Both phases change at once, first on the left and then on the right encoder.
   for (const std::uint8_t a : std::to_array<std::uint8_t>({0, 2})) {
@@ -120,13 +77,10 @@ TEST_P(Conformance, EdgesThatWereMissedAreCountedInTheClockAnswer) {
   EXPECT_EQ(sync().missed_edges - before, 2);
 }
 
-/// Transmission time of a byte that carries no information.
-constexpr std::int64_t kSpareNs = 20'000;
-
 // The expiry is a time of the board's clock, so it does not matter when the board reads the
 // command.
 TEST_P(Conformance, AnExpiredCommandSwitchesOffInTheTickBeforeItsExpiry) {
-  be_ready();
+  rig().be_ready();
   // Virtual time at which the board's clock was 0, too early by the shortest delay between the
   // arrival of a request and the time of receipt in its answer.
   std::int64_t zero_ns = INT64_MIN;
@@ -135,7 +89,7 @@ TEST_P(Conformance, AnExpiredCommandSwitchesOffInTheTickBeforeItsExpiry) {
     rig().send_bytes(std::vector<std::uint8_t>(spare, wire::kDelimiter));
     const std::vector<std::uint8_t> request = test::frame_of(wire::SyncRequest{9});
     const std::int64_t arrival_ns =
-        rig().now_ns + static_cast<std::int64_t>(spare + request.size()) * kSpareNs;
+        rig().now_ns + static_cast<std::int64_t>(spare + request.size()) * BoardRig::kByteNs;
     rig().send_bytes(request);
     rig().run(7);
     ASSERT_EQ(rig().sync_replies.size(), 1U);

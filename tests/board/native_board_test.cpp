@@ -4,29 +4,19 @@
 
 #include <cmath>
 
-#include "avr_rig.h"
+#include "board_rig.h"
 
 namespace tp100::sim {
 namespace {
 
 constexpr std::int64_t kMs = 1'000'000;
-constexpr std::int64_t kByteNs = 20'000;
-
-std::vector<std::pair<std::int64_t, std::uint8_t>> pairs(const std::vector<TimedByte>& bytes) {
-  std::vector<std::pair<std::int64_t, std::uint8_t>> all;
-  for (const TimedByte& byte : bytes) all.emplace_back(byte.at_ns, byte.value);
-  return all;
-}
-
-TEST(NativeBoard, IsSilentWithoutPower) {
-  NativeBoard board({}, nullptr);
-  board.advance(100 * kMs, {}, {});
-  EXPECT_TRUE(board.take_sent().empty());
-}
+constexpr std::int64_t kByteNs = BoardRig::kByteNs;
 
 TEST(NativeBoard, SwallowsBytesWhileItBootsAndThenSaysHello) {
   NativeRig rig({.boot_delay_ns = 840 * kMs});
-  rig.board.reset(PowerUp::kPowerOn, 0);
+  rig.run(100);
+  EXPECT_TRUE(rig.bytes.empty()) << "without power it is silent";
+  rig.board.reset(PowerUp::kPowerOn, rig.now_ns);
   rig.send_bytes(std::vector<std::uint8_t>(30, 0x55));
   rig.run(840);
   EXPECT_EQ(rig.board.counters().rx_lost_in_boot, 30U);
@@ -94,32 +84,6 @@ TEST(NativeBoard, ASampleHoldsAllEdgesUpToItsTime) {
   }
 }
 
-TEST(NativeBoard, SameInputsGiveTheSameBytesAndAnotherSeedAnotherBoot) {
-  const auto run = [](std::uint64_t seed) {
-    NativeRig rig({.seed = seed, .clock_ppm = 37.0});
-    rig.boot();
-    rig.drive();
-    return pairs(rig.bytes);
-  };
-  EXPECT_EQ(run(3), run(3));
-  EXPECT_NE(run(3), run(4));
-}
-
-TEST(NativeBoard, TheQuantumDoesNotChangeWhatItDoes) {
-  const auto run = [](std::int64_t quantum_ns) {
-    NativeBoard board({}, nullptr);
-    board.reset(PowerUp::kPowerOn, 0);
-    std::vector<TimedByte> bytes;
-    for (std::int64_t at_ns = quantum_ns; at_ns <= 600 * kMs; at_ns += quantum_ns) {
-      board.advance(at_ns, {}, {});
-      for (const TimedByte& byte : board.take_sent()) bytes.push_back(byte);
-    }
-    return pairs(bytes);
-  };
-  EXPECT_EQ(run(kMs), run(kMs / 8));
-  EXPECT_EQ(run(kMs), run(3 * kMs));
-}
-
 TEST(NativeBoard, ItsClockIsOffByItsPpmAndStartsWhereItIsTold) {
   NativeRig rig({.clock_ppm = 500.0, .start_us = 0xFFFFFFFFU - 1'000'000U});
   ASSERT_TRUE(rig.boot());
@@ -149,17 +113,6 @@ TEST(NativeBoard, ResetGivesANewNonceAndItsCause) {
   EXPECT_NE(rig.nonce, 0U);
   EXPECT_EQ(rig.hellos.back().reset_cause, static_cast<std::uint8_t>(wire::ResetCause::kBrownOut));
   EXPECT_EQ(rig.hellos.back().state, static_cast<std::uint8_t>(wire::State::kHello));
-}
-
-TEST(NativeBoard, TheBatteryIsReadInStepsOfTheConverterUpToItsScale) {
-  NativeRig rig;
-  ASSERT_TRUE(rig.boot());
-  rig.battery_v = 7.9;
-  rig.connect();
-  EXPECT_NEAR(rig.last().battery_mv, 7900, 15);
-  rig.battery_v = 99.0;
-  rig.run(500);
-  EXPECT_NEAR(rig.last().battery_mv, 15'000, 30);
 }
 
 }  // namespace

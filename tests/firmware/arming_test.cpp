@@ -12,18 +12,12 @@ using wire::Result;
 using wire::State;
 using wire::Type;
 
-std::uint16_t mask(Fault fault) { return static_cast<std::uint16_t>(wire::fault_bit(fault)); }
-
 Result result(const wire::Acknowledge& answer) { return static_cast<Result>(answer.result); }
 
 // The robot is disarmed and receives commands.
 class Arming : public testing::Test {
  protected:
-  Arming() {
-    rig.connect();
-    rig.streams = true;
-    rig.run(20);
-  }
+  Arming() { rig.be_ready(); }
   template <class Message>
   wire::Acknowledge ask(const Message& message) {
     rig.send(message);
@@ -37,22 +31,18 @@ class Arming : public testing::Test {
   Rig rig;
 };
 
-TEST_F(Arming, AFreshTokenArms) {
-  for (const std::uint32_t token : {0U, 1U, 0x80000000U, 0xFFFFFFFFU}) {
-    const wire::Acknowledge answer = ask(arm_with(token));
+TEST_F(Arming, AFreshTokenWithAnExpiryOfUpToHalfASecondAheadArms) {
+  for (const auto& [token, ahead_us] : {std::pair{0U, 1},
+                                        {1U, 200'000},
+                                        {2U, -10},
+                                        {3U, 0},
+                                        {0x80000000U, 500'000},
+                                        {0x80000001U, 500'001},
+                                        {0xFFFFFFFFU, 200'000}}) {
+    const bool accepted = ahead_us > 0 && ahead_us <= 500'000;
+    const wire::Acknowledge answer = ask(arm_with(token, ahead_us));
     EXPECT_EQ(answer.request, static_cast<std::uint8_t>(Type::kArm));
     EXPECT_EQ(answer.token, token);
-    EXPECT_EQ(result(answer), Result::kAccepted);
-    EXPECT_EQ(rig.program.state(), State::kArmed);
-    ask(wire::Disarm{1});
-  }
-}
-
-TEST_F(Arming, AnExpiryOfUpToHalfASecondAheadIsAccepted) {
-  std::uint32_t token = 100;
-  for (const int ahead_us : {-10, 0, 1, 500'000, 500'001}) {
-    const bool accepted = ahead_us > 0 && ahead_us <= 500'000;
-    const wire::Acknowledge answer = ask(arm_with(++token, ahead_us));
     EXPECT_EQ(result(answer), accepted ? Result::kAccepted : Result::kOutOfRange) << ahead_us;
     EXPECT_EQ(answer.detail, accepted ? 0 : 2) << "the number of the field";
     EXPECT_EQ(rig.program.state(), accepted ? State::kArmed : State::kDisarmed) << ahead_us;
@@ -126,6 +116,8 @@ TEST_F(Arming, ARefusalUsesUpTheTokenUnlessItIsOfAnotherBootOrStale) {
   EXPECT_EQ(result(ask(arm_with(51))), Result::kFaultPersists);
   EXPECT_FALSE(rig.motors_on());
   EXPECT_EQ(result(ask(arm_with(52))), Result::kAccepted);
+  rig.connect();
+  EXPECT_EQ(result(ask(arm_with(51))), Result::kStaleToken) << "tokens outlive a session";
 }
 
 TEST_F(Arming, AnAcceptedTokenAgainIsAcknowledgedWithoutEffect) {
@@ -138,13 +130,6 @@ TEST_F(Arming, AnAcceptedTokenAgainIsAcknowledgedWithoutEffect) {
   ask(message);
   EXPECT_TRUE(rig.has(Fault::stop_requested));
   EXPECT_EQ(rig.program.state(), State::kFaulted);
-}
-
-TEST_F(Arming, TheLastTokenOutlivesASession) {
-  ask(arm_with(0xFFFFFFFFU, 600'000));
-  rig.connect();
-  EXPECT_EQ(result(ask(arm_with(1000))), Result::kStaleToken);
-  EXPECT_EQ(result(ask(arm_with(0xFFFFFFFFU))), Result::kOutOfRange);
 }
 
 TEST_F(Arming, WhileRunningChangesNothing) {
@@ -186,43 +171,34 @@ TEST(Boot, AfterTheWatchdogOrABrownOutTheFaultIsLatchedUntilArmed) {
     EXPECT_EQ(rig.program.state(), State::kFaulted);
     EXPECT_EQ(rig.program.faults(), mask(fault));
     ASSERT_EQ(rig.reports.size(), 1U);
-    rig.streams = true;
-    rig.run(20);
-    rig.arm();
+    rig.drive(0.0f);
     EXPECT_EQ(rig.program.state(), State::kArmed);
     EXPECT_EQ(rig.program.faults(), 0);
   }
 }
 
-// Brings the firmware to a state by the shortest sequence.
-void bring_to(Rig& rig, State state) {
-  if (state == State::kHello) return;
-  if (state == State::kParameters) {
-    rig.send(wire::HelloRequest{wire::kProtocolVersion, wire::kSchemaHash});
-    rig.run(2);
-    return;
+class InEveryState : public testing::TestWithParam<State> {
+ protected:
+  InEveryState() {
+    if (before == State::kParameters) {
+      rig.send(wire::HelloRequest{wire::kProtocolVersion, wire::kSchemaHash});
+      rig.run(2);
+    }
+    if (before == State::kDisarmed) rig.be_ready();
+    if (before >= State::kArmed) rig.drive(before == State::kArmed ? 0.0f : 0.1f);
+    if (before == State::kFaulted) {
+      rig.streams = false;
+      rig.run(250);
+      rig.streams = true;
+    }
+    EXPECT_EQ(rig.program.state(), before);
   }
-  rig.connect();
-  rig.streams = true;
-  rig.run(20);
-  if (state >= State::kArmed) rig.arm();
-  if (state >= State::kRunning) {
-    rig.speed_mps = 0.1f;
-    rig.run(20);
-  }
-  if (state == State::kFaulted) {
-    rig.streams = false;
-    rig.run(250);
-    rig.streams = true;
-  }
-}
 
-class InEveryState : public testing::TestWithParam<State> {};
+  const State before = GetParam();
+  Rig rig;
+};
 
 TEST_P(InEveryState, StopSwitchesOffLatchesAndIsAcknowledged) {
-  Rig rig;
-  bring_to(rig, GetParam());
-  ASSERT_EQ(rig.program.state(), GetParam());
   rig.send(wire::Stop{42});
   rig.run(2);
   EXPECT_FALSE(rig.motors_on());
@@ -233,12 +209,10 @@ TEST_P(InEveryState, StopSwitchesOffLatchesAndIsAcknowledged) {
   EXPECT_EQ(result(rig.acknowledges.back()), Result::kAccepted);
   rig.run(100);
   EXPECT_FALSE(rig.motors_on());
-  EXPECT_EQ(rig.program.state() == State::kFaulted, GetParam() >= State::kDisarmed);
+  EXPECT_EQ(rig.program.state() == State::kFaulted, before >= State::kDisarmed);
 }
 
 TEST_P(InEveryState, DisarmSwitchesOffWithoutAFaultAndIsAcknowledged) {
-  Rig rig;
-  bring_to(rig, GetParam());
   const std::uint16_t faults = rig.program.faults();
   rig.send(wire::Disarm{43});
   rig.run(2);
@@ -248,20 +222,17 @@ TEST_P(InEveryState, DisarmSwitchesOffWithoutAFaultAndIsAcknowledged) {
   EXPECT_EQ(rig.acknowledges.back().token, 43U);
   rig.run(100);
   EXPECT_FALSE(rig.motors_on());
-  const bool was_on = GetParam() == State::kArmed || GetParam() == State::kRunning;
-  EXPECT_EQ(rig.program.state(), was_on ? State::kDisarmed : GetParam());
+  const bool was_on = before == State::kArmed || before == State::kRunning;
+  EXPECT_EQ(rig.program.state(), was_on ? State::kDisarmed : before);
   EXPECT_EQ(rig.count_logs("motors off: disarm"), was_on ? 1 : 0);
 }
 
 TEST_P(InEveryState, AHangingLoopIsSwitchedOffWithin101Ms) {
-  Rig rig;
-  bring_to(rig, GetParam());
-  const bool session = GetParam() >= State::kDisarmed;
   rig.hang(101);
   EXPECT_FALSE(rig.motors_on());
   rig.run(5);
   EXPECT_TRUE(rig.has(Fault::loop_hung));
-  EXPECT_EQ(rig.program.state(), session ? State::kFaulted : GetParam());
+  EXPECT_EQ(rig.program.state(), before >= State::kDisarmed ? State::kFaulted : before);
   rig.run(100);
   EXPECT_FALSE(rig.motors_on()) << "a loop that resumes must not switch them on again";
 }

@@ -11,6 +11,7 @@
 namespace tp100::firmware {
 namespace {
 
+using test::text_of;
 using wire::Type;
 
 class HostLinkTest : public test::ReceivedFrames, public testing::Test {
@@ -49,8 +50,8 @@ TEST_F(HostLinkTest, TheMostUrgentLeavesFirst) {
   post_one_of_each(7);
   EXPECT_EQ(flush(250), (std::vector{Type::kSyncReply, Type::kAcknowledge, Type::kSample,
                                      Type::kFaultReport, Type::kHello, Type::kLog}));
-  EXPECT_EQ(logs.at(0), "what was said: and more of it, which doe") << "cut at 40 letters";
-  EXPECT_EQ(log_messages[0].level, 2);
+  EXPECT_EQ(text_of(logs.at(0)), "what was said: and more of it, which doe") << "cut at 40 letters";
+  EXPECT_EQ(logs[0].level, 2);
 }
 
 // A delimiter precedes a hello, so that earlier bytes on the line do not become its beginning.
@@ -79,7 +80,7 @@ TEST_F(HostLinkTest, WhatWaitsForTheLineIsKeptOrCounted) {
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_EQ(acknowledges[i].token, i + 1) << "in their order";
     EXPECT_EQ(reports[i].device_us, i + 1);
-    EXPECT_EQ(log_messages[i].device_us, i + 1);
+    EXPECT_EQ(logs[i].device_us, i + 1);
   }
   EXPECT_EQ(link.counts().unsent, 12 + 12 + 7 + 9);
 }

@@ -22,17 +22,6 @@ float between(std::mt19937& random, float low, float high) {
   return std::uniform_real_distribution<float>(low, high)(random);
 }
 
-TEST(Clamp, KeepsWhatIsWithinTheLimitAndCutsTheRest) {
-  for (const float value : {0.0f, -0.0f, 0.3f, -0.3f, 1.0f, -1.0f}) {
-    EXPECT_EQ(clamp(value, 1.0f), value);
-  }
-  for (const float value : {1.0000001f, 5.0f, 3.0e38f, kInf}) {
-    EXPECT_EQ(clamp(value, 1.0f), 1.0f);
-    EXPECT_EQ(clamp(-value, 1.0f), -1.0f);
-  }
-  EXPECT_EQ(clamp(0.1f, 0.0f), 0.0f);
-}
-
 TEST(WrapAngle, IsTheSameAngleWithinHalfATurn) {
   std::mt19937 random(1);
   for (int i = 0; i < 1000; ++i) {
@@ -75,26 +64,6 @@ TEST(SpeedLoop, TheDutyIsTheSumOfItsTerms) {
       const float expected = p.feed_forward * target_mps + p.dead_band + p.speed_kp * 0.01f +
                              p.speed_ki * 50e-6f * static_cast<float>(step);
       ASSERT_NEAR(duty, static_cast<float>(sign) * expected, 2e-5f) << step;
-    }
-  }
-}
-
-TEST(SpeedLoop, ATrackAndItsMirrorImageGetMirroredDuties) {
-  const wire::Parameters p = test::good_parameters();
-  for (unsigned seed = 1; seed <= 5; ++seed) {
-    SCOPED_TRACE(seed);
-    std::mt19937 random(seed);
-    SpeedLoop loop, mirrored;
-    std::int32_t counts = 0;
-    for (int i = 0; i < 2000; ++i) {
-      const bool stands = i % 200 < 60;
-      counts += stands ? 0 : static_cast<std::int32_t>(random() % 21) - 10;
-      const auto dt_us = static_cast<std::uint16_t>(4000 + random() % 2000);
-      const float target = stands ? 0.0f : between(random, -0.3f, 0.3f);
-      loop.measure(counts, dt_us, p);
-      mirrored.measure(-counts, dt_us, p);
-      const float dt_s = static_cast<float>(dt_us) * 1e-6f;
-      ASSERT_EQ(loop.update(target, dt_s, p), -mirrored.update(-target, dt_s, p)) << i;
     }
   }
 }
@@ -143,31 +112,23 @@ TEST(SpeedLoop, ATrackAtItsTargetStandstillIsBrakedWhenPushedAndOtherwiseLetGo) 
   }
 }
 
-TEST(SpeedLoop, ASaturatedMotorDoesNotWindUp) {
-  wire::Parameters p = test::good_parameters();
-  p.speed_ki = 1.0f;
-  for (const float sign : {1.0f, -1.0f}) {
-    SpeedLoop loop;
-    for (int i = 0; i < 100; ++i) {
-      loop.measure(0, 5000, p);
-      EXPECT_FLOAT_EQ(loop.update(sign * 0.2f, 5e-3f, p), sign);
-    }
-    EXPECT_EQ(loop.lag_m(), 0.0f);
-  }
-}
-
-TEST(SpeedLoop, TheLagOfATrackThatDoesNotFollowIsBounded) {
+TEST(SpeedLoop, TheLagOfATrackThatDoesNotFollowIsBoundedAndNoneIfItsMotorIsSaturated) {
   wire::Parameters p = test::good_parameters();
   p.speed_kp = 0.0f;
   p.speed_ki = 10.0f;
-  SpeedLoop loop;
-  float duty = 0.0f;
-  for (int i = 0; i < 2000; ++i) {
-    loop.measure(0, 5000, p);
-    duty = loop.update(0.02f, 5e-3f, p);
+  for (const float sign : {1.0f, -1.0f}) {
+    for (const float target_mps : {0.02f, 0.25f}) {
+      const bool saturated = target_mps > 0.02f;
+      SpeedLoop loop;
+      float duty = 0.0f;
+      for (int i = 0; i < 2000; ++i) {
+        loop.measure(0, 5000, p);
+        duty = loop.update(sign * target_mps, 5e-3f, p);
+      }
+      EXPECT_FLOAT_EQ(loop.lag_m(), saturated ? 0.0f : sign * 0.02f);
+      EXPECT_NEAR(duty, sign * (saturated ? 1.0f : 0.15f + 4.0f * 0.02f + 0.2f), 1e-4f);
+    }
   }
-  EXPECT_FLOAT_EQ(loop.lag_m(), 0.02f);
-  EXPECT_NEAR(duty, 0.15f + 4.0f * 0.02f + 0.2f, 1e-4f);
 }
 
 TEST(SpeedLoop, TheDeadBandIsBlendedIn) {

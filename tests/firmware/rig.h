@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <string>
 #include <vector>
 
 #include "../support/wire_host.h"
@@ -14,27 +12,22 @@
 
 namespace tp100::firmware {
 
-class Rig : public test::ReceivedFrames {
+inline std::uint16_t mask(wire::Fault fault) {
+  return static_cast<std::uint16_t>(wire::fault_bit(fault));
+}
+
+class Rig : public test::WireHost {
  public:
-  explicit Rig(bool boot_now = true) {
+  explicit Rig(bool boot_now = true) : WireHost(2, 20, 20) {
     if (boot_now) boot();
   }
-  void boot() { program.setup(); }
+  void boot() {
+    nonce = hal.nonce;
+    program.setup();
+  }
 
   ScriptedHal hal;
   Firmware program{hal};
-
-  // The host.
-  wire::Parameters parameters = test::good_parameters();
-  bool streams = false;  // a command every 5 ms
-  float speed_mps = 0.0f;
-  float yaw_rate_radps = 0.0f;
-  float yaw_rad = 0.0f;  // as the host estimates it
-  float desired_yaw_rad = 0.0f;
-  std::uint16_t sequence = 100;
-  float bias_radps = 0.0f;
-  std::uint32_t token = 10;
-  std::size_t room = 200;  ///< bytes that the UART accepts per loop
 
   // The body.
   bool tracks_follow = false;
@@ -51,92 +44,37 @@ class Rig : public test::ReceivedFrames {
   double true_yaw_rad = 0.0;
   double true_m = 0.0;  ///< distance of the middle
 
-  template <class Message>
-  void send(const Message& message) {
-    const auto frame = test::frame_of(message);
-    hal.received.insert(hal.received.end(), frame.begin(), frame.end());
+  void send_bytes(const std::vector<std::uint8_t>& bytes) override {
+    hal.received.insert(hal.received.end(), bytes.begin(), bytes.end());
   }
-
-  void tick() { program.tick_1khz(); }
+  std::uint32_t device_us() const override { return hal.now_us; }
   /// Runs loops and ticks for `ms` milliseconds.
-  void run(int ms) {
+  void run(int ms) override {
     for (int i = 0; i < ms; ++i) {
       if (streams && ++since_command_ >= 5) {
         since_command_ = 0;
         send(command());
       }
       for (int loop = 0; loop < 4; ++loop) {
-        hal.room = room;
+        hal.room = 200;  // bytes that the UART accepts
         program.loop();
         hal.now_us += 250;
       }
-      tick();
+      program.tick_1khz();
       move();
-      collect();
+      for (const std::uint8_t byte : hal.sent) receive(byte);
+      hal.sent.clear();
     }
   }
   /// The main loop hangs while the timer continues.
   void hang(int ms) {
     for (int i = 0; i < ms; ++i) {
       hal.now_us += 1000;
-      tick();
+      program.tick_1khz();
     }
-  }
-
-  wire::Command command() {
-    wire::Command c{};
-    c.boot_nonce = hal.nonce;
-    c.sequence = ++sequence;
-    c.answers = samples.empty() ? std::uint16_t{0} : samples.back().sequence;
-    c.yaw_rad = yaw_rad;
-    c.desired_yaw_rad = desired_yaw_rad;
-    c.yaw_rate_radps = yaw_rate_radps;
-    c.speed_mps = speed_mps;
-    c.gyro_bias_radps = bias_radps;
-    c.expiry_us = hal.now_us + 195'000;
-    return c;
-  }
-  wire::Arm arm_message() { return {hal.nonce, ++token, hal.now_us + 200'000}; }
-
-  /// Begins a session: parameters are accepted and samples arrive.
-  void connect() {
-    send(wire::HelloRequest{wire::kProtocolVersion, wire::kSchemaHash});
-    run(2);
-    parameters.boot_nonce = hal.nonce;
-    parameters.token = ++token;
-    send(parameters);
-    run(20);
-  }
-  wire::Acknowledge arm() {
-    send(arm_message());
-    run(2);
-    return acknowledges.empty() ? wire::Acknowledge{} : acknowledges.back();
-  }
-  /// Connects, streams commands and arms; the commands request `speed`.
-  void drive(float speed = 0.1f) {
-    connect();
-    streams = true;
-    run(20);
-    arm();
-    speed_mps = speed;
-    run(20);
   }
   bool motors_on() const { return hal.duties != ScriptedHal::Duties{}; }
   bool has(wire::Fault fault) const { return (program.faults() & wire::fault_bit(fault)) != 0; }
-  int count_logs(const std::string& start) const {
-    return static_cast<int>(std::count_if(logs.begin(), logs.end(), [&](const std::string& line) {
-      return line.starts_with(start);
-    }));
-  }
-
-  /// Adds foreign bytes to what the host receives.
-  void overhear(const std::string& text) {
-    for (const char byte : text) receive(static_cast<std::uint8_t>(byte));
-  }
-  void collect() {
-    for (const std::uint8_t byte : hal.sent) receive(byte);
-    hal.sent.clear();
-  }
 
  private:
   static double follow(double mps, std::int16_t duty, double load) {

@@ -73,15 +73,8 @@ TEST(Supply, IsFiveVoltsUntilTheBandgapWasMeasured) {
   EXPECT_EQ(supply.battery_mv(1023), 14985);
   supply.update(256);  // the bandgap of 1.1 V is a quarter of the scale
   EXPECT_EQ(supply.millivolts(), 4400);
-}
-
-TEST(Supply, BatteryReadRightAtAnyUsbVoltageUpToFiveVolts) {
-  for (double supply_v = 4.4; supply_v <= 5.0; supply_v += 0.05) {
-    for (const double battery_v : {5.4, 6.0, 7.4, 8.4}) {
-      EXPECT_NEAR(battery_read_v(battery_v, supply_v, 1.1), battery_v, 0.01 * battery_v)
-          << supply_v;
-    }
-  }
+  supply.update(275);
+  EXPECT_NEAR(supply.millivolts(), 4324, 10) << "an odd reading moves it by a quarter";
 }
 
 TEST(Supply, NoChipReadsTheBatteryHigherThanIfFiveVoltsWereAssumedNorTenPercentTooHigh) {
@@ -92,15 +85,11 @@ TEST(Supply, NoChipReadsTheBatteryHigherThanIfFiveVoltsWereAssumedNorTenPercentT
       EXPECT_LE(read, 6.0 * 1.11) << supply_v << " " << bandgap_v;
       EXPECT_GE(read, 6.0 * 0.90) << supply_v << " " << bandgap_v;
     }
+    for (const double battery_v : {5.4, 7.4, 8.4}) {
+      if (supply_v > 5.0) continue;
+      EXPECT_NEAR(battery_read_v(battery_v, supply_v, 1.1), battery_v, 0.01 * battery_v);
+    }
   }
-}
-
-TEST(Supply, AnOddReadingMovesItByAQuarterAtMost) {
-  Supply supply;
-  for (int i = 0; i < 20; ++i) supply.update(steps_of(1.1, 4.5));
-  const int before = supply.millivolts();
-  supply.update(steps_of(1.1, 4.1));
-  EXPECT_NEAR(supply.millivolts(), before - 100, 10);
 }
 
 TEST(Battery, FollowsItsReadingsInATimeConstantOf80Ms) {
@@ -125,8 +114,13 @@ TEST(Battery, IsLowAfterASecondBelowTheCutOff) {
   EXPECT_FALSE(battery.below() || battery.low()) << "without a cut-off it is never low";
 }
 
-TEST(Imu, IsConfigured) {
+TEST(Imu, IsConfiguredAlsoAfterItFellAsleep) {
   Rig rig;
+  rig.connect();
+  // A sensor that lost its supply for a moment sleeps, and repeats its values.
+  rig.hal.imu_frozen = true;
+  rig.hal.i2c_write(0x68, 0x6B, 0x40);
+  rig.run(110);
   EXPECT_EQ(rig.hal.reg(0x6B) & 0x40, 0) << "awake";
   EXPECT_EQ(rig.hal.reg(0x1B), 0x10) << "+-1000 deg/s";
   EXPECT_EQ(rig.hal.reg(0x1C), 0x08) << "+-4 g";
@@ -156,8 +150,7 @@ TEST(Imu, DeadFromTheStartNeverStopsFramesOrTheFailSafe) {
   rig.hal.imu_answers = false;
   rig.hal.i2c_timeout_us = 4000;
   rig.boot();
-  rig.connect();
-  rig.streams = true;
+  rig.be_ready();
   rig.samples.clear();
   rig.run(1000);
   EXPECT_TRUE(rig.has(Fault::imu_missing));
@@ -219,54 +212,20 @@ TEST(Imu, ThatDiesOrFreezesWhileDrivingStopsTheRobotAndDeliversAgain) {
   }
 }
 
-// A sensor that lost its supply for a moment sleeps, and repeats its values.
-TEST(Imu, ThatFellAsleepIsConfiguredAgain) {
-  Rig rig;
-  rig.connect();
-  rig.hal.imu_frozen = true;
-  rig.hal.i2c_write(0x68, 0x6B, 0x40);
-  rig.run(110);
-  EXPECT_EQ(rig.hal.reg(0x6B) & 0x40, 0);
-}
-
-TEST(Imu, ThatDiesOnAStandStopsNothing) {
-  Rig rig;
-  rig.tracks_follow = true;
-  rig.parameters.flags = 0;
-  rig.drive();
-  rig.hal.imu_answers = false;
-  rig.run(1000);
-  EXPECT_EQ(rig.program.state(), State::kRunning);
-  EXPECT_TRUE(rig.motors_on());
-  EXPECT_GT(rig.samples.back().imu_age, 100);
-}
-
-TEST(Imu, AFewFailedReadsAreBridged) {
+TEST(Imu, AFewFailedReadsAreBridgedAndTheBusIsFreedAfterThreeInARow) {
   Rig rig;
   rig.tracks_follow = true;
   rig.drive();
-  for (int i = 0; i < 20; ++i) {
+  for (const int failed : {2, 2, 2, 3}) {
+    EXPECT_EQ(rig.hal.recoveries, 0);
     rig.hal.imu_answers = false;
-    rig.run(20);
+    rig.run(5 * failed);
     rig.hal.imu_answers = true;
-    rig.run(80);
+    rig.run(50);
   }
+  EXPECT_EQ(rig.hal.recoveries, 1);
   EXPECT_EQ(rig.program.state(), State::kRunning);
   EXPECT_EQ(rig.program.faults(), 0);
-}
-
-TEST(Imu, TheBusIsFreedAfterThreeFailedReadsInARowAndNotBefore) {
-  Rig rig;
-  rig.connect();
-  rig.hal.imu_answers = false;
-  rig.run(10);
-  rig.hal.imu_answers = true;
-  rig.run(5);
-  rig.hal.imu_answers = false;
-  rig.run(10);
-  EXPECT_EQ(rig.hal.recoveries, 0);
-  rig.run(5);
-  EXPECT_EQ(rig.hal.recoveries, 1);
 }
 
 }  // namespace

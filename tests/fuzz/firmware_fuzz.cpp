@@ -23,7 +23,7 @@ void play(fuzz::ByteSource& source) {
   if ((start & 1U) != 0) rig.connect();
   if ((start & 3U) == 3U) rig.arm();
   fuzz::play(
-      source, rig.hal.nonce,
+      source, rig.nonce,
       [&](std::span<const std::uint8_t> bytes) {
         rig.hal.received.insert(rig.hal.received.end(), bytes.begin(), bytes.end());
         rig.run(1);

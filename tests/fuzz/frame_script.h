@@ -4,8 +4,8 @@
 
 #include <vector>
 
+#include "../support/wire_host.h"
 #include "byte_source.h"
-#include "wire/frame.h"
 
 namespace tp100::fuzz {
 
@@ -29,9 +29,7 @@ void play(ByteSource& source, std::uint32_t nonce, OnBytes on_bytes, OnTime on_t
           for (std::size_t i = 0; i < 4; ++i)
             payload[i] = static_cast<std::uint8_t>(nonce >> (8 * i));
         }
-        std::uint8_t frame[wire::kMaxFrame];
-        const std::size_t length = wire::encode_frame(type, payload.data(), payload.size(), frame);
-        on_bytes(std::span<const std::uint8_t>(frame, length));
+        on_bytes(test::frame_of(type, payload));
         break;
       }
       case 2:
