@@ -1,3 +1,4 @@
+// The datagram of a camera with an image for viewers.
 #include "link/camera_image.h"
 
 #include <gtest/gtest.h>
@@ -49,12 +50,7 @@ TEST(CameraImage, ComesBackAsItWent) {
   EXPECT_TRUE(is_image(bytes));
   const auto back = decode_image(bytes);
   ASSERT_TRUE(back.has_value());
-  EXPECT_EQ(back->stream, 4'294'967'295U);
-  EXPECT_EQ(back->clock, kClock);
-  EXPECT_EQ(back->sequence, 412U);
-  EXPECT_EQ(back->stamp_us, 9'007'199'254'740'992);
-  EXPECT_EQ(back->age_us, 41'250);
-  EXPECT_EQ(back->jpeg, test::jpeg(64, 48));
+  EXPECT_EQ(encode(*back), bytes);
 }
 
 // Its keys are those of a detection, which camera_message_test.cpp tries one by one.
@@ -143,8 +139,9 @@ TEST(CameraImage, ItsBeginningAndItsEndAreThoseOfAJpeg) {
     bad[at] = '\x7e';
     EXPECT_FALSE(decode_image(encode(example(bad)))) << at;
   }
-  for (const char* bytes : {"\xff", "\xff\xd8", "\xff\xd8\xff", "\xff\xd8\xff\xd9"})
-    EXPECT_FALSE(decode_image(encode(example(bytes))));
+  const std::string whole = datagram();
+  for (std::size_t size = 0; size < whole.size(); ++size)
+    EXPECT_FALSE(decode_image(whole.substr(0, size))) << size;
 }
 
 TEST(CameraImage, ADatagramAndItsLineHaveAGreatestSize) {
@@ -173,12 +170,6 @@ TEST(CameraImage, ADetectionThatEndsItsLineIsNone) {
   EXPECT_TRUE(is_image(buffer));
   EXPECT_TRUE(is_image("\n\xff\xd8")) << "its line may be empty";
   EXPECT_FALSE(is_image("\xff\xd8\xff\xd9")) << "it has no line";
-}
-
-TEST(CameraImage, ATruncatedImageIsRefused) {
-  const std::string good = datagram();
-  for (std::size_t size = 0; size < good.size(); ++size)
-    EXPECT_FALSE(decode_image(good.substr(0, size))) << size;
 }
 
 constexpr HostNs kInterval = 100 * kNsPerMs;

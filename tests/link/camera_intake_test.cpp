@@ -1,3 +1,4 @@
+// Which datagrams of cameras are used, and when what they saw was measured.
 #include "link/camera_intake.h"
 
 #include <gtest/gtest.h>
@@ -33,10 +34,14 @@ struct Sender {
   }
 };
 
-TEST(CameraIntake, StampsOfThisMachineAreTakenAsTheyAre) {
-  CameraIntake intake("here", 400 * kNsPerMs);
+class CameraIntakeTest : public ::testing::Test {
+ protected:
+  CameraIntake intake{"here", 400 * kNsPerMs};
   Sender sender;
-  const HostNs now = 100 * kNsPerS;
+  HostNs now = 100 * kNsPerS;
+};
+
+TEST_F(CameraIntakeTest, StampsOfThisMachineAreTakenAsTheyAre) {
   const auto sample = intake.receive(sender.datagram(now - kAge), now + 3 * kNsPerMs);
   ASSERT_TRUE(sample.has_value());
   EXPECT_EQ(sample->measured_ns, now - kAge);
@@ -45,13 +50,11 @@ TEST(CameraIntake, StampsOfThisMachineAreTakenAsTheyAre) {
   EXPECT_EQ(intake.counters().accepted, 1U);
 }
 
-TEST(CameraIntake, TheClockOfAnotherMachineIsFoundToTheShortestWay) {
-  CameraIntake intake("here", 400 * kNsPerMs);
-  Sender sender{.clock = "there", .ahead_ns = 7777 * kNsPerS};
+TEST_F(CameraIntakeTest, TheClockOfAnotherMachineIsFoundToTheShortestWay) {
+  sender = {.clock = "there", .ahead_ns = 7777 * kNsPerS};
   std::mt19937 random(3);
   std::exponential_distribution<double> delay_ms(1.0 / 3.0);
   double worst_s = 0.0;
-  HostNs now = 100 * kNsPerS;
   for (int i = 0; i < 3000; ++i) {
     now += 30 * kNsPerMs;
     // The sender's clock drifts by 30 ppm.
@@ -65,7 +68,7 @@ TEST(CameraIntake, TheClockOfAnotherMachineIsFoundToTheShortestWay) {
   EXPECT_GT(worst_s, 0.0001) << "the shortest delay remains as an error";
 }
 
-TEST(CameraIntake, AnOffsetLastsForTwoWindowsWithoutDatagramsAtMost) {
+TEST(ClockOffsetTest, LastsForTwoWindowsWithoutDatagramsAtMost) {
   for (const HostNs silence_ns : {10 * kNsPerS - 1, 10 * kNsPerS}) {
     ClockOffset offset;
     offset.add(0, 5 * kNsPerMs);
@@ -75,19 +78,7 @@ TEST(CameraIntake, AnOffsetLastsForTwoWindowsWithoutDatagramsAtMost) {
   }
 }
 
-TEST(CameraIntake, AResetForgetsAllOffsets) {
-  ClockOffset offset;
-  offset.add(0, 5 * kNsPerMs);
-  offset.add(6 * kNsPerS, 6 * kNsPerS + 8 * kNsPerMs);
-  offset.reset();
-  offset.add(7 * kNsPerS, 7 * kNsPerS + 9 * kNsPerMs);
-  EXPECT_EQ(offset.offset_ns(), 9 * kNsPerMs);
-}
-
-TEST(CameraIntake, WhatIsTooOldOrFromTheFutureIsNotUsed) {
-  CameraIntake intake("here", 400 * kNsPerMs);
-  Sender sender;
-  const HostNs now = 100 * kNsPerS;
+TEST_F(CameraIntakeTest, WhatIsTooOldOrFromTheFutureIsNotUsed) {
   EXPECT_FALSE(intake.receive(sender.datagram(now - 401 * kNsPerMs), now));
   EXPECT_EQ(intake.counters().late, 1U);
   EXPECT_FALSE(intake.receive(sender.datagram(now + 11 * kNsPerMs), now));
@@ -95,32 +86,20 @@ TEST(CameraIntake, WhatIsTooOldOrFromTheFutureIsNotUsed) {
   EXPECT_TRUE(intake.receive(sender.datagram(now - 399 * kNsPerMs), now));
 }
 
-TEST(CameraIntake, RepeatedAndReorderedDatagramsAreNotUsedTwice) {
-  CameraIntake intake("here", 400 * kNsPerMs);
-  Sender sender;
-  HostNs now = 100 * kNsPerS;
+TEST_F(CameraIntakeTest, RepeatedAndReorderedDatagramsAreNotUsedTwiceAndMissingOnesAreCounted) {
   const std::string first = sender.datagram(now - kAge);
-  const std::string second = sender.datagram(now - kAge + 30 * kNsPerMs);
-  EXPECT_TRUE(intake.receive(second, now));
-  EXPECT_FALSE(intake.receive(first, now));
-  EXPECT_FALSE(intake.receive(second, now));
-  EXPECT_EQ(intake.counters().late, 2U);
-}
-
-TEST(CameraIntake, ImagesThatDidNotComeAreCounted) {
-  CameraIntake intake("here", 400 * kNsPerMs);
-  Sender sender;
-  HostNs now = 100 * kNsPerS;
-  EXPECT_TRUE(intake.receive(sender.datagram(now - kAge), now));
   sender.sequence += 3;
-  EXPECT_TRUE(intake.receive(sender.datagram(now), now));
-  EXPECT_EQ(intake.counters().missing, 3U);
+  const std::string later = sender.datagram(now - kAge + 30 * kNsPerMs);
+  const std::string last = sender.datagram(now);
+  EXPECT_TRUE(intake.receive(first, now));
+  EXPECT_TRUE(intake.receive(last, now));
+  EXPECT_EQ(intake.counters().missing, 4U);
+  for (const std::string& again : {first, later, last}) EXPECT_FALSE(intake.receive(again, now));
+  EXPECT_EQ(intake.counters().late, 3U);
 }
 
-TEST(CameraIntake, ASecondStreamIsIgnoredWhileTheFirstSpeaksAndHeardAfterIt) {
-  CameraIntake intake("here", 400 * kNsPerMs);
-  Sender first, second{.stream = 2};
-  HostNs now = 100 * kNsPerS;
+TEST_F(CameraIntakeTest, ASecondStreamIsIgnoredWhileTheFirstSpeaksAndHeardAfterIt) {
+  Sender first = sender, second{.stream = 2};
   for (int i = 0; i < 10; ++i) {
     now += 30 * kNsPerMs;
     EXPECT_TRUE(intake.receive(first.datagram(now - kAge), now));
@@ -133,10 +112,7 @@ TEST(CameraIntake, ASecondStreamIsIgnoredWhileTheFirstSpeaksAndHeardAfterIt) {
   EXPECT_EQ(intake.counters().streams, 2U);
 }
 
-TEST(CameraIntake, OneDatagramWithAnAbsurdSequenceDoesNotDeafenItForLong) {
-  CameraIntake intake("here", 400 * kNsPerMs);
-  Sender sender;
-  HostNs now = 100 * kNsPerS;
+TEST_F(CameraIntakeTest, OneDatagramWithAnAbsurdSequenceDoesNotDeafenItForLong) {
   sender.sequence = 4'000'000'000U;
   EXPECT_TRUE(intake.receive(sender.datagram(now - kAge), now));
   sender.sequence = 0;
@@ -149,12 +125,10 @@ TEST(CameraIntake, OneDatagramWithAnAbsurdSequenceDoesNotDeafenItForLong) {
   EXPECT_EQ(intake.counters().streams, 1U);
 }
 
-TEST(CameraIntake, WhateverComesIsCountedOnceAndWhatIsUsedIsInRange) {
+TEST_F(CameraIntakeTest, WhateverComesIsCountedOnceAndWhatIsUsedIsInRange) {
   std::mt19937 random(7);
-  HostNs now = 100 * kNsPerS;
   const std::string jpeg = test::jpeg(64, 48);
-  CameraIntake intake("here", 400 * kNsPerMs), images("here", 400 * kNsPerMs);
-  Sender sender;
+  CameraIntake images("here", 400 * kNsPerMs);
   for (int i = 0; i < 20'000; ++i) {
     now += 30 * kNsPerMs;
     const auto number = static_cast<std::uint32_t>(i);

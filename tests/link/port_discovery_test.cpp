@@ -1,3 +1,5 @@
+// Which ports may be the robot's, which one `auto` opens, who has a port open, and which ports the
+// package's udev rules prepare.
 #include "link/port_discovery.h"
 
 #include <gmock/gmock.h>
@@ -6,15 +8,23 @@
 
 #include <filesystem>
 #include <fstream>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include "../support/as_nobody.h"
 #include "../support/temporary_folder.h"
 #include "link/port_holder.h"
+#include "support/paths.h"
 
 namespace tp100::link {
 namespace {
 
+using testing::ContainsRegex;
 using ::testing::HasSubstr;
+using testing::Not;
+using testing::UnorderedElementsAreArray;
 
 PortInfo port(const char* path, int vendor_id, int product_id) {
   PortInfo info;
@@ -104,20 +114,18 @@ TEST_F(Auto, OpensNoneOfSeveralWhoeverHasOneOfThemOpen) {
   }
 }
 
-TEST_F(Auto, LeavesAloneWhatSomebodyHasOpen) {
+TEST_F(Auto, LeavesAloneWhatSomebodyHasOpenAndABridgeWhoseHoldersCannotBeSeen) {
   held_ = "/dev/ttyACM0";
   EXPECT_EQ(opened({mega_}), "none");
   held_ = "/dev/ttyUSB0";
   EXPECT_EQ(opened({bridge_}), "none");
-}
-
-TEST_F(Auto, LeavesABridgeAloneIfItsHoldersCannotBeSeen) {
+  held_ = "";
   hidden_ = true;
   EXPECT_EQ(opened({bridge_}), "none");
   EXPECT_THAT(why_none(choose({bridge_})), HasSubstr("this account cannot see whether"));
 }
 
-TEST_F(Auto, SaysOfEachPortWhyItIsSkipped) {
+TEST_F(Auto, SaysOfEachPortWhyItIsSkippedAndWhatToDo) {
   held_ = "/dev/ttyACM0";
   const AutoChoice choice = choose({bridge_, mega_, other_bridge_});
   EXPECT_FALSE(choice.open);
@@ -125,102 +133,72 @@ TEST_F(Auto, SaysOfEachPortWhyItIsSkipped) {
             "auto skips /dev/ttyACM0: held open by octoprint (pid 7); /dev/ttyUSB0: not the only "
             "candidate (CH340 bridge); /dev/ttyUSB1: not the only candidate (FTDI bridge); if it "
             "is the robot, name it with --port or link.port (see `tp100d ports`)");
-}
-
-TEST_F(Auto, SaysWhatToDoIfThereIsNothing) {
   EXPECT_THAT(why_none(choose({})), HasSubstr("plug the robot in"));
 }
 
-// A folder like /proc in which one process has `target` open.
+// A folder like /proc in which a process, 4711, has files open, seen from the whole machine.
 class Holder : public ::testing::Test {
  protected:
   Holder() {
     std::filesystem::create_directories(folder_.path() / "self/ns");
     std::filesystem::create_directories(folder_.path() / "1");
+    std::filesystem::create_symlink("pid:[4026531836]", folder_.path() / "self/ns/pid");
     std::filesystem::create_directories(folder_.path() / "4711/fd");
     std::ofstream(folder_.path() / "4711/comm") << "screen\n";
   }
   PortHolder of(const std::string& real_path) const {
     return port_holder(real_path, folder_.path());
   }
-  void seen_from(const char* processes) const {
-    std::filesystem::create_symlink(processes, folder_.path() / "self/ns/pid");
-  }
-  void has_open(const char* target) const {
-    std::filesystem::create_symlink(target, folder_.path() / "4711/fd/3");
+  void has_open(const std::string& target, const char* pid = "4711") {
+    const auto fd = folder_.path() / pid / "fd";
+    std::filesystem::create_directories(fd);
+    std::filesystem::create_symlink(target, fd / std::to_string(++files_));
   }
   test::TemporaryFolder folder_;
+  int files_ = 2;
 };
 
 TEST_F(Holder, OthersCanBeSeenWhereAllProcessesOfTheMachineAre) {
-  seen_from("pid:[4026531836]");
   EXPECT_FALSE(of("/dev/null").others_hidden);
+  std::filesystem::remove(folder_.path() / "1");
+  EXPECT_TRUE(of("/dev/null").others_hidden) << "the first process is hidden";
+  std::filesystem::create_directory(folder_.path() / "1");
+  std::filesystem::remove(folder_.path() / "self/ns/pid");
+  std::filesystem::create_symlink("pid:[4026532840]", folder_.path() / "self/ns/pid");
+  EXPECT_TRUE(of("/dev/null").others_hidden) << "from within a container";
+}
+
+TEST_F(Holder, IsWhoHasTheDeviceOpenUnderAnyOfItsNamesOrTheFileOfThatName) {
   EXPECT_EQ(of("/dev/null").name, "");
-}
-
-TEST_F(Holder, OthersAreHiddenFromWithinAContainer) {
-  seen_from("pid:[4026532840]");
-  EXPECT_TRUE(of("/dev/null").others_hidden);
-}
-
-TEST_F(Holder, IsWhoHasTheDeviceOpenUnderAnyOfItsNames) {
-  seen_from("pid:[4026531836]");
+  const std::string file = folder_.file("data"), alias = folder_.file("alias");
+  test::write_bytes(file, "x");
+  std::filesystem::create_symlink("/dev/full", alias);
+  has_open("/dev/zero");
+  has_open(alias);
+  has_open(file);
+  EXPECT_EQ(of("/dev/full").name, "") << "outside of /dev the look-up may wait for a disk";
+  EXPECT_EQ(of(file).name, "screen (pid 4711)");
+  EXPECT_EQ(of(folder_.file("other")).name, "");
   has_open("/dev/null");
   EXPECT_EQ(of("/dev/null").name, "screen (pid 4711)");
   EXPECT_EQ(of("/dev/../dev/null").name, "screen (pid 4711)");
-  EXPECT_EQ(of("/dev/zero").name, "");
-}
-
-TEST_F(Holder, OthersAreHiddenWhereTheFirstProcessIs) {
-  seen_from("pid:[4026531836]");
-  std::filesystem::remove(folder_.path() / "1");
-  EXPECT_TRUE(of("/dev/null").others_hidden);
+  EXPECT_FALSE(of("/dev/null").others_hidden);
 }
 
 TEST_F(Holder, OnlyNumbersAreProcessesAndNotThisOne) {
-  seen_from("pid:[4026531836]");
   for (const std::string& name : {std::string("47x"), std::string("x47"), std::string("4/7"),
-                                  std::string(":"), std::to_string(::getpid())}) {
-    const auto fd = folder_.path() / name / "fd";
-    std::filesystem::create_directories(fd);
-    std::filesystem::create_symlink("/dev/null", fd / "3");
-  }
+                                  std::string(":"), std::to_string(::getpid())})
+    has_open("/dev/null", name.c_str());
   EXPECT_EQ(of("/dev/null").name, "");
   for (const char* digits : {"9", "0"}) {
-    const auto fd = folder_.path() / digits / "fd";
-    std::filesystem::create_directories(fd);
-    std::filesystem::create_symlink("/dev/null", fd / "3");
+    has_open("/dev/null", digits);
     EXPECT_EQ(of("/dev/null").name, "a program (pid " + std::string(digits) + ")");
     std::filesystem::remove_all(folder_.path() / digits);
   }
 }
 
-TEST_F(Holder, IsFoundAmongItsOtherFilesByTheNameOfAnyFile) {
-  seen_from("pid:[4026531836]");
-  has_open("/dev/zero");
-  const std::string file = folder_.file("data");
-  test::write_bytes(file, "x");
-  std::filesystem::create_symlink(file, folder_.path() / "4711/fd/4");
-  std::filesystem::create_symlink("/dev/full", folder_.path() / "4711/fd/5");
-  EXPECT_EQ(of(file).name, "screen (pid 4711)");
-  EXPECT_EQ(of("/dev/full").name, "screen (pid 4711)");
-  EXPECT_EQ(of("/dev/null").name, "");
-  EXPECT_EQ(of(folder_.file("other")).name, "");
-  EXPECT_FALSE(of("/dev/null").others_hidden);
-}
-
-// Elsewhere the look-up may wait for a disk.
-TEST_F(Holder, IsSoughtByItsDeviceInDevOnly) {
-  seen_from("pid:[4026531836]");
-  const std::string alias = folder_.file("alias");
-  std::filesystem::create_symlink("/dev/null", alias);
-  has_open(alias.c_str());
-  EXPECT_EQ(of("/dev/null").name, "");
-}
-
 TEST_F(Holder, OthersAreHiddenIfAProcessShowsNoFiles) {
   if (::geteuid() != 0) GTEST_SKIP() << "only root can become nobody; run it as root";
-  seen_from("pid:[4026531836]");
   has_open("/dev/null");
   namespace fs = std::filesystem;
   fs::permissions(folder_.path(), fs::perms::all);
@@ -231,8 +209,64 @@ TEST_F(Holder, OthersAreHiddenIfAProcessShowsNoFiles) {
   EXPECT_EQ(holder.name, "");
 }
 
-TEST(PortDiscovery, ListsThisMachinesPortsWithoutFailing) {
-  for (const PortInfo& info : list_ports()) EXPECT_FALSE(info.path.empty());
+int number(const std::string& hex) { return std::stoi(hex, nullptr, 16); }
+
+std::ifstream open_rules(const std::string& name) {
+  return std::ifstream(source_path("config/udev/" + name + ".rules"));
+}
+
+/// The ids for which the rules file `name` performs `action`. A rule has one vendor id and its
+/// product ids, separated by bars.
+std::vector<UsbId> ids_of(const std::string& name, const std::string& action) {
+  const std::regex rule(
+      "ATTRS\\{idVendor\\}==\"([0-9a-f]{4})\", ATTRS\\{idProduct\\}==\"([0-9a-f|]+)\", " + action);
+  std::ifstream file = open_rules(name);
+  std::vector<UsbId> ids;
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with('#')) continue;
+    std::smatch found;
+    if (!std::regex_match(line, found, rule)) {
+      EXPECT_EQ(line.find("ATTRS{idVendor}"), std::string::npos) << line;
+      continue;
+    }
+    std::istringstream products(found[2]);
+    for (std::string product; std::getline(products, product, '|');)
+      ids.push_back({number(found[1]), number(product)});
+  }
+  return ids;
+}
+
+std::vector<UsbId> known_ids_of(PortKind kind) {
+  std::vector<UsbId> ids;
+  for (const UsbId& id : known_ids()) {
+    PortInfo port;
+    port.vendor_id = id.vendor_id;
+    port.product_id = id.product_id;
+    if (classify(port) == kind) ids.push_back(id);
+  }
+  return ids;
+}
+
+TEST(UdevRules, PrepareAMega) {
+  EXPECT_THAT(ids_of("65-tp100", "GOTO=\"tp100_board\""),
+              UnorderedElementsAreArray(known_ids_of(PortKind::kMega)));
+}
+
+TEST(UdevRules, PrepareABridgeWhereSomebodyAsksForIt) {
+  EXPECT_THAT(ids_of("64-tp100-bridges", "ENV\\{TP100_BOARD\\}=\"1\""),
+              UnorderedElementsAreArray(known_ids_of(PortKind::kBridge)));
+}
+
+// Otherwise they would override an earlier rule of the administrator.
+TEST(UdevRules, SayNothingOfASerialPortsGroupAndMode) {
+  for (const char* name : {"64-tp100-bridges", "65-tp100"}) {
+    std::ifstream file = open_rules(name);
+    ASSERT_TRUE(file.is_open()) << name;
+    for (std::string line; std::getline(file, line);) {
+      if (line.starts_with('#') || line.starts_with("SUBSYSTEM==\"misc\"")) continue;
+      EXPECT_THAT(line, Not(ContainsRegex("(GROUP|MODE|OWNER)")));
+    }
+  }
 }
 
 }  // namespace

@@ -36,14 +36,11 @@ class ScriptedRobot {
   std::uint32_t boot_nonce = 0xB007;
   bool answers_parameters = true;
   bool answers_requests = true;
-  bool answers_arms = true;  // only if it answers requests at all
-  bool arms_anyway = false;  // whatever its answer is
   bool answers_sync = true;
   bool samples = true;
   bool silent = false;
   wire::Result parameters_result = wire::Result::kAccepted;
   wire::Result arm_result = wire::Result::kAccepted;
-  double clock_ppm = 0.0;
   std::uint32_t device_offset_us = 0;
   double metres_per_s = 0.0;
   bool drives = false;  // straight ahead at the commanded speed
@@ -67,9 +64,7 @@ class ScriptedRobot {
   }
 
   std::uint32_t device_us(HostNs now) const {
-    return device_offset_us +
-           static_cast<std::uint32_t>(static_cast<std::int64_t>(
-               static_cast<double>(now - boot_ns_) * 1e-3 * (1.0 + clock_ppm * 1e-6)));
+    return device_offset_us + static_cast<std::uint32_t>((now - boot_ns_) / kNsPerUs);
   }
 
   template <class Message>
@@ -78,14 +73,8 @@ class ScriptedRobot {
     out_.insert(out_.end(), frame.begin(), frame.end());
   }
   void say_hello() {
-    send(wire::Hello{protocol,
-                     {0, 1, 0},
-                     schema,
-                     board,
-                     boot_nonce,
-                     0,
-                     static_cast<std::uint8_t>(state),
-                     faults});
+    const auto now_state = static_cast<std::uint8_t>(state);
+    send(wire::Hello{protocol, {0, 1, 0}, schema, board, boot_nonce, 0, now_state, faults});
   }
   wire::Sample sample(HostNs now) const {
     wire::Sample sample{};
@@ -151,6 +140,14 @@ class ScriptedRobot {
                              static_cast<std::uint8_t>(result), 0});
     }
   }
+  /// Takes a request, which leads a robot in a session to the state `next` if it is accepted.
+  template <class Message>
+  void on_request(std::vector<Message>& list, wire::Result result, wire::State next) {
+    list.push_back(read<Message>());
+    if (!answers_requests) return;
+    if (result == wire::Result::kAccepted && state >= wire::State::kDisarmed) state = next;
+    acknowledge(Message::kType, list.back().token, result);
+  }
   void on_frame(HostNs now) {
     received.types.push_back(decoder_.type());
     switch (wire::Type{decoder_.type()}) {
@@ -172,22 +169,11 @@ class ScriptedRobot {
         received.commands.push_back(read<wire::Command>());
         return;
       case wire::Type::kArm:
-        received.arms.push_back(read<wire::Arm>());
-        if (!answers_requests) return;
-        if (arm_result == wire::Result::kAccepted || arms_anyway) state = wire::State::kArmed;
-        if (!answers_arms) return;
-        return acknowledge(wire::Type::kArm, received.arms.back().token, arm_result);
+        return on_request(received.arms, arm_result, wire::State::kArmed);
       case wire::Type::kDisarm:
-        received.disarms.push_back(read<wire::Disarm>());
-        if (!answers_requests) return;
-        if (state >= wire::State::kDisarmed) state = wire::State::kDisarmed;
-        return acknowledge(wire::Type::kDisarm, received.disarms.back().token,
-                           wire::Result::kAccepted);
+        return on_request(received.disarms, wire::Result::kAccepted, wire::State::kDisarmed);
       case wire::Type::kStop:
-        received.stops.push_back(read<wire::Stop>());
-        if (!answers_requests) return;
-        if (state >= wire::State::kDisarmed) state = wire::State::kFaulted;
-        return acknowledge(wire::Type::kStop, received.stops.back().token, wire::Result::kAccepted);
+        return on_request(received.stops, wire::Result::kAccepted, wire::State::kFaulted);
       case wire::Type::kSyncRequest: {
         ++received.sync_requests;
         const auto request = read<wire::SyncRequest>();

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
 #include <set>
 
 #include "session_rig.h"
@@ -16,47 +17,27 @@ class RandomSession : public testing::TestWithParam<int> {
   void disturb() {
     ScriptedRobot& robot = rig_.robot;
     const bool on = random_.chance(0.7);
-    switch (random_.below(14)) {
-      case 0:
-        return robot.reboot(rig_.now);
-      case 1:
-        robot.state = wire::State::kHello;
-        return;
-      case 2:
-        robot.silent = !on;
-        return;
-      case 3:
-        robot.answers_parameters = on;
-        return;
-      case 4:
-        robot.answers_sync = on;
-        return;
-      case 5:
-        robot.answers_requests = on;
-        return;
-      case 6:
-        robot.protocol = on ? wire::kProtocolVersion : 7;
-        return;
-      case 7:
-        robot.parameters_result = on ? wire::Result::kAccepted : wire::Result(random_.below(6));
-        return;
-      case 8:
-        robot.arm_result = on ? wire::Result::kAccepted : wire::Result(random_.below(6));
-        return;
-      case 9:
-        if (!on) rig_.session.close(rig_.now);
-        if (on) rig_.session.open(rig_.now);
-        return;
-      case 10:
-        return rig_.session.use(SessionRig::settings().parameters, rig_.now);
-      case 11:
-        rig_.robot.send(wire::FaultReport{1, 2, 0, 3});
-        return;
-      default:
-        ask(on                    ? RobotRequest::kArm
-            : random_.chance(0.5) ? RobotRequest::kDisarm
-                                  : RobotRequest::kStop);
-    }
+    const auto result = [&] {
+      return on ? wire::Result::kAccepted : wire::Result(random_.below(6));
+    };
+    const std::function<void()> happens[] = {
+        [&] { robot.reboot(rig_.now); },
+        [&] { robot.state = wire::State::kHello; },
+        [&] { robot.silent = !on; },
+        [&] { robot.answers_parameters = on; },
+        [&] { robot.answers_sync = on; },
+        [&] { robot.answers_requests = on; },
+        [&] { robot.protocol = on ? wire::kProtocolVersion : 7; },
+        [&] { robot.parameters_result = result(); },
+        [&] { robot.arm_result = result(); },
+        [&] { on ? rig_.session.open(rig_.now) : rig_.session.close(rig_.now); },
+        [&] { rig_.session.use(SessionRig::settings().parameters, rig_.now); },
+        [&] {
+          robot.send(wire::FaultReport{1, 2, 0, 3});
+        },
+        [&] { ask(on ? RobotRequest::kArm : RobotRequest::kDisarm); },
+        [&] { ask(on ? RobotRequest::kArm : RobotRequest::kStop); }};
+    happens[random_.below(14)]();
   }
   void ask(RobotRequest request) {
     rig_.session.request(request, rig_.now);
@@ -155,20 +136,6 @@ TEST_P(RandomSession, KeepsItsRulesAndRecovers) {
   rig_.run(10);
   EXPECT_FALSE(rig_.session.request_pending());
   EXPECT_EQ(rig_.robot.state, wire::State::kFaulted);
-}
-
-TEST(RandomBytes, DoNoHarm) {
-  test::Sequence random(99);
-  SessionRig rig;
-  rig.connect();
-  rig.mangle = [&](std::vector<std::uint8_t>& bytes) {
-    for (int i = 0; i < 200; ++i)
-      bytes.push_back(static_cast<std::uint8_t>(random.chance(0.75) ? random.below(256) : 0));
-  };
-  rig.run(2000);
-  rig.mangle = nullptr;
-  rig.run(1500);
-  EXPECT_EQ(rig.session.state(), SessionState::kReady);
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #pragma once
 // A session and a scripted robot, connected without loss or delay and run in steps of 1 ms.
 
-#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -29,48 +28,44 @@ class SessionRig {
     robot.tick(now);
     std::vector<std::uint8_t> bytes = robot.take();
     if (mangle) mangle(bytes);
-    if (split == 0) {
-      session.receive(bytes, now);
-    } else {
-      for (std::size_t at = 0; at < bytes.size(); at += split) {
-        session.receive(std::span(bytes).subspan(at, std::min(split, bytes.size() - at)), now);
-      }
-    }
+    session.receive(bytes, now);
     session.poll(now);
     for (const Sample& sample : session.take_samples()) samples.push_back(sample);
     if (commands && session.state() == SessionState::kReady) session.send(command, now);
-    collect();
-    if (loses_output) session.written(session.output().size());
-    if (port_takes) {
-      robot.receive(session.output(), now);
-      session.written(session.output().size());
-    }
-  }
-  void collect() {
     for (const SessionEvent& event : session.take_events()) {
       events.push_back(event);
-      if (const StateChanged* changed = as<StateChanged>(event)) {
-        states += states.empty() ? "" : " ";
-        states += to_string(changed->to);
-      }
+      if (const StateChanged* changed = as<StateChanged>(event))
+        states += (states.empty() ? "" : " ") + std::string(to_string(changed->to));
     }
+    if (!port_takes) return;
+    if (!loses_output) robot.receive(session.output(), now);
+    session.written(session.output().size());
   }
   void connect() {
     session.open(now);
     run(400);
   }
+  /// Runs until the next sample has come.
+  void run_to_sample() {
+    for (const std::size_t before = samples.size(); samples.size() == before;) step();
+  }
+  /// The events of one kind.
+  template <class What>
+  std::vector<What> of() const {
+    std::vector<What> all;
+    for (const SessionEvent& event : events)
+      if (const What* what = as<What>(event)) all.push_back(*what);
+    return all;
+  }
   template <class What>
   int count() const {
-    return static_cast<int>(std::count_if(events.begin(), events.end(), [](const SessionEvent& e) {
-      return as<What>(e) != nullptr;
-    }));
+    return static_cast<int>(of<What>().size());
   }
 
   HostNs now = kNsPerS;
   ScriptedRobot robot{0};
   Session session;
   std::function<void(std::vector<std::uint8_t>&)> mangle;
-  std::size_t split = 0;
   bool port_takes = true;
   bool loses_output = false;
   bool commands = false;

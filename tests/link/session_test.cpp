@@ -1,4 +1,5 @@
-// The handshake: how a session begins with a robot, and with which robots it does not.
+// How a session begins with a robot, with which robots it does not, and how it ends and begins
+// anew: restarts of the robot, silence, other parameters.
 #include "link/session.h"
 
 #include <gmock/gmock.h>
@@ -15,18 +16,6 @@ namespace {
 
 using testing::ElementsAre;
 using testing::EndsWith;
-
-TEST(Session, PassesItsStatesInOrderAndDeliversSamples) {
-  SessionRig rig;
-  rig.connect();
-  EXPECT_EQ(rig.states, "listening parameters syncing ready");
-  EXPECT_EQ(rig.session.session_number(), 1u);
-  ASSERT_GT(rig.samples.size(), 20u);
-  EXPECT_EQ(rig.session.counters().lost, 0u);
-  EXPECT_TRUE(rig.robot.received.hello_requests.empty());
-  ASSERT_EQ(rig.robot.received.parameters.size(), 1u);
-  EXPECT_EQ(rig.robot.received.parameters[0].boot_nonce, rig.robot.boot_nonce);
-}
 
 // Another device may be there, which bytes would disturb.
 TEST(Session, StaysSilentUntilTheRobotSpeaksAndWarnsThatNothingIsHeard) {
@@ -46,40 +35,19 @@ TEST(Session, StaysSilentUntilTheRobotSpeaksAndWarnsThatNothingIsHeard) {
   EXPECT_EQ(rig.session.state(), SessionState::kReady);
 }
 
-TEST(Session, CountsForeignBytesBeforeTheFirstFrameOnly) {
-  SessionRig rig;
-  rig.session.open(rig.now);
-  const std::string banner = std::string("AT+GCAP\r\nboot v1\r\n") + '\0';
-  rig.session.receive(std::vector<std::uint8_t>(banner.begin(), banner.end()), rig.now);
-  rig.run(400);
-  rig.session.receive(std::vector<std::uint8_t>{9, 'x', 0}, rig.now);
-  EXPECT_EQ(rig.session.state(), SessionState::kReady);
-  EXPECT_EQ(rig.session.counters().foreign_bytes, banner.size());
-  EXPECT_EQ(rig.session.counters().corrupted(), 1u);
-}
-
-TEST(Session, AsksForAHelloWhenItJoinsInTheMiddle) {
-  SessionRig rig;
-  rig.robot.state = wire::State::kRunning;
-  rig.connect();
-  EXPECT_EQ(rig.states, "listening hello parameters syncing ready");
-  ASSERT_EQ(rig.robot.received.hello_requests.size(), 1u);
-  EXPECT_EQ(rig.robot.received.hello_requests[0].protocol, wire::kProtocolVersion);
-  EXPECT_EQ(rig.robot.received.hello_requests[0].schema, wire::kSchemaHash);
-}
-
-TEST(Session, AHelloThatIsNotAnsweredIsAskedForFiveTimesASecond) {
+TEST(Session, WhenItJoinsInTheMiddleItAsksForAHelloFiveTimesASecond) {
   SessionRig rig;
   rig.robot.state = wire::State::kRunning;
   rig.session.open(rig.now);
   rig.loses_output = true;
-  int requests = 0;
-  for (int ms = 0; ms < 1000; ++ms) {
-    const std::uint64_t before = rig.session.counters().frames_out;
-    rig.step();
-    requests += static_cast<int>(rig.session.counters().frames_out - before);
-  }
-  EXPECT_EQ(requests, 5);
+  rig.run(1000);
+  EXPECT_EQ(rig.session.counters().frames_out, 5U);
+  rig.loses_output = false;
+  rig.run(500);
+  EXPECT_EQ(rig.states, "listening hello parameters syncing ready");
+  ASSERT_EQ(rig.robot.received.hello_requests.size(), 1u);
+  EXPECT_EQ(rig.robot.received.hello_requests[0].protocol, wire::kProtocolVersion);
+  EXPECT_EQ(rig.robot.received.hello_requests[0].schema, wire::kSchemaHash);
 }
 
 TEST(Session, AnotherProtocolOrSchemaIsRefusedUntilTheBoardIsFlashed) {
@@ -117,10 +85,7 @@ TEST(Session, ReadsTheVersionOfAHelloOfAnotherSize) {
     std::vector<std::uint8_t> payload(size, 0x11);
     payload[0] = 9;
     payload[1] = 0;
-    std::vector<std::uint8_t> frame(wire::kMaxFrame);
-    frame.resize(wire::encode_frame(static_cast<std::uint8_t>(wire::Type::kHello), payload.data(),
-                                    payload.size(), frame.data()));
-    rig.session.receive(frame, rig.now);
+    rig.session.receive(frame_of(static_cast<std::uint8_t>(wire::Type::kHello), payload), rig.now);
     EXPECT_EQ(rig.session.state(), size < 9 ? SessionState::kListening : SessionState::kRefused);
     EXPECT_EQ(rig.session.counters().wrong_size, size < 9 ? 1U : 0U);
     EXPECT_EQ(rig.session.hello().protocol, size < 9 ? 0 : 9);
@@ -140,14 +105,10 @@ TEST(Session, AHelloThatNoBoardOfOursSendsIsRefusedOnceAndNotSpokenTo) {
     rig.session.open(rig.now);
     rig.run(1000);
     EXPECT_EQ(rig.session.state(), SessionState::kRefused);
-    EXPECT_EQ(rig.count<BadHello>(), 1);
-    for (const SessionEvent& event : rig.events) {
-      const BadHello* bad = as<BadHello>(event);
-      EXPECT_TRUE(bad == nullptr ||
-                  (bad->boot_nonce == (nonce ? 0U : 5U) && bad->state == (nonce ? 0 : 6)));
-    }
+    ASSERT_EQ(rig.count<BadHello>(), 1);
+    EXPECT_EQ(rig.of<BadHello>()[0].boot_nonce, nonce ? 0U : 5U);
+    EXPECT_EQ(rig.of<BadHello>()[0].state, nonce ? 0 : 6);
     EXPECT_EQ(rig.session.counters().refused, 1u);
-    EXPECT_EQ(rig.session.counters().implausible, 0u);
     EXPECT_TRUE(rig.robot.received.types.empty());
     rig.mangle = {};
     rig.robot.reboot(rig.now);
@@ -164,10 +125,7 @@ TEST(Session, ABoardThatIsNotKnownIsCountedAndToldAndMayDrive) {
     EXPECT_EQ(rig.session.state(), SessionState::kReady);
     EXPECT_EQ(rig.session.counters().unknown_board, board == 77 ? 1U : 0U);
     EXPECT_EQ(rig.count<UnknownBoard>(), board == 77 ? 1 : 0);
-    for (const SessionEvent& event : rig.events)
-      if (const auto* unknown = as<UnknownBoard>(event)) {
-        EXPECT_EQ(unknown->board, 77);
-      }
+    for (const UnknownBoard& unknown : rig.of<UnknownBoard>()) EXPECT_EQ(unknown.board, 77);
   }
 }
 
@@ -177,19 +135,28 @@ wire::Parameters other_parameters() {
   return other;
 }
 
-TEST(Session, OtherParametersGoToTheSameBootInANewSession) {
-  SessionRig rig;
-  rig.connect();
-  const std::uint32_t token = rig.robot.received.parameters.back().token;
-  rig.session.use(other_parameters(), rig.now);
-  rig.run(500);
-  const wire::Parameters& sent = rig.robot.received.parameters.back();
-  EXPECT_EQ(sent.wheelbase_m, 0.77F);
-  EXPECT_EQ(sent.boot_nonce, rig.robot.boot_nonce);
-  EXPECT_GT(sent.token, token);
-  EXPECT_EQ(rig.session.counters().reboots, 0u);
-  EXPECT_EQ(rig.session.session_number(), 2u);
-  EXPECT_THAT(rig.states, EndsWith("ready hello parameters syncing ready"));
+TEST(Session, OtherParametersGoToTheSameBootInANewSessionOrWaitForARobot) {
+  for (const SessionState before : {SessionState::kClosed, SessionState::kListening,
+                                    SessionState::kRefused, SessionState::kReady}) {
+    SessionRig rig;
+    const bool ready = before == SessionState::kReady;
+    rig.robot.protocol = before == SessionState::kRefused ? 7 : wire::kProtocolVersion;
+    if (before == SessionState::kListening) rig.session.open(rig.now);
+    if (before >= SessionState::kRefused || ready) rig.connect();
+    rig.session.use(other_parameters(), rig.now);
+    EXPECT_EQ(rig.session.state(), ready ? SessionState::kHello : before);
+    rig.robot.protocol = wire::kProtocolVersion;
+    if (!ready) rig.robot.reboot(rig.now);
+    ready ? rig.run(500) : rig.connect();
+    EXPECT_EQ(rig.session.state(), SessionState::kReady);
+    const wire::Parameters& sent = rig.robot.received.parameters.back();
+    EXPECT_EQ(sent.wheelbase_m, 0.77F);
+    EXPECT_EQ(sent.boot_nonce, rig.robot.boot_nonce);
+    if (!ready) continue;
+    EXPECT_GT(sent.token, rig.robot.received.parameters.front().token);
+    EXPECT_EQ(rig.session.counters().reboots, 0u);
+    EXPECT_THAT(rig.states, EndsWith("ready hello parameters syncing ready"));
+  }
 }
 
 // Without commands the robot would latch a fault after 200 ms.
@@ -197,33 +164,12 @@ TEST(Session, ChangesInQuickSuccessionAreNotSlowedDown) {
   SessionRig rig;
   rig.connect();
   for (int i = 0; i < 5; ++i) {
+    // Nor by the wait after a session that did not last.
+    if (i == 4) rig.robot.state = wire::State::kHello;
+    rig.run(5);
     rig.session.use(SessionRig::settings().parameters, rig.now);
     rig.run(20);
     EXPECT_EQ(rig.session.state(), SessionState::kSyncing) << i;
-  }
-  // Nor by the wait after a session that did not last.
-  rig.robot.state = wire::State::kHello;
-  rig.run(5);
-  EXPECT_EQ(rig.session.state(), SessionState::kParameters);
-  rig.session.use(SessionRig::settings().parameters, rig.now);
-  rig.run(20);
-  EXPECT_EQ(rig.session.state(), SessionState::kSyncing);
-}
-
-TEST(Session, OtherParametersWithoutARobotWaitForOne) {
-  for (const SessionState before :
-       {SessionState::kClosed, SessionState::kListening, SessionState::kRefused}) {
-    SessionRig rig;
-    rig.robot.protocol = before == SessionState::kRefused ? 7 : wire::kProtocolVersion;
-    if (before == SessionState::kListening) rig.session.open(rig.now);
-    if (before == SessionState::kRefused) rig.connect();
-    rig.session.use(other_parameters(), rig.now);
-    EXPECT_EQ(rig.session.state(), before);
-    rig.robot.protocol = wire::kProtocolVersion;
-    rig.robot.reboot(rig.now);
-    rig.connect();
-    EXPECT_EQ(rig.session.state(), SessionState::kReady);
-    EXPECT_EQ(rig.robot.received.parameters.back().wheelbase_m, 0.77F);
   }
 }
 
@@ -232,7 +178,6 @@ TEST(Session, RepeatsParametersUntilTheyAreAcknowledged) {
   rig.robot.answers_parameters = false;
   rig.session.open(rig.now);
   rig.run(1000);
-  EXPECT_EQ(rig.session.state(), SessionState::kParameters);
   const auto& sent = rig.robot.received.parameters;
   EXPECT_EQ(sent.size(), 10u);
   EXPECT_EQ(sent.front().token, sent.back().token);
@@ -290,6 +235,7 @@ TEST(Session, SaysThatARobotAnswersNothingAndGoesOnAsking) {
         under_way.erase(under_way.begin());
       };
     }
+    rig.commands = true;
     rig.robot.answers_parameters = lack != Lack::kParameters;
     rig.robot.answers_sync = lack != Lack::kClock;
     const SessionState waits =
@@ -297,13 +243,12 @@ TEST(Session, SaysThatARobotAnswersNothingAndGoesOnAsking) {
     rig.session.open(rig.now);
     rig.run(10'600);
     EXPECT_EQ(rig.session.state(), waits);
+    EXPECT_TRUE(rig.robot.received.commands.empty()) << "they need a clock for their expiry";
     EXPECT_EQ(rig.count<Unanswered>(), 2) << "each 5 s";
     EXPECT_EQ(rig.session.counters().unanswered, 2U);
-    for (const SessionEvent& event : rig.events) {
-      const Unanswered* unanswered = as<Unanswered>(event);
-      if (unanswered == nullptr) continue;
-      EXPECT_EQ(unanswered->state, waits);
-      EXPECT_EQ(unanswered->too_late_ns, lack == Lack::kLateClock ? ClockSync::kAnswerNs : 0);
+    for (const Unanswered& unanswered : rig.of<Unanswered>()) {
+      EXPECT_EQ(unanswered.state, waits);
+      EXPECT_EQ(unanswered.too_late_ns, lack == Lack::kLateClock ? ClockSync::kAnswerNs : 0);
     }
     rig.mangle = {};
     rig.robot.answers_parameters = rig.robot.answers_sync = true;
@@ -312,6 +257,141 @@ TEST(Session, SaysThatARobotAnswersNothingAndGoesOnAsking) {
     rig.run(6000);
     EXPECT_EQ(rig.count<Unanswered>(), 2);
   }
+}
+
+TEST(Session, UnpluggedInAnyMillisecondItConnectsAgainDisarmed) {
+  for (int ms = 1; ms <= 400; ++ms) {
+    SessionRig rig;
+    rig.commands = true;
+    rig.session.open(rig.now);
+    rig.run(ms);
+    rig.session.request(RobotRequest::kArm, rig.now);
+    rig.run(2);
+    rig.session.close(rig.now);
+    EXPECT_TRUE(rig.session.output().empty()) << ms;
+    EXPECT_FALSE(rig.session.request_pending()) << ms;
+    rig.run(20);
+    rig.robot.reboot(rig.now);
+    rig.robot.received = {};
+    rig.connect();
+    ASSERT_EQ(rig.session.state(), SessionState::kReady) << ms;
+    ASSERT_TRUE(rig.robot.received.arms.empty()) << ms;
+  }
+}
+
+TEST(Session, ANewBootAndALostHostBeginANewSession) {
+  for (const bool boot : {true, false}) {
+    SessionRig rig;
+    rig.connect();
+    if (boot) rig.robot.reboot(rig.now);
+    rig.robot.state = wire::State::kHello;
+    rig.run(500);
+    EXPECT_EQ(rig.session.state(), SessionState::kReady);
+    EXPECT_THAT(rig.states, testing::EndsWith("ready parameters syncing ready"));
+    EXPECT_EQ(rig.session.session_number(), 2u);
+    EXPECT_EQ(rig.robot.received.parameters.back().boot_nonce, rig.robot.boot_nonce);
+    EXPECT_EQ(rig.session.counters().reconnects, 1u);
+    EXPECT_EQ(rig.count<Rebooted>(), boot ? 1 : 0);
+    EXPECT_EQ(rig.session.counters().reboots, boot ? 1U : 0U);
+    EXPECT_EQ(rig.session.take_rebooted(), boot);
+    EXPECT_FALSE(rig.session.take_rebooted());
+  }
+}
+
+// What else a robot or a bad line sends tells nothing of the robot's state.
+TEST(Session, OnlySamplesKeepASessionAlive) {
+  enum class Sends { kNothing, kClockReplies, kTexts, kNoise };
+  for (const Sends sends : {Sends::kNothing, Sends::kClockReplies, Sends::kTexts, Sends::kNoise}) {
+    SCOPED_TRACE(static_cast<int>(sends));
+    SessionRig rig;
+    rig.connect();
+    rig.run_to_sample();
+    rig.robot.samples = false;
+    rig.robot.silent = sends == Sends::kNothing || sends == Sends::kNoise;
+    for (int ms = 1; ms <= 500; ++ms) {
+      ASSERT_EQ(rig.session.state(), SessionState::kReady) << ms;
+      if (sends == Sends::kTexts) rig.robot.send(wire::Log{});
+      const std::vector<std::uint8_t> noise{0x17, 0x99, 0x00, 0x55};
+      if (sends == Sends::kNoise) rig.session.receive(noise, rig.now);
+      rig.step();
+    }
+    EXPECT_EQ(rig.count<Silence>(), 1);
+    EXPECT_NE(rig.session.state(), SessionState::kReady);
+    EXPECT_FALSE(rig.session.clock().valid);
+    rig.robot.samples = true;
+    rig.robot.silent = false;
+    rig.run(800);
+    EXPECT_EQ(rig.session.state(), SessionState::kReady) << rig.states;
+    EXPECT_EQ(rig.session.session_number(), 2u);
+  }
+}
+
+TEST(Session, ARobotWithWhichNoSessionLastsIsAskedLaterAndLater) {
+  SessionRig rig;
+  rig.session.open(rig.now);
+  // The robot loses its host after so many samples of the session; then the handshake waits.
+  const auto wait_after = [&](int samples) {
+    while (rig.session.state() != SessionState::kSyncing) rig.step();
+    const std::uint16_t begin = rig.robot.sequence;
+    while (rig.robot.sequence - begin < samples) rig.step();
+    rig.robot.state = wire::State::kHello;
+    const std::size_t sent = rig.robot.received.parameters.size();
+    const HostNs from = rig.now + kNsPerMs;
+    while (rig.robot.received.parameters.size() == sent) rig.step();
+    return (rig.now - from) / kNsPerMs;
+  };
+  EXPECT_EQ(wait_after(200), 0) << "a session of a second lasted";
+  for (const int wait_ms : {200, 400, 800, 1600, 3200, 5000, 5000})
+    EXPECT_EQ(wait_after(198), wait_ms);
+  EXPECT_EQ(wait_after(200), 0);
+  EXPECT_EQ(wait_after(50), 200) << "it begins anew";
+  // A port that goes is no reason to wait.
+  for (int i = 0; i < 10; ++i) {
+    rig.session.close(rig.now);
+    rig.robot.reboot(rig.now);
+    rig.connect();
+    ASSERT_EQ(rig.session.state(), SessionState::kReady) << i;
+  }
+}
+
+TEST(Session, AStreamThatMakesNoSenseLeadsToANewSession) {
+  SessionRig rig;
+  rig.connect();
+  rig.robot.device_offset_us -= 400'000U;  // its clock went back
+  rig.run(5 * (SampleIntake::kNonsense - 1));
+  EXPECT_EQ(rig.session.state(), SessionState::kReady);
+  rig.run(1000);
+  EXPECT_EQ(rig.session.session_number(), 2U);
+}
+
+TEST(Session, APortThatIsOpenedAgainDoesNotContinueAFrame) {
+  SessionRig rig;
+  rig.session.open(rig.now);
+  rig.session.receive(std::vector<std::uint8_t>{0x05, 'x', 'y'}, rig.now);
+  rig.session.open(rig.now);
+  rig.step();
+  EXPECT_EQ(rig.session.state(), SessionState::kParameters) << "the first hello must be read";
+}
+
+// After its next boot the robot's clock is the same as before: only the nonce distinguishes the new
+// counts from a jump.
+TEST(Session, CountsOfANewBootAreNoJumpOfTheOldOne) {
+  SessionSettings settings = SessionRig::settings();
+  settings.parameters.max_track_mps = 0.1f;
+  settings.parameters.counts_per_metre = 11140.0f;
+  SessionRig rig(settings);
+  rig.robot.metres_per_s = 0.1;
+  rig.connect();
+  rig.run(10'000);
+  EXPECT_GT(rig.samples.back().left_counts, 11'000);
+  rig.robot.metres_per_s = 0.0;
+  rig.robot.reboot(rig.now);
+  rig.session.close(rig.now);
+  rig.run(11'500);
+  rig.connect();
+  EXPECT_EQ(rig.samples.back().left_counts, 0);
+  EXPECT_EQ(rig.samples.back().right_counts, 0);
+  EXPECT_EQ(rig.session.counters().implausible, 0u);
 }
 
 }  // namespace

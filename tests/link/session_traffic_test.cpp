@@ -114,26 +114,10 @@ TEST(SessionCommands, YawsStayInTheRobotsRangeWithTheirDifference) {
   }
 }
 
-TEST(Session, DropsAndCountsWhatThePortDoesNotTake) {
-  SessionRig rig;
-  rig.commands = true;
-  rig.connect();
-  rig.port_takes = false;
-  rig.run(100);
-  const std::uint64_t overflow = rig.session.counters().unwritten;
-  EXPECT_GT(overflow, 50u);
-  rig.session.drop_output();
-  EXPECT_GT(rig.session.counters().unwritten, overflow);
-  rig.port_takes = true;
-  const std::size_t before = rig.robot.received.commands.size();
-  rig.run(5);
-  EXPECT_EQ(rig.robot.received.commands.size(), before + 5);
-}
-
 // After 0.5 s of silence the robot considers the host lost.
 TEST(SessionClock, IsAskedMoreOftenOnlyIfNothingElseIsSent) {
   SessionSettings settings = SessionRig::settings();
-  settings.clock_answer_ns = kNsPerS;
+  settings.clock_answer_ns = 2 * kNsPerS;
   for (const bool commands : {true, false}) {
     SessionRig rig(settings);
     rig.commands = commands;
@@ -142,27 +126,18 @@ TEST(SessionClock, IsAskedMoreOftenOnlyIfNothingElseIsSent) {
     rig.robot.received.sync_requests = 0;
     rig.run(8000);
     ASSERT_EQ(rig.session.state(), SessionState::kReady);
-    EXPECT_NEAR(rig.robot.received.sync_requests, commands ? 8 : 20, 1);
+    EXPECT_NEAR(rig.robot.received.sync_requests, commands ? 4 : 20, 1);
+    if (!commands) continue;
+    rig.port_takes = false;
+    rig.run(350);
+    rig.commands = false;
+    rig.session.drop_output();
+    rig.port_takes = true;
+    rig.robot.received.sync_requests = 0;
+    rig.run(100);
+    EXPECT_EQ(rig.robot.received.sync_requests, 1)
+        << "a command that found no room is no sign of life";
   }
-}
-
-TEST(SessionClock, ACommandThatFoundNoRoomIsNoSignOfLife) {
-  SessionSettings settings = SessionRig::settings();
-  settings.clock_answer_ns = 2 * kNsPerS;
-  SessionRig rig(settings);
-  rig.connect();
-  rig.robot.answers_sync = false;
-  rig.run(300);
-  rig.commands = true;
-  rig.port_takes = false;
-  rig.run(350);
-  rig.commands = false;
-  rig.session.drop_output();
-  rig.port_takes = true;
-  rig.robot.received.sync_requests = 0;
-  rig.run(100);
-  ASSERT_EQ(rig.session.state(), SessionState::kReady);
-  EXPECT_EQ(rig.robot.received.sync_requests, 1) << "the robot has heard nothing for 0.4 s";
 }
 
 // Otherwise each reply would wait for the USB bus as long as the last one did.
@@ -186,41 +161,6 @@ TEST(SessionClock, RequestsAreSpreadOverAMillisecondOfTheWire) {
   EXPECT_LT(*spare.rbegin(), 51u);
 }
 
-TEST(Session, LostAnswersToClockRequestsAreAskedForAgain) {
-  SessionRig rig;
-  rig.robot.answers_sync = false;
-  rig.commands = true;
-  rig.connect();
-  EXPECT_EQ(rig.session.state(), SessionState::kSyncing);
-  EXPECT_TRUE(rig.robot.received.commands.empty())
-      << "a command needs an expiry, and that needs a clock";
-  // Three of four exchanges are lost.
-  for (int i = 0; i < 6000; ++i) {
-    rig.robot.answers_sync = rig.robot.received.sync_requests % 4 == 0;
-    rig.step();
-  }
-  EXPECT_EQ(rig.session.state(), SessionState::kReady);
-  EXPECT_TRUE(rig.session.clock().valid);
-  EXPECT_LT(rig.session.clock().uncertainty_us, 1000.0);
-}
-
-TEST(SampleWrap, SequenceTimeAndCountsRunThroughTheirWraps) {
-  SessionRig rig;
-  rig.robot.device_offset_us = 0xFFFFFFFFU - 2'000'000U;
-  rig.robot.sequence = 65500;
-  rig.robot.metres_per_s = 10.0;
-  rig.connect();
-  rig.run(3000);
-  ASSERT_GT(rig.samples.size(), 500u);
-  EXPECT_EQ(rig.session.counters().lost, 0u);
-  for (std::size_t i = 1; i < rig.samples.size(); ++i) {
-    ASSERT_EQ(rig.samples[i].device_us - rig.samples[i - 1].device_us, 5000);
-    ASSERT_NEAR(static_cast<double>(rig.samples[i].left_counts - rig.samples[i - 1].left_counts),
-                557.0, 1.0);
-    ASSERT_NEAR(to_s(rig.samples[i].measured_ns - rig.samples[i - 1].measured_ns), 0.005, 1e-4);
-  }
-}
-
 // Three times 0.2 m/s, at 10 000 counts a metre, are 30 counts in 5 ms; an interrupt may move 4
 // more.
 TEST(Session, CountsBeyondWhatTheTracksCanDoAreAJump) {
@@ -236,7 +176,7 @@ TEST(Session, CountsBeyondWhatTheTracksCanDoAreAJump) {
         rig.session.use(settings.parameters, rig.now);
         rig.run(1000);
       }
-      for (const std::size_t before = rig.samples.size(); rig.samples.size() == before;) rig.step();
+      rig.run_to_sample();
       rig.now += 5 * kNsPerMs;
       wire::Sample sample = rig.robot.sample(rig.now);
       sample.left_counts += counts;
@@ -246,6 +186,7 @@ TEST(Session, CountsBeyondWhatTheTracksCanDoAreAJump) {
   }
 }
 
+// Bits are flipped, then any bytes come between those of the robot.
 TEST(Session, HandsOnOrCountsEachSampleWhateverTheLineDoes) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(seed);
@@ -255,36 +196,27 @@ TEST(Session, HandsOnOrCountsEachSampleWhateverTheLineDoes) {
     test::Sequence random(seed);
     const std::size_t before = rig.samples.size();
     const std::uint16_t first = rig.robot.sequence;
-    std::uint64_t flips = 0;
     rig.mangle = [&](std::vector<std::uint8_t>& bytes) {
       if (bytes.empty() || !random.chance(0.1)) return;
       bytes[static_cast<std::size_t>(random.below(static_cast<int>(bytes.size())))] ^=
           static_cast<std::uint8_t>(1U << random.below(8));
-      ++flips;
     };
     rig.run(5000);
     rig.mangle = nullptr;
     rig.run(50);
-    ASSERT_GT(flips, 10u);
     const LinkCounters& counters = rig.session.counters();
     const std::uint64_t sent = static_cast<std::uint16_t>(rig.robot.sequence - first);
     ASSERT_EQ(rig.samples.size() - before + counters.lost, sent);
-    ASSERT_LE(counters.lost, 2 * flips);
     ASSERT_GT(counters.corrupted(), 0u);
     ASSERT_EQ(rig.session.session_number(), 1u);
-  }
-}
-
-TEST(Session, GivesTheSameSamplesHoweverTheBytesAreSplit) {
-  SessionRig whole;
-  whole.connect();
-  for (std::size_t split = 1; split <= wire::kMaxFrame; ++split) {
-    SessionRig rig;
-    rig.split = split;
-    rig.connect();
-    ASSERT_EQ(rig.samples.size(), whole.samples.size()) << split;
-    ASSERT_EQ(rig.samples.back().device_us, whole.samples.back().device_us) << split;
-    ASSERT_EQ(rig.states, whole.states) << split;
+    rig.mangle = [&](std::vector<std::uint8_t>& bytes) {
+      for (int i = 0; i < 200; ++i)
+        bytes.push_back(static_cast<std::uint8_t>(random.chance(0.75) ? random.below(256) : 0));
+    };
+    rig.run(200);
+    rig.mangle = nullptr;
+    rig.run(1500);
+    ASSERT_EQ(rig.session.state(), SessionState::kReady);
   }
 }
 
@@ -315,10 +247,7 @@ TEST(SessionCounts, FramesThatNoRobotSendsAndThoseOfAnotherSize) {
   const LinkCounters before = rig.session.counters();
   const auto receive = [&](int type, std::size_t size) {
     const std::vector<std::uint8_t> payload(size, 1);
-    std::vector<std::uint8_t> frame(wire::kMaxFrame);
-    frame.resize(
-        wire::encode_frame(static_cast<std::uint8_t>(type), payload.data(), size, frame.data()));
-    rig.session.receive(frame, rig.now);
+    rig.session.receive(frame_of(static_cast<std::uint8_t>(type), payload), rig.now);
   };
   for (const int type : {0, 7, 0x40, 0x41, 0x47, 0xFF}) receive(type, 3);
   for (int type = 1; type <= 6; ++type) receive(type, 3);
@@ -345,16 +274,10 @@ TEST(SessionReports, FaultsAndTextsArePassedOnInPrintableCharacters) {
   ASSERT_EQ(rig.count<RobotFault>(), 1);
   EXPECT_EQ(rig.session.counters().robot_faults, 1U);
   const std::string clean = ("h?i ~?? " + std::string(60, 'x')).substr(0, wire::Log::kTextSize);
-  for (const SessionEvent& event : rig.events) {
-    if (const RobotLog* robot_log = as<RobotLog>(event)) {
-      EXPECT_EQ(robot_log->text.data(), clean) << "a text that fills its frame is whole";
-      EXPECT_EQ(robot_log->device_us, 4711);
-    }
-    if (const RobotFault* fault = as<RobotFault>(event)) {
-      EXPECT_EQ(fault->fault, static_cast<std::uint8_t>(Fault::battery_low));
-      EXPECT_EQ(fault->value, -5900);
-    }
-  }
+  EXPECT_EQ(rig.of<RobotLog>()[0].text.data(), clean) << "a text that fills its frame is whole";
+  EXPECT_EQ(rig.of<RobotLog>()[0].device_us, 4711U);
+  EXPECT_EQ(rig.of<RobotFault>()[0].fault, static_cast<std::uint8_t>(Fault::battery_low));
+  EXPECT_EQ(rig.of<RobotFault>()[0].value, -5900);
 }
 
 TEST(SessionReports, AFloodOfTextsDisplacesNoOtherEvent) {
