@@ -14,23 +14,22 @@ namespace {
 
 using fuzz::require;
 
+template <class Parse, class Write>
+void comes_back(const std::string& text, Parse parse, Write write) {
+  const std::string written = write(parse(text, "fuzz"));
+  require(write(parse(written, "fuzz")) == written, "a file comes back as it was");
+}
+
 void read_configuration(const std::string& text) {
-  const std::string written =
-      config::write_configuration(config::parse_configuration(text, "fuzz"));
-  require(config::write_configuration(config::parse_configuration(written, "fuzz")) == written,
-          "a configuration comes back as it was");
+  comes_back(text, config::parse_configuration, config::write_configuration);
 }
 
 void read_robot(const std::string& text) {
-  const std::string written = course::write_robot(course::parse_robot(text, "fuzz"), "");
-  require(course::write_robot(course::parse_robot(written, "fuzz"), "") == written,
-          "a robot comes back as it was");
+  comes_back(text, course::parse_robot, [](const auto& read) { return write_robot(read, ""); });
 }
 
 void read_camera(const std::string& text) {
-  const std::string written = course::write_camera(course::parse_camera(text, "fuzz"), "");
-  require(course::write_camera(course::parse_camera(written, "fuzz"), "") == written,
-          "a camera comes back as it was");
+  comes_back(text, course::parse_camera, [](const auto& read) { return write_camera(read, ""); });
 }
 
 void read_course(const std::string& text) {

@@ -12,6 +12,7 @@ namespace tp100::server {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::Field;
 
 TEST_F(RequestHandlerTest, WhatIsChosenPlacedOrExaminedIsPassedOnUnlessARunIsUnderWay) {
   step(ready());
@@ -71,19 +72,20 @@ TEST_F(RequestHandlerTest, ARunIsNamedReportedComparedIdentifiedAndDeleted) {
   answered(Service::kRunCompare, R"({"run":"a","with":"b"})");
   answered(Service::kRunDelete, R"({"run":"a"})");
   answered(Service::kRunIdentify, R"({"runs":"a b","measured":"run,distance_m\n1,2\n"})");
-  ASSERT_EQ(controls_.managed.size(), 5U);
-  EXPECT_EQ(controls_.managed[0].what, RunRequest::What::kNote);
-  EXPECT_EQ(controls_.managed[0].note.name, "");
-  EXPECT_EQ(controls_.managed[0].note.note, std::nullopt);
-  EXPECT_EQ(controls_.managed[0].note.tags, "wet");
-  EXPECT_EQ(controls_.managed[0].note.keep, false);
-  EXPECT_EQ(controls_.managed[1].what, RunRequest::What::kReport);
-  EXPECT_EQ(controls_.managed[2].what, RunRequest::What::kCompare);
-  EXPECT_EQ(controls_.managed[2].with, "b");
-  EXPECT_EQ(controls_.managed[3].what, RunRequest::What::kDelete);
-  EXPECT_EQ(controls_.managed[4].what, RunRequest::What::kIdentify);
-  EXPECT_THAT(controls_.managed[4].drives, ElementsAre("a", "b"));
-  EXPECT_EQ(controls_.managed[4].measured, "run,distance_m\n1,2\n");
+  using What = RunRequest::What;
+  const std::vector<RunRequest>& asked = controls_.managed;
+  EXPECT_THAT(
+      asked,
+      ElementsAre(Field(&RunRequest::what, What::kNote), Field(&RunRequest::what, What::kReport),
+                  Field(&RunRequest::what, What::kCompare), Field(&RunRequest::what, What::kDelete),
+                  Field(&RunRequest::what, What::kIdentify)));
+  EXPECT_EQ(asked[0].note.name, "");
+  EXPECT_EQ(asked[0].note.note, std::nullopt);
+  EXPECT_EQ(asked[0].note.tags, "wet");
+  EXPECT_EQ(asked[0].note.keep, false);
+  EXPECT_EQ(asked[2].with, "b");
+  EXPECT_THAT(asked[4].drives, ElementsAre("a", "b"));
+  EXPECT_EQ(asked[4].measured, "run,distance_m\n1,2\n");
   controls_.change_refusal = "is open";
   EXPECT_EQ(refused(Service::kRunDelete, R"({"run":"a"})"), "is open");
 }

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <functional>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -56,20 +55,24 @@ TEST_F(ServerTest, AForeignHostOrOriginIsRefusedForPageAndViewers) {
   }
 }
 
-TEST_F(ServerTest, PagesOfOtherDaemonsOfTheMachineWatchAndStopAndDoNothingElse) {
+TEST_F(ServerTest, WhoMayNotCommandWatchesAndStopsAndDoesNothingElse) {
   start();
+  // The page of another daemon of the machine, or any viewer if nobody may command.
   const std::string origin = "Origin: http://127.0.0.1:" + port_ + "\r\n";
   std::unique_ptr<Server> other = std::move(server_);
-  start();
-  WebClient client(port_, "127.0.0.1", origin);
-  EXPECT_THAT(client.read_until("\"serverInfo\""), HasSubstr("\"commands\":\"stop\""));
-  client.subscribe(messages::Channel::kState);
-  client.read_until("\"run\"");
-  client.call(Service::kHold);
-  EXPECT_THAT(client.read_until("serviceCallFailure"), HasSubstr("only stop"));
-  client.call(Service::kStop);
-  EXPECT_TRUE(eventually([&] { return controls_.stops == 1; }));
-  EXPECT_EQ(controls_.holds, 0);
+  for (const bool page : {false, true}) {
+    settings_.commands = page ? config::CommandsFrom::kLocal : config::CommandsFrom::kNone;
+    start();
+    WebClient client(port_, "127.0.0.1", page ? origin : "");
+    EXPECT_THAT(client.read_until("\"serverInfo\""), HasSubstr("\"commands\":\"stop\""));
+    client.subscribe(messages::Channel::kState);
+    client.read_until("\"run\"");
+    client.call(Service::kHold);
+    EXPECT_THAT(client.read_until("serviceCallFailure"), HasSubstr("only stop"));
+    client.call(Service::kStop);
+    EXPECT_TRUE(eventually([&] { return controls_.stops == (page ? 2 : 1); }));
+    EXPECT_EQ(controls_.holds, 0);
+  }
   // A page from another origin has no reason to request anything else.
   EXPECT_THAT(head_of("/api/runs", kHost + origin), HasSubstr("403"));
   EXPECT_THROW(WebClient(port_, "127.0.0.1", "Origin: http://127.0.0.1:1\r\n"), std::runtime_error);
@@ -77,17 +80,6 @@ TEST_F(ServerTest, PagesOfOtherDaemonsOfTheMachineWatchAndStopAndDoNothingElse) 
                std::runtime_error);
   other.reset();
   EXPECT_THROW(WebClient(port_, "127.0.0.1", origin), std::runtime_error);
-}
-
-TEST_F(ServerTest, CommandsComeOnlyFromWhereTheyMay) {
-  settings_.commands = config::CommandsFrom::kNone;
-  start();
-  WebClient client = connect();
-  client.call(Service::kHold);
-  EXPECT_THAT(client.read_until("serviceCallFailure"), HasSubstr("only stop"));
-  client.call(Service::kStop);
-  EXPECT_TRUE(eventually([&] { return controls_.stops == 1; }));
-  EXPECT_EQ(controls_.holds, 0);
 }
 
 TEST_F(ServerTest, MoreViewersThanAllowedAreTurnedAway) {
@@ -178,18 +170,14 @@ TEST_F(ServerTest, WhoSendsGarbageOrAMessageThatIsTooLongIsClosed) {
   })) << "it must be closed before all of it is sent";
 }
 
-// Number of bytes that the program holds on the heap.
-std::size_t heap() { return mallinfo2().uordblks; }
-
-// Three of the 50 viewers are the hostile ones that the daemon must withstand: one never reads, one
-// sends garbage, one sends frames of 100 MB. The thread sanitizer makes this test about twenty
-// times slower.
+// The thread sanitizer makes this test about twenty times slower.
 #ifdef __SANITIZE_THREAD__
 constexpr int kGoodViewers = 5, kStepsAtATime = 2;
 #else
 constexpr int kGoodViewers = 47, kStepsAtATime = 20;
 #endif
 
+// One viewer never reads, one sends garbage, one sends frames of 100 MB.
 TEST_F(ServerTest, FiftyViewersOfWhichThreeAreHostile) {
   start();
   std::vector<WebClient> good;
@@ -200,28 +188,23 @@ TEST_F(ServerTest, FiftyViewersOfWhichThreeAreHostile) {
     deaf.subscribe(static_cast<messages::Channel>(channel));
 
   std::atomic<bool> over{false};
-  std::atomic<int> closed_garbage{0}, closed_large{0};
-  const auto hostile = [&](std::atomic<int>& closed, const std::function<void(WebClient&)>& once) {
-    return std::thread([&over, &closed, once, this] {
+  std::atomic<int> closed[2] = {0, 0};
+  std::vector<std::thread> hostile;
+  for (const int large : {0, 1})
+    hostile.emplace_back([&, large] {
       while (!over) {
         try {
           WebClient client(port_);
-          while (!over && !client.closed()) once(client);
-          if (client.closed()) ++closed;
+          while (!over && !client.closed()) {
+            large ? client.write_raw_header(100'000'000) : client.write_text("[[[[{{{{");
+            for (int i = 0; i < 20; ++i) client.write_raw(std::string(65'536, '\xa5'));
+          }
+          if (client.closed()) ++closed[large];
         } catch (const std::runtime_error&) {
         }
         std::this_thread::sleep_for(1ms);
       }
     });
-  };
-  std::thread garbage = hostile(closed_garbage, [](WebClient& client) {
-    client.write_text("[[[[{{{{");
-    client.write_raw(std::string(500, '\xa5'));
-  });
-  std::thread large = hostile(closed_large, [](WebClient& client) {
-    client.write_raw_header(100'000'000);
-    for (int i = 0; i < 100 && !client.closed(); ++i) client.write_raw(std::string(65536, 'x'));
-  });
 
   // The good viewers receive their poses, the messages dropped for the deaf viewer are counted, and
   // both hostile viewers are disconnected again and again.
@@ -231,22 +214,21 @@ TEST_F(ServerTest, FiftyViewersOfWhichThreeAreHostile) {
   std::uint64_t dropped = 0;
   const bool seen = eventually([&] {
     step(kStepsAtATime);
-    if (before == 0) before = heap();
-    most = std::max(most, heap());
+    const std::size_t heap_bytes = mallinfo2().uordblks;
+    if (before == 0) before = heap_bytes;
+    most = std::max(most, heap_bytes);
     dropped = std::max(dropped, watcher.number_after("\"dropped_total\":"));
     std::size_t least = SIZE_MAX;
     for (WebClient& client : good) {
       client.drain();
       least = std::min(least, client.received());
     }
-    return dropped > 50U * kStepsAtATime && least > 20 && closed_garbage > 1 && closed_large > 1;
+    return dropped > 50U * kStepsAtATime && least > 20 && closed[0] > 1 && closed[1] > 1;
   });
   over = true;
-  garbage.join();
-  large.join();
-  EXPECT_TRUE(seen) << dropped << " dropped, closed " << closed_garbage << " and " << closed_large;
-  for (std::size_t i = 0; i < good.size(); ++i)
-    EXPECT_GT(good[i].received(), 20U) << "viewer " << i << (good[i].closed() ? ", closed" : "");
+  for (std::thread& each : hostile) each.join();
+  EXPECT_TRUE(seen) << dropped << " dropped, closed " << closed[0] << " and " << closed[1];
+  for (WebClient& client : good) EXPECT_GT(client.received(), 20U);
   // The limit covers 4 MiB of queues for the deaf viewer and the memory of 50 sockets and of
   // messages in transit.
   EXPECT_LT(most - std::min(before, most), 64U << 20U);

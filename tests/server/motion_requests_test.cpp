@@ -134,12 +134,14 @@ TEST_F(RequestHandlerTest, StopIsAnsweredAndToldWhenTheRobotHasAnswered) {
 
 TEST_F(RequestHandlerTest, StopIsAnsweredAfter200MsWithoutTheRobot) {
   call(Service::kStop);
-  publisher_.tick(kNow + 199 * kNsPerMs);
-  handler_.tick(kNow + 199 * kNsPerMs);
-  EXPECT_TRUE(take().binaries.empty());
-  publisher_.tick(kNow + 201 * kNsPerMs);
-  handler_.tick(kNow + 201 * kNsPerMs);
-  EXPECT_EQ(answer_of(take().binaries.at(0))["acknowledged"], false);
+  for (const int ms : {199, 201}) {
+    publisher_.tick(kNow + ms * kNsPerMs);
+    handler_.tick(kNow + ms * kNsPerMs);
+    const Received received = take();
+    ASSERT_EQ(received.binaries.size(), ms < 200 ? 0U : 1U);
+    if (ms < 200) continue;
+    EXPECT_EQ(answer_of(received.binaries[0])["acknowledged"], false);
+  }
 }
 
 // The page would say that the robot has not acknowledged a STOP which it has.
@@ -164,20 +166,14 @@ TEST_F(RequestHandlerTest, TheWheelIsDrivenByItsTokenUntilItIsReleasedOrItsViewe
   ASSERT_EQ(controls_.inputs.size(), 1U);
   EXPECT_EQ(controls_.inputs[0].speed_mps, 0.1);
   EXPECT_EQ(controls_.inputs[0].yaw_rate_radps, -0.2);
-  EXPECT_NE(drive("other"), "");
   EXPECT_NE(refused(Service::kDriveRelease, R"({"token":"other"})"), "");
   EXPECT_EQ(refused(Service::kDriveRelease, R"({"token":")" + token + R"("})"), "");
   EXPECT_NE(drive(token), "");
 
   token = answered(Service::kDriveTake).at("token");
-  const Viewer other(
-      77, [] {}, [] {});
-  handler_.leave(other, kNow);
-  EXPECT_EQ(drive(token), "");
   handler_.leave(*viewer_, kNow);
   EXPECT_EQ(controls_.drivers_lost, 1);
   EXPECT_NE(drive(token), "");
-  EXPECT_EQ(controls_.inputs.size(), 2U);
 }
 
 TEST_F(RequestHandlerTest, TracksRunOnlyWhileARobotIsThereAndNothingElseIsUnderWay) {

@@ -24,8 +24,7 @@ TEST_F(RequestHandlerTest, ParametersAreListed) {
 
 TEST_F(RequestHandlerTest, AGoodValueIsPassedOnAndTold) {
   send(R"({"op":"subscribeParameterUpdates","parameterNames":["control.gain"]})");
-  const Received received =
-      send(R"({"op":"setParameters","parameters":[{"name":"control.gain","value":20}],"id":"s"})");
+  const Received received = set("control.gain", "20");
   ASSERT_EQ(controls_.sets.size(), 1U);
   EXPECT_EQ(controls_.sets[0].second, messages::ParameterValue(20.0));
   ASSERT_EQ(received.texts.size(), 2U);  // one for the subscription, then the answer to the request
@@ -34,11 +33,7 @@ TEST_F(RequestHandlerTest, AGoodValueIsPassedOnAndTold) {
 }
 
 TEST_F(RequestHandlerTest, WatchedParametersAddUpUntilTheyAreTakenBack) {
-  const auto updates = [&] {
-    const Received received =
-        send(R"({"op":"setParameters","parameters":[{"name":"control.gain","value":20}]})");
-    return received.texts.size() - 1;
-  };
+  const auto updates = [&] { return set("control.gain", "20").texts.size() - 1; };
   EXPECT_EQ(updates(), 0U);
   send(R"({"op":"subscribeParameterUpdates","parameterNames":["control.gain"]})");
   send(R"({"op":"subscribeParameterUpdates","parameterNames":["loop.rate_hz","none"]})");
@@ -52,14 +47,16 @@ TEST_F(RequestHandlerTest, WatchedParametersAddUpUntilTheyAreTakenBack) {
 }
 
 TEST_F(RequestHandlerTest, NothingUncheckedIsPassedOn) {
-  for (const char* parameter :
-       {R"({"name":"control.gain","value":-1})", R"({"name":"control.gain","value":201})",
-        R"({"name":"control.gain","value":"20"})", R"({"name":"control.gain","value":null})",
-        R"({"name":"control.gain"})", R"({"name":"loop.rate_hz","value":100})",
-        R"({"name":"none","value":1})", R"({"name":"estimation.steering","value":"truth"})"}) {
-    const Received received =
-        send(std::string(R"({"op":"setParameters","parameters":[)") + parameter + "]}");
-    ASSERT_EQ(received.texts.size(), 2U) << parameter;
+  for (const auto& [name, value] :
+       std::vector<std::pair<const char*, const char*>>{{"control.gain", "-1"},
+                                                        {"control.gain", "201"},
+                                                        {"control.gain", "\"20\""},
+                                                        {"control.gain", "null"},
+                                                        {"loop.rate_hz", "100"},
+                                                        {"none", "1"},
+                                                        {"estimation.steering", "\"truth\""}}) {
+    const Received received = set(name, value);
+    ASSERT_EQ(received.texts.size(), 2U) << name << value;
     EXPECT_EQ(received.texts[0]["op"], "status");
     EXPECT_EQ(received.texts[0]["level"], 2);
   }
@@ -72,19 +69,18 @@ TEST_F(RequestHandlerTest, NothingUncheckedIsPassedOn) {
 }
 
 TEST_F(RequestHandlerTest, SomeParametersWaitForTheEndOfARun) {
-  const char* set =
-      R"({"op":"setParameters","parameters":[{"name":"estimation.steering","value":"model"}]})";
   step(ready(RunState::kRunning));
-  EXPECT_THAT(send(set).texts[0]["message"], HasSubstr("during a run"));
+  EXPECT_THAT(set("estimation.steering", R"("model")").texts[0]["message"],
+              HasSubstr("during a run"));
   EXPECT_TRUE(controls_.sets.empty());
   step(ready());
-  send(set);
+  set("estimation.steering", R"("model")");
   EXPECT_EQ(controls_.sets.size(), 1U);
 }
 
 TEST_F(RequestHandlerTest, TheStepHasTheLastWord) {
   step(ready());
-  send(R"({"op":"setParameters","parameters":[{"name":"estimation.steering","value":"model"}]})");
+  set("estimation.steering", R"("model")");
   const auto value = [&] {
     return send(R"({"op":"getParameters","parameterNames":["estimation.steering"]})")
         .texts.back()["parameters"][0]["value"];
@@ -101,7 +97,7 @@ TEST_F(RequestHandlerTest, TheStepHasTheLastWord) {
 }
 
 TEST_F(RequestHandlerTest, OtherParametersKeepWhatViewersHaveSet) {
-  send(R"({"op":"setParameters","parameters":[{"name":"control.gain","value":20}]})");
+  set("control.gain", "20");
   std::vector<messages::ParameterText> next = parameters();
   next[1].value = 400.0;
   handler_.change_setup(next, kNow);

@@ -83,8 +83,7 @@ TEST_F(RequestHandlerTest, WhoMayNotCommandMayStopAndWatchAndNothingElse) {
             << each.name << request;
     }
   }
-  send(R"({"op":"setParameters","parameters":[{"name":"control.gain","value":20}]})",
-       Permission::kStopOnly);
+  set("control.gain", "20", Permission::kStopOnly);
   EXPECT_EQ(controls_.requests(), 0U);
   EXPECT_TRUE(controls_.checkers.empty());
   EXPECT_EQ(controls_.wheel.figures(kNow).by, "");
@@ -107,24 +106,18 @@ TEST_F(RequestHandlerTest, ArgumentsOfEveryServiceAreChecked) {
       {Service::kHold, R"({"x":null})", "no argument 'x'"},
       {Service::kStart, R"({"x":1})", "no argument 'x'"},
       {Service::kStart, R"({"from":{}})", "from must be \"start\""},
-      {Service::kStart, R"({"from":1})", "from must be \"start\""},
       {Service::kStart, R"({"from":"there"})", "from must be \"start\""},
-      {Service::kDriveTake, R"({"x":1})", "no argument 'x'"},
       {Service::kDriveRelease, R"({"token":1})", "token must be a string"},
       {Service::kWheelsUpBegin, "{}", "tracks = \"free\""},
       {Service::kWheelsUpBegin, R"({"tracks":"perhaps"})", "tracks = \"free\""},
-      {Service::kWheelsUpBegin, R"({"tracks":true})", "tracks = \"free\""},
-      {Service::kWheelsUpWatch, "{}", "token must be a string"},
       {Service::kWheelsUpWatch, R"({"token":"t"})", "token must be a string"},
       {Service::kWheelsUpWatch, R"({"token":1,"input_ms":5})", "token must be a string"},
       {Service::kDoctor, "{}", "part must be \"port\""},
       {Service::kDoctor, R"({"part":"wheels"})", "part must be \"port\""},
-      {Service::kDoctor, R"({"part":1})", "part must be \"port\""},
       {Service::kChoose, "{}", "give a course"},
       {Service::kChoose, R"({"course":3})", "must be names"},
       {Service::kChoose, R"({"curse":"3"})", "no argument 'curse'"},
       {Service::kPlace, "{}", "give x_m"},
-      {Service::kPlace, R"({"at":"end"})", "give x_m"},
       {Service::kPlace, R"({"at":"start","x_m":1,"y_m":1})", "give x_m"},
       {Service::kPlace, R"({"x_m":1,"y_m":1})", "give x_m"},
       {Service::kPlace, R"({"x_m":1,"y_m":1,"yaw_rad":"1"})", "give x_m"},
@@ -133,7 +126,6 @@ TEST_F(RequestHandlerTest, ArgumentsOfEveryServiceAreChecked) {
       {Service::kPlace, R"({"x_m":1e999,"y_m":1,"yaw_rad":1})", "JSON"},
       {Service::kFileSave, R"({"kind":"word","name":"a","text":""})", "kind must be"},
       {Service::kFileSave, R"({"kind":"course","name":"../a","text":""})", "name must be"},
-      {Service::kFileSave, R"({"kind":"course","name":".a","text":""})", "name must be"},
       {Service::kFileSave, R"({"kind":"course","text":""})", "name must be"},
       {Service::kFileSave, R"({"kind":"course","name":"a","text":"","replace":1})", "replace"},
       {Service::kFileDelete, R"({"kind":"course","name":"a","text":""})", "no argument 'text'"},
@@ -146,11 +138,9 @@ TEST_F(RequestHandlerTest, ArgumentsOfEveryServiceAreChecked) {
       {Service::kRunCompare, R"({"run":"a"})", "names of runs"},
       {Service::kRunIdentify, "{}", "one to 100 names"},
       {Service::kRunIdentify, R"({"runs":""})", "one to 100 names"},
-      {Service::kRunIdentify, R"({"runs":1})", "one to 100 names"},
       {Service::kRunIdentify, R"({"runs":"a","measured":1})", "one to 100 names"},
       {Service::kRecordStart, R"({"name":1})", "name"},
       {Service::kParametersSave, "{}", "give parameters and their values"},
-      {Service::kParametersSave, R"({"check":true})", "give parameters and their values"},
       {Service::kParametersSave, R"({"check":1,"control.gain":1})", "check must be true or false"},
       {Service::kParametersSave, R"({"control.gian":1})", "there is no parameter 'control.gian'"},
       {Service::kParametersSave, R"({"a\nb":1})", "there is no parameter 'a?b'"},
@@ -160,9 +150,7 @@ TEST_F(RequestHandlerTest, ArgumentsOfEveryServiceAreChecked) {
       {Service::kParametersSave, R"({"control.gain":"12"})", "control.gain takes a number"},
       {Service::kParametersSave, R"({"control.gain":null})", "takes no value of that type"},
       {Service::kParametersSave, R"({"control.gain":[1]})", "takes no value of that type"},
-      {Service::kParametersSave, R"({"control.gain":{}})", "takes no value of that type"},
       {Service::kParametersSave, R"({"control.gain":NaN})", "the request must be a JSON object"},
-      {Service::kParametersSave, R"({"control.gain":1e999})", "the request must be a JSON object"},
       {Service::kParametersRestore, R"({"check":null})", "check must be true or false"},
       {Service::kParametersRestore, R"({"file":"x"})", "no argument 'file'"}};
   std::string many;
@@ -197,10 +185,11 @@ TEST_F(RequestHandlerTest, WhoAsksAndNeverReadsIsFailed) {
   EXPECT_TRUE(failed_);
 }
 
-TEST_F(RequestHandlerTest, WhatIsNoMessageIsTold) {
+TEST_F(RequestHandlerTest, WhatIsNoMessageOrNotServedIsTold) {
   EXPECT_FALSE(handler_.handle(viewer_, Malformed{"why"}, Permission::kCommand, kNow));
   EXPECT_EQ(take().texts[0]["message"], "why");
-  EXPECT_TRUE(handler_.handle(viewer_, Unserved{"fetchAsset"}, Permission::kCommand, kNow));
+  EXPECT_THAT(send(R"({"op":"fetchAsset","uri":"x","requestId":1})").texts[0]["message"],
+              HasSubstr("does not serve 'fetchAsset'"));
 }
 
 }  // namespace

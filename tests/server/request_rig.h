@@ -20,38 +20,29 @@ using Json = nlohmann::json;
 constexpr HostNs kNow = 100 * kNsPerS;
 
 inline std::vector<messages::ParameterText> parameters() {
-  return {{{.name = "control.gain",
-            .type = messages::ParameterText::Type::kNumber,
-            .value = 16.0,
-            .standard = 16.0,
-            .unit = "1/m",
-            .range = {0.0, 200.0}},
-           true,
-           false,
-           true},
-          {{.name = "loop.rate_hz", .value = 200.0, .standard = 200.0, .range = {50.0, 1000.0}},
-           false,
-           false,
-           true},
-          {{.name = "server.listen",
-            .type = messages::ParameterText::Type::kText,
-            .value = std::string(),
-            .standard = std::string()}},
-          {{.name = "course",
-            .type = messages::ParameterText::Type::kText,
-            .value = std::string(),
-            .standard = std::string()},
-           false,
-           false,
-           true},
-          {{.name = "robot.model.wheelbase_m", .value = 0.2, .standard = 0.2, .range = {0.1, 1.0}}},
-          {{.name = "estimation.steering",
-            .type = messages::ParameterText::Type::kChoice,
-            .value = std::string("odometry"),
-            .standard = std::string("odometry"),
-            .choices = {"model", "odometry"}},
-           true,
-           true}};
+  using messages::ParameterText;
+  const auto number = [](const char* name, double value, double low, double high) {
+    return ParameterText{{.name = name, .value = value, .standard = value, .range = {low, high}}};
+  };
+  const auto words = [](const char* name, const char* value,
+                        std::vector<std::string> choices = {}) {
+    const auto type = choices.empty() ? ParameterText::Type::kText : ParameterText::Type::kChoice;
+    return ParameterText{{.name = name,
+                          .type = type,
+                          .value = std::string(value),
+                          .standard = std::string(value),
+                          .choices = std::move(choices)}};
+  };
+  std::vector<ParameterText> all = {
+      number("control.gain", 16.0, 0.0, 200.0),
+      number("loop.rate_hz", 200.0, 50.0, 1000.0),
+      words("server.listen", ""),
+      words("course", ""),
+      number("robot.model.wheelbase_m", 0.2, 0.1, 1.0),
+      words("estimation.steering", "odometry", {"model", "odometry"})};
+  all[0].live = all[5].live = all[5].only_at_standstill = true;
+  all[0].may_save = all[1].may_save = all[3].may_save = true;
+  return all;
 }
 
 class RequestHandlerTest : public ::testing::Test {
@@ -83,6 +74,12 @@ class RequestHandlerTest : public ::testing::Test {
   Received send(const std::string& text, Permission permission = Permission::kCommand) {
     handler_.handle(viewer_, parse_text(text), permission, kNow);
     return take();
+  }
+  Received set(const std::string& name, const std::string& value,
+               Permission permission = Permission::kCommand) {
+    return send(R"({"op":"setParameters","parameters":[{"name":")" + name + R"(","value":)" +
+                    value + R"(}],"id":"s"})",
+                permission);
   }
   /// A request that sets the robot in motion gets the consent of a person who looks at the page
   /// now, unless it has one.

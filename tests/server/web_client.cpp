@@ -60,24 +60,26 @@ bool send_all(int fd, const std::string& bytes) {
   return true;
 }
 
-std::string receive(int fd, bool only_head) {
-  std::string text;
-  char buffer[4096];
-  for (;;) {
-    const std::size_t end = text.find("\r\n\r\n");
-    if (only_head && end != std::string::npos) return text.substr(0, end + 4);
-    const ssize_t n = ::recv(fd, buffer, sizeof buffer, 0);
-    if (n <= 0) return text;
-    text.append(buffer, static_cast<std::size_t>(n));
-  }
-}
-
+/// The response to `request`: whole, or only its header.
 std::string ask(const std::string& port, const std::string& request, bool only_head) {
   const int fd = dial(port);
   send_all(fd, request);
-  std::string text = receive(fd, only_head);
+  std::string text;
+  char buffer[4096];
+  std::size_t end = std::string::npos;
+  for (ssize_t n = 1; n > 0 && !(only_head && end != std::string::npos);
+       end = text.find("\r\n\r\n")) {
+    n = ::recv(fd, buffer, sizeof buffer, 0);
+    if (n > 0) text.append(buffer, static_cast<std::size_t>(n));
+  }
   ::close(fd);
-  return text;
+  return only_head && end != std::string::npos ? text.substr(0, end + 4) : text;
+}
+
+/// A message that subscribes to a channel.
+std::string subscription(std::uint32_t id, messages::Channel channel) {
+  return R"({"op":"subscribe","subscriptions":[{"id":)" + std::to_string(id) + R"(,"channelId":)" +
+         std::to_string(static_cast<std::uint32_t>(channel)) + "}]}";
 }
 
 }  // namespace
@@ -120,7 +122,6 @@ WebClient& WebClient::operator=(WebClient&& other) noexcept {
   std::swap(number_, other.number_);
   std::swap(received_, other.received_);
   std::swap(closed_, other.closed_);
-  std::swap(data_, other.data_);
   std::swap(state_, other.state_);
   std::swap(watches_state_, other.watches_state_);
   return *this;
@@ -156,8 +157,7 @@ void WebClient::write_raw_header(std::uint64_t size) {
 
 void WebClient::subscribe(messages::Channel channel) {
   watches_state_ = watches_state_ || channel == messages::Channel::kState;
-  const std::string id = std::to_string(static_cast<std::uint32_t>(channel));
-  write_text(R"({"op":"subscribe","subscriptions":[{"id":)" + id + R"(,"channelId":)" + id + "}]}");
+  write_text(subscription(static_cast<std::uint32_t>(channel), channel));
 }
 
 void WebClient::call(std::uint32_t service) {
@@ -167,12 +167,8 @@ void WebClient::call(std::uint32_t service) {
 }
 
 std::string WebClient::consent() {
-  if (!std::exchange(watches_state_, true)) {
-    const std::string channel =
-        std::to_string(static_cast<std::uint32_t>(messages::Channel::kState));
-    write_text(R"({"op":"subscribe","subscriptions":[{"id":)" + std::to_string(kConsent) +
-               R"(,"channelId":)" + channel + "}]}");
-  }
+  if (!std::exchange(watches_state_, true))
+    write_text(subscription(kConsent, messages::Channel::kState));
   drain();
   state_.clear();
   const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
@@ -222,16 +218,10 @@ void WebClient::take_frames() {
       state_ = payload.substr(kDataHead);
     if (data && payload[1] == kConsent) continue;
     ++received_;
-    data_ = data_ || (opcode == 2 && payload[0] == 1);
     messages_.push_back(std::move(payload));
     if (messages_.size() > kKept) messages_.erase(messages_.begin());
   }
   in_.erase(0, at);
-}
-
-bool WebClient::has_data() {
-  drain();
-  return data_;
 }
 
 bool WebClient::closed() {

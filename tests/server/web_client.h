@@ -44,7 +44,6 @@ class WebClient {
 
   /// Reads the available bytes without waiting. The last 200 messages are kept.
   void drain();
-  bool has_data();
   /// Messages received since the last call.
   std::vector<std::string> take();
   /// Number of messages received.
@@ -67,7 +66,6 @@ class WebClient {
   std::uint64_t number_ = 0;
   std::size_t received_ = 0;
   bool closed_ = false;
-  bool data_ = false;
 };
 
 }  // namespace tp100::server

@@ -1,9 +1,10 @@
+// Who drives by hand, and how old what a person asks for counts.
 #include "server/wheel.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <limits>
+#include <cmath>
 
 namespace tp100::server {
 namespace {
@@ -186,16 +187,13 @@ TEST(DriveRequest, NeedsEveryFieldOfItsTypeAndRangeAndNoOther) {
     Fields missing = good;
     missing.erase(missing.begin() + static_cast<std::ptrdiff_t>(i));
     EXPECT_FALSE(drive_request(missing, why)) << good[i].name;
-    for (const RequestField::Value& value :
-         {RequestField::Value(true), RequestField::Value(std::string("x")),
-          RequestField::Value(std::numeric_limits<double>::quiet_NaN()),
-          RequestField::Value(std::numeric_limits<double>::infinity()),
-          RequestField::Value(-1e300)}) {
-      if (i == 0 && std::holds_alternative<std::string>(value)) continue;
+    std::vector<RequestField::Value> bad = {true, std::nan(""), HUGE_VAL, -1e300};
+    if (i > 0) bad.emplace_back(std::string("x"));
+    for (const RequestField::Value& value : bad) {
       Fields wrong = good;
       wrong[i].value = value;
       EXPECT_FALSE(drive_request(wrong, why)) << good[i].name;
-      EXPECT_NE(why.find(good[i].name), std::string::npos) << why;
+      EXPECT_THAT(why, testing::HasSubstr(good[i].name));
     }
   }
   Fields more = good;
