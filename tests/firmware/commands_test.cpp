@@ -163,17 +163,6 @@ TEST(Commands, EachWishMovesAnArmedRobotAndNoWishDoesNot) {
   }
 }
 
-TEST(CommandsWithoutParameters, MoveNothing) {
-  Rig rig;
-  rig.streams = true;
-  rig.speed_mps = 0.15f;
-  rig.run(500);
-  rig.arm();
-  rig.run(500);
-  EXPECT_EQ(rig.program.state(), State::kHello);
-  EXPECT_EQ(rig.hal.nonzero_writes, 0);
-}
-
 // The next number up or down, for the bounds of a field.
 template <class T>
 T beside(T value, int step) {

@@ -134,25 +134,6 @@ TEST(FailSafe, ADisarmedRobotWhoseCommandsEndLatchesAndReportsOncePerLatch) {
   }
 }
 
-TEST(FailSafe, ALowBatterySwitchesOffAfterASecondAndAShortDipDoesNot) {
-  Rig rig;
-  rig.tracks_follow = true;
-  rig.drive();
-  for (int i = 0; i < 10; ++i) {
-    rig.hal.pack_mv = 5000;
-    rig.run(300);
-    rig.hal.pack_mv = 7900;
-    rig.run(300);
-  }
-  rig.hal.pack_mv = 5000;
-  rig.run(900);
-  EXPECT_EQ(rig.program.state(), State::kRunning);
-  rig.run(300);
-  EXPECT_EQ(rig.program.state(), State::kFaulted);
-  EXPECT_TRUE(rig.has(Fault::battery_low));
-  EXPECT_FALSE(rig.motors_on());
-}
-
 TEST(FailSafeAlone, DrivesOnlyWhileEnabledAndIsEnabledOnlyWithAFreshCommand) {
   ScriptedHal hal;
   FailSafe fail_safe(hal);

@@ -165,16 +165,6 @@ TEST(Imu, DeadFromTheStartNeverStopsFramesOrTheFailSafe) {
   EXPECT_TRUE(rig.has(Fault::command_timeout));
 }
 
-TEST(Imu, IsTriedAgainEvery105MsAndNotMoreOften) {
-  Rig rig(false);
-  rig.hal.imu_answers = false;
-  rig.boot();
-  const int calls = rig.hal.i2c_calls;
-  rig.run(2110);
-  EXPECT_NEAR(rig.hal.i2c_calls - calls, 21, 1);
-  EXPECT_NEAR(rig.hal.recoveries, 21, 1);
-}
-
 TEST(Imu, IsMissingHoweverLongItDoesNotAnswer) {
   ScriptedHal hal;
   hal.imu_answers = false;

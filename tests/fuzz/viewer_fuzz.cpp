@@ -18,26 +18,14 @@ using fuzz::require;
 using namespace messages;
 using namespace server;
 
-std::vector<ParameterText> parameters() {
-  const ParameterText gain{{.name = "gain", .value = 1.0, .standard = 1.0, .range = {0.0, 2.0}},
-                           true};
-  const ParameterText fixed{{.name = "fixed", .value = 1.0, .standard = 1.0, .range = {0.0, 2.0}}};
-  const ParameterText steering{{.name = "steering",
-                                .type = ParameterText::Type::kChoice,
-                                .value = std::string("model"),
-                                .standard = std::string("model"),
-                                .choices = {"model", "fused"}},
-                               true};
-  return {gain, fixed, steering};
-}
-
 void require_set(const std::string& name, const ParameterValue& value) {
-  if (name == "gain") {
+  if (name == "control.gain") {
     const double* number = std::get_if<double>(&value);
-    require(number != nullptr && *number >= 0.0 && *number <= 2.0, "a number in its range");
+    require(number != nullptr && *number >= 0.0 && *number <= 200.0, "a number in its range");
   } else {
     const std::string* choice = std::get_if<std::string>(&value);
-    require(name == "steering" && choice != nullptr && (*choice == "model" || *choice == "fused"),
+    require(name == "estimation.steering" && choice != nullptr &&
+                (*choice == "model" || *choice == "odometry"),
             "one of the choices, of what may change");
   }
 }

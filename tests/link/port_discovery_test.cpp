@@ -68,6 +68,10 @@ TEST(PortDiscovery, KnowsEachBoardByBothOfItsIdsAndNamesIt) {
   EXPECT_EQ(describe(other), "Mill controller");
 }
 
+TEST(PortDiscovery, ListsThisMachinesPortsWithoutFailing) {
+  for (const PortInfo& info : list_ports()) EXPECT_FALSE(info.path.empty());
+}
+
 class Auto : public ::testing::Test {
  protected:
   AutoChoice choose(const std::vector<PortInfo>& ports) const {

@@ -12,6 +12,33 @@
 
 namespace tp100::server {
 
+/// Parameters of each kind.
+inline std::vector<messages::ParameterText> parameters() {
+  using messages::ParameterText;
+  const auto number = [](const char* name, double value, double low, double high) {
+    return ParameterText{{.name = name, .value = value, .standard = value, .range = {low, high}}};
+  };
+  const auto words = [](const char* name, const char* value,
+                        std::vector<std::string> choices = {}) {
+    const auto type = choices.empty() ? ParameterText::Type::kText : ParameterText::Type::kChoice;
+    return ParameterText{{.name = name,
+                          .type = type,
+                          .value = std::string(value),
+                          .standard = std::string(value),
+                          .choices = std::move(choices)}};
+  };
+  std::vector<ParameterText> all = {
+      number("control.gain", 16.0, 0.0, 200.0),
+      number("loop.rate_hz", 200.0, 50.0, 1000.0),
+      words("server.listen", ""),
+      words("course", ""),
+      number("robot.model.wheelbase_m", 0.2, 0.1, 1.0),
+      words("estimation.steering", "odometry", {"model", "odometry"})};
+  all[0].live = all[5].live = all[5].only_at_standstill = true;
+  all[0].may_save = all[1].may_save = all[3].may_save = true;
+  return all;
+}
+
 class FakeControls : public Controls {
  public:
   std::string move(OperatorRequest request, const Consent& given, HostNs) override {
