@@ -38,7 +38,11 @@ TEST(ParseText, RefusesWhatIsNotTheProtocol) {
 }
 
 TEST(ParseText, DepthIsBounded) {
-  EXPECT_TRUE(malformed(parse_text("{\"op\":" + std::string(30'000, '['))));
+  const auto nested = [](std::size_t depth) {
+    return R"({"op":"fetchAsset","x":)" + std::string(depth, '[') + std::string(depth, ']') + "}";
+  };
+  EXPECT_FALSE(malformed(parse_text(nested(15))));
+  EXPECT_TRUE(malformed(parse_text(nested(16)))) << "with the object these are 17";
   // Brackets within a string do not count.
   EXPECT_FALSE(malformed(
       parse_text(R"({"op":"getParameters","parameterNames":["[[[[[[[[[[[[[[[[[\"[["]})")));

@@ -141,6 +141,8 @@ TEST_F(PublisherTest, TheRunsClockStandsStillWhenItIsOverAndAStartIsOffered) {
   const Json over = state();
   EXPECT_NEAR(over["run_s"].get<double>(), 2.0, 0.02);
   EXPECT_EQ(over["can"]["start"], true);
+  EXPECT_EQ(over["session"], "ready");
+  EXPECT_EQ(over["robot_state"], "running");
   record_.snapshot.start_refusal = StartRefusal::kNotStill;
   const Json refused = state();
   EXPECT_EQ(refused["can"]["start"], false);
@@ -173,6 +175,7 @@ TEST_F(PublisherTest, TheLinkHasRatesOfTheLastSecond) {
   EXPECT_NEAR(received.back()["in_bytes_ps"].get<double>(), 8800.0, 90.0);
   EXPECT_EQ(received.back()["port"], "/dev/ttyACM0");
   EXPECT_EQ(received.back()["quality"], "good");
+  EXPECT_GE(received.back()["counters"]["samples"], 500);
 }
 
 TEST_F(PublisherTest, ALoopThatStandsStillDoesNotSilenceTheRest) {
