@@ -1,3 +1,4 @@
+// Faults and a low battery, told by notification and sound while nobody looks at the page.
 import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { Alerts } from '../../../daemon/web/state/alerts.ts';
 import { BatteryWatch } from '../../../daemon/web/state/battery.ts';
@@ -27,14 +28,12 @@ describe('alerts', () => {
     alerts().received('/event', event(100), store);
     expect(outlets.notify).not.toHaveBeenCalled();
     expect(outlets.beep).not.toHaveBeenCalled();
+    alerts().sounds = true;
+    expect([alerts().sounds, alerts().notifies]).toEqual([true, false]);
     const chosen = alerts();
-    chosen.sounds = true;
-    expect(alerts().sounds).toBe(true);
-    expect(alerts().notifies).toBe(false);
     chosen.notifies = true;
     chosen.sounds = false;
-    expect(alerts().sounds).toBe(false);
-    expect(alerts().notifies).toBe(true);
+    expect([alerts().sounds, alerts().notifies]).toEqual([false, true]);
   });
 
   it('tell of a new fault once, with what to do, not what a new connection repeats, nor what is no fault', () => {
@@ -44,8 +43,7 @@ describe('alerts', () => {
     all.received('/event', event(100, 'warning'), store);
     all.received('/event', event(100), new Store(() => 0));
     expect(outlets.notify).not.toHaveBeenCalled();
-    all.received('/event', event(100.2), store);
-    all.received('/event', event(100.3), store);
+    for (const t_s of [100.2, 100.3]) all.received('/event', event(t_s), store);
     expect(outlets.notify.mock.calls).toEqual([['tilt', 'it leans: set it down']]);
     expect(outlets.beep).toHaveBeenCalledOnce();
     now_ms = 5000;
@@ -58,36 +56,30 @@ describe('alerts', () => {
     all.notifies = true;
     store.receive('/parameter', { parameters: [{ name: 'control.min_battery_v', value: 6.2 } as never] });
     for (let t_s = 101; t_s < 110; t_s++) {
-      const state = { t_s, run: 'idle', battery_v: 6.4 } as State;
-      store.receive('/state', state);
-      all.received('/state', state, store);
+      store.receive('/state', { t_s, run: 'idle', battery_v: 6.4 } as State);
+      all.received('/state', undefined, store);
       now_ms += 1000;
     }
     expect(outlets.notify.mock.calls).toEqual([['the battery is low', '6.40 V']]);
   });
 });
 
-describe('the battery', () => {
-  it('is low when it stays near the limit, not when a motor starts', () => {
-    const battery = new BatteryWatch();
-    battery.take(0, 6.4, 6.2);
-    battery.take(1, 6.4, 6.2);
-    battery.take(1.5, 7, 6.2);
-    battery.take(2.5, 6.4, 6.2);
-    expect(battery.low).toBe(false);
-    battery.take(4.6, 6.4, 6.2);
-    expect(battery.low).toBe(true);
-    battery.take(5, 6.55, 6.2);
-    expect(battery.low, 'a little more is not enough').toBe(true);
-    battery.take(6, 6.7, 6.2);
-    expect(battery.low).toBe(false);
-  });
-
-  it('is not low where none is, or no limit is known', () => {
-    const battery = new BatteryWatch();
-    for (const [voltage_v, limit_v] of [[0.3, 6.2], [undefined, 6.2], [6.2, undefined], [6.2, 0]]) {
-      for (let t_s = 0; t_s < 10; t_s++) battery.take(t_s, voltage_v, limit_v);
-      expect(battery.low).toBe(false);
-    }
-  });
+it('the battery is low when it stays near the limit, not when a motor starts', () => {
+  const battery = new BatteryWatch();
+  const looks: [t_s: number, voltage_v: number, low: boolean, why: string][] = [
+    [0, 6.4, false, 'near the limit'],
+    [1.5, 7, false, 'the motor runs'],
+    [2.5, 6.4, false, 'near the limit again'],
+    [4.6, 6.4, true, 'it stayed there for 2 s'],
+    [5, 6.55, true, 'a little more is not enough'],
+    [6, 6.7, false, 'it is charged'],
+    [7, 0.3, false, 'no battery'],
+    [10, 0.3, false, 'no battery for long'],
+  ];
+  for (const [t_s, voltage_v, low, why] of looks) {
+    battery.take(t_s, voltage_v, 6.2);
+    expect(battery.low, why).toBe(low);
+  }
+  for (const limit_v of [undefined, 0]) for (const t_s of [20, 30]) battery.take(t_s, 6.2, limit_v);
+  expect(battery.low, 'no limit is known').toBe(false);
 });

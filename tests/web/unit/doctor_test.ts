@@ -1,14 +1,12 @@
+// What the page says of an examination, and how it watches the check of the tracks.
 import { describe, expect, it } from 'vitest';
 import { verdict, type Finding, type Severity } from '../../../daemon/web/state/doctor.ts';
 import { WheelsUp } from '../../../daemon/web/state/wheels_up.ts';
 
-const finding = (severity: Severity): Finding => ({ severity, name: 'disk', seen: '', fix: '' });
-
-describe('the verdict of an examination', () => {
-  it('counts what was found; with an error the robot does not drive', () => {
-    expect(verdict((['ok', 'warning', 'note', 'note'] as const).map(finding))).toBe('Ready to drive: 0 errors, 1 warning, 2 notes.');
-    expect(verdict([finding('error')])).toBe('Not ready to drive: 1 error, 0 warnings, 0 notes.');
-  });
+it('an examination counts what was found; with an error the robot does not drive', () => {
+  const finding = (severity: Severity): Finding => ({ severity, name: 'disk', seen: '', fix: '' });
+  expect(verdict((['ok', 'warning', 'note', 'note'] as const).map(finding))).toBe('Ready to drive: 0 errors, 1 warning, 2 notes.');
+  expect(verdict([finding('error')])).toBe('Not ready to drive: 1 error, 0 warnings, 0 notes.');
 });
 
 describe('the check of the tracks', () => {
@@ -26,34 +24,30 @@ describe('the check of the tracks', () => {
     return { calls, progress, failed, seen, up };
   };
 
-  it('is watched until its result, and only while somebody sees the page', async () => {
+  it('is begun once, and watched until its result, only while somebody sees the page', async () => {
     const result = { port: '', errors: 0, warnings: 0, notes: 0, findings: [] };
     const { calls, progress, seen, up } = check([{ token: 't' }, { step: 'left' }, { step: 'right' }, { step: 'end', result }]);
     await up.tick();
-    await up.begin();
-    expect(up.on).toBe(true);
-    await up.tick();
-    seen.yes = false;
-    await up.tick();
-    expect(calls).toEqual([['wheels_up_begin', { tracks: 'free' }], ['wheels_up_watch', { token: 't', input_ms: 7 }]]);
-    seen.yes = true;
-    up.answer(2, 'b');
-    await up.tick();
-    expect(calls[2]?.[1]).toEqual({ token: 't', input_ms: 7, question: 2, answer: 'b' });
-    await up.tick();
-    expect(calls[3]?.[1]).toEqual({ token: 't', input_ms: 7 });
-    expect(up.on).toBe(false);
-    expect(progress).toEqual([{ step: 'left' }, { step: 'right' }, { step: 'end', result }]);
-  });
-
-  it('is begun once, however often it is asked for', async () => {
-    const { calls, up } = check([{ token: 't' }]);
     const first = up.begin();
     expect(up.on).toBe(true);
     await up.begin();
     await first;
     await up.begin();
-    expect([up.on, calls.length]).toEqual([true, 1]);
+    await up.tick();
+    seen.yes = false;
+    await up.tick();
+    seen.yes = true;
+    up.answer(2, 'b');
+    for (let i = 0; i < 3; i++) await up.tick();
+    const watched = { token: 't', input_ms: 7 };
+    expect(calls).toEqual([
+      ['wheels_up_begin', { tracks: 'free' }],
+      ['wheels_up_watch', watched],
+      ['wheels_up_watch', { ...watched, question: 2, answer: 'b' }],
+      ['wheels_up_watch', watched],
+    ]);
+    expect(up.on).toBe(false);
+    expect(progress).toEqual([{ step: 'left' }, { step: 'right' }, { step: 'end', result }]);
   });
 
   it('ends with the reason of a refusal', async () => {

@@ -12,10 +12,7 @@ describe('a text frame', () => {
       op: 'advertise',
       channels: [{ id: 3, topic: '/state', encoding: 'json', schemaName: 'tp100.State' }],
     });
-    expect(codec.parseText('{"op":"advertiseServices","services":[{"id":1,"name":"stop","type":"x"}]}')).toEqual({
-      op: 'advertiseServices',
-      services: [{ id: 1, name: 'stop' }],
-    });
+    expect(codec.parseText('{"op":"advertiseServices","services":[{"id":1,"name":"stop","type":"x"}]}')).toEqual({ op: 'advertiseServices', services: [{ id: 1, name: 'stop' }] });
   });
 
   it.each(['', '{', '[]', 'null', '7', '{"op":5}', '{"op":"unheard"}', '{"op":"serviceCallFailure","callId":"1"}'])('%j is ignored', (frame) => {
@@ -62,14 +59,11 @@ describe('a connection', () => {
     connection = new Connection(daemon.make, events, () => Date.now());
   });
 
-  it('opens at once, passes frames on, and sends only while it is open', () => {
+  it('passes frames on, and sends only while it is open', () => {
     expect(connection.send('early')).toBe(false);
     daemon.newest.open();
-    daemon.newest.say('hello');
-    daemon.newest.say(new ArrayBuffer(3));
-    expect(events.opened).toHaveBeenCalledOnce();
-    expect(events.text).toHaveBeenCalledWith('hello');
-    expect(events.binary).toHaveBeenCalledOnce();
+    for (const frame of ['hello', new ArrayBuffer(3)]) daemon.newest.say(frame);
+    expect([events.opened, events.text, events.binary].map((event) => event.mock.calls.length)).toEqual([1, 1, 1]);
     expect(connection.send('now')).toBe(true);
     daemon.newest.die();
     expect(connection.send('late')).toBe(false);
@@ -77,20 +71,15 @@ describe('a connection', () => {
   });
 
   it('waits longer after each failure, up to a limit, and starts anew after a success or when it is asked to', () => {
-    const last_ms = (): number => events.closed.mock.calls.at(-1)?.[0] ?? NaN;
-    for (const wait_ms of [kFirstRetry_ms, 2 * kFirstRetry_ms]) {
+    const waits_ms = (): number[] => events.closed.mock.calls.map(([retry_ms]) => retry_ms);
+    for (let i = 0; i < 6; i++) {
       daemon.newest.die();
-      expect(last_ms()).toBe(wait_ms);
-      vi.advanceTimersByTime(wait_ms);
+      vi.advanceTimersByTime(waits_ms().at(-1) ?? NaN);
     }
-    for (let i = 0; i < 5; i++) {
-      daemon.newest.die();
-      vi.advanceTimersByTime(last_ms());
-    }
-    expect(last_ms()).toBe(kLongestRetry_ms);
+    expect(waits_ms()).toEqual([1, 2, 4, 8, 16, 32].map((times) => Math.min(times * kFirstRetry_ms, kLongestRetry_ms)));
     daemon.newest.open();
     daemon.newest.die();
-    expect(last_ms()).toBe(kFirstRetry_ms);
+    expect(waits_ms().at(-1)).toBe(kFirstRetry_ms);
     const count = daemon.sockets.length;
     connection.retryNow();
     connection.retryNow();

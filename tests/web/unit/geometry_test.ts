@@ -1,4 +1,5 @@
-import { describe, expect, it } from 'vitest';
+// The shapes of course and robot that the page draws.
+import { expect, it } from 'vitest';
 import * as geometry from '../../../daemon/web/scene/geometry.ts';
 import type { Course } from '../../../daemon/web/state/messages.ts';
 
@@ -24,87 +25,56 @@ function volume(triangles: Float32Array): number {
   return six / 6;
 }
 
-describe('prism', () => {
-  it('is closed and faces outwards: its volume is area times width', () => {
-    const up = 0.08 / Math.tan(ramp.up_rad);
-    expect(volume(geometry.prism(geometry.rampProfile(ramp), 0.4))).toBeCloseTo((0.2 + up) * 0.08 * 0.4, 6);
-    expect(volume(geometry.prism(geometry.blockProfile(block), 0.4))).toBeCloseTo(0.1 * 0.037 * 0.4, 7);
-    const track = geometry.prism(geometry.stadium(0.133, 0.026, 64), 0.045);
-    expect(volume(track)).toBeCloseTo((2 * 0.026 * 0.133 + Math.PI * 0.026 ** 2) * 0.045, 6);
-  });
+it('a prism is closed and faces outwards: its volume is area times width', () => {
+  const up = 0.08 / Math.tan(ramp.up_rad);
+  expect(volume(geometry.prism(geometry.rampProfile(ramp), 0.4))).toBeCloseTo((0.2 + up) * 0.08 * 0.4, 6);
+  expect(volume(geometry.prism(geometry.blockProfile(block), 0.4))).toBeCloseTo(0.1 * 0.037 * 0.4, 7);
+  const track = geometry.prism(geometry.stadium(0.133, 0.026, 64), 0.045);
+  expect(volume(track)).toBeCloseTo((2 * 0.026 * 0.133 + Math.PI * 0.026 ** 2) * 0.045, 6);
 });
 
-describe('onStadium', () => {
-  it('goes around at even speed and comes back to where it began', () => {
-    const [spacing, radius] = [0.133, 0.026];
-    const length = geometry.stadiumLength(spacing, radius);
-    const steps = 2000;
-    let last = geometry.onStadium(spacing, radius, 0);
-    for (let i = 1; i <= steps; i++) {
-      const next = geometry.onStadium(spacing, radius, (i * length) / steps);
-      expect(Math.hypot(next.x - last.x, next.y - last.y)).toBeCloseTo(length / steps, 5);
-      last = next;
-    }
-    expect(last.x).toBeCloseTo(0, 6);
-    expect(geometry.onStadium(spacing, radius, -0.01).x).toBeCloseTo(-0.01, 9);
-  });
+it('a shoe goes around its track at even speed and comes back to where it began', () => {
+  const [spacing, radius] = [0.133, 0.026];
+  const length = geometry.stadiumLength(spacing, radius);
+  const steps = 2000;
+  let last = geometry.onStadium(spacing, radius, 0);
+  for (let i = 1; i <= steps; i++) {
+    const next = geometry.onStadium(spacing, radius, (i * length) / steps);
+    expect(Math.hypot(next.x - last.x, next.y - last.y)).toBeCloseTo(length / steps, 5);
+    last = next;
+  }
+  expect(last.x).toBeCloseTo(0, 6);
+  expect(geometry.onStadium(spacing, radius, -0.01).x).toBeCloseTo(-0.01, 9);
 });
 
-describe('groundHeight', () => {
-  it('follows ramp and step of course 3', () => {
-    expect(geometry.groundHeight(course3, 0.7, -0.8)).toBeCloseTo(0.08);
-    expect(geometry.groundHeight(course3, 1.2, -0.8)).toBeCloseTo(0.037);
-    expect(geometry.groundHeight(course3, 1.2, -0.59)).toBe(0);
-    expect(geometry.groundHeight(course3, 0, 0)).toBe(0);
-    const half = geometry.rampLength(ramp) / 2;
-    expect(geometry.groundHeight(course3, 0.7 + half - 0.01, -0.8)).toBeCloseTo(0.01 * Math.tan((28 * Math.PI) / 180));
-  });
+it('the ground follows ramp and step of course 3, and the path lies on it without leaps', () => {
+  const half = geometry.rampLength(ramp) / 2;
+  const places: [x: number, y: number, height: number][] = [[0.7, -0.8, 0.08], [1.2, -0.8, 0.037], [1.2, -0.59, 0], [0, 0, 0], [0.7 + half - 0.01, -0.8, 0.01 * Math.tan(ramp.down_rad)]];
+  for (const [x, y, height] of places) expect(geometry.groundHeight(course3, x, y), `${x}, ${y}`).toBeCloseTo(height, 6);
+  const points = geometry.drape(course3, 0.005);
+  let highest = 0;
+  for (let i = 3; i < points.length; i += 3) {
+    const step = Math.hypot((points[i] ?? 0) - (points[i - 3] ?? 0), (points[i + 1] ?? 0) - (points[i - 2] ?? 0));
+    expect(step).toBeLessThanOrEqual(0.0051);
+    highest = Math.max(highest, points[i + 2] ?? 0);
+  }
+  expect(highest).toBeCloseTo(0.08, 3);
 });
 
-describe('drape', () => {
-  it('lays the path on the ground, without leaps along the floor', () => {
-    const points = geometry.drape(course3, 0.005);
-    let highest = 0;
-    for (let i = 3; i < points.length; i += 3) {
-      const step = Math.hypot((points[i] ?? 0) - (points[i - 3] ?? 0), (points[i + 1] ?? 0) - (points[i - 2] ?? 0));
-      expect(step).toBeLessThanOrEqual(0.0051);
-      highest = Math.max(highest, points[i + 2] ?? 0);
-    }
-    expect(highest).toBeCloseTo(0.08, 3);
-  });
+it('a ribbon has its edges half a width to the left and right of the way', () => {
+  const out = new Float32Array(18);
+  geometry.ribbon(new Float32Array([0, 0, 0, 1, 0, 0, 2, 0, 0]), 0, 3, 0.2, 0.01, out);
+  expect([...out].map((value) => value.toFixed(3))).toEqual([0, 1, 2].flatMap((x) => [x, 0.1, 0.01, x, -0.1, 0.01].map((value) => value.toFixed(3))));
 });
 
-describe('ribbon', () => {
-  it('has its edges half a width to the left and right of the way', () => {
-    const points = new Float32Array([0, 0, 0, 1, 0, 0, 2, 0, 0]);
-    const out = new Float32Array(18);
-    geometry.ribbon(points, 0, 3, 0.2, 0.01, out);
-    for (let i = 0; i < 3; i++) {
-      expect(out[6 * i]).toBeCloseTo(i);
-      expect(out[6 * i + 1]).toBeCloseTo(0.1);
-      expect(out[6 * i + 2]).toBeCloseTo(0.01);
-      expect(out[6 * i + 4]).toBeCloseTo(-0.1);
-    }
-  });
+it('the bounds cover fence, path and obstacles, and something without a course', () => {
+  expect(geometry.bounds(course3)).toMatchObject({ min_x: -0.05, max_x: 1.85, max_y: 0.1 });
+  expect(geometry.bounds(course3).min_y).toBeCloseTo(-1);
+  const none = geometry.bounds(undefined);
+  expect(none.max_x).toBeGreaterThan(none.min_x);
 });
 
-describe('bounds', () => {
-  it('covers fence, path and obstacles, and something without a course', () => {
-    expect(geometry.bounds(course3)).toMatchObject({ min_x: -0.05, max_x: 1.85, max_y: 0.1 });
-    expect(geometry.bounds(course3).min_y).toBeCloseTo(-1);
-    const none = geometry.bounds(undefined);
-    expect(none.max_x).toBeGreaterThan(none.min_x);
-  });
-});
-
-describe('footprint', () => {
-  it('turns with the heading', () => {
-    const corners = geometry.footprint({ x_m: 1, y_m: 2, heading_rad: Math.PI / 2 }, 4, 2);
-    expect(corners.map(({ x, y }) => [Math.round(x * 1e6) / 1e6 + 0, Math.round(y * 1e6) / 1e6 + 0])).toEqual([
-      [2, 0],
-      [2, 4],
-      [0, 4],
-      [0, 0],
-    ]);
-  });
+it('a footprint turns with the heading', () => {
+  const corners = geometry.footprint({ x_m: 1, y_m: 2, heading_rad: Math.PI / 2 }, 4, 2);
+  expect(corners.map(({ x, y }) => [x, y].map((value) => Math.round(value * 1e6) / 1e6 + 0))).toEqual([[2, 0], [2, 4], [0, 4], [0, 0]]);
 });

@@ -1,14 +1,11 @@
+// What the page sends while a person drives by hand, and when it stops sending.
 import { beforeEach, describe, expect, it } from 'vitest';
 import { Driver } from '../../../daemon/web/drive/driver.ts';
 import { Inputs } from '../../../daemon/web/drive/inputs.ts';
 import type { State } from '../../../daemon/web/state/messages.ts';
 
 describe('the driver', () => {
-  interface Sent {
-    service: string;
-    request: Record<string, unknown>;
-  }
-  let sent: Sent[];
+  let sent: { service: string; request: Record<string, unknown> }[];
   let answer: (service: string) => Promise<unknown>;
   let attended: boolean;
   let ended: string[];
@@ -41,7 +38,11 @@ describe('the driver', () => {
   });
 
   // Otherwise the daemon could not tell how old an input is, or would count the person's first one as the path's delay.
-  it('takes the wheel by consent, and sends a standstill as soon as it has it', async () => {
+  it('takes the wheel by consent, and sends a standstill as soon as it has it, nothing before', async () => {
+    inputs.key('KeyA', 'pressed');
+    driver.tick();
+    driver.leave();
+    expect(sent, 'nothing before it has the wheel').toEqual([]);
     const taken = driver.take();
     inputs.key('KeyW', 'pressed');
     await taken;
@@ -59,13 +60,6 @@ describe('the driver', () => {
       expect(driver.drives).toBe(false);
       expect(ended.at(-1)).toBe(`${refused} is refused`);
     }
-  });
-
-  it('sends nothing before it has taken the wheel', () => {
-    inputs.key('KeyW', 'pressed');
-    driver.tick();
-    driver.leave();
-    expect(sent).toEqual([]);
   });
 
   it('sends what is wanted within its share of the limits, with the time of the input', async () => {

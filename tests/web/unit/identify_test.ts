@@ -1,3 +1,4 @@
+// The drives of an identification, and that none begins without the person's consent at its time.
 import { describe, expect, it } from 'vitest';
 import { drive, type Reach } from '../../../daemon/web/state/identification_drive.ts';
 import { calibrationCourses, decimals, drivesOf, fileName, measuredIn, measuredTable, noteOf, space, tagsOf } from '../../../daemon/web/state/identify.ts';
@@ -22,41 +23,26 @@ describe('the drives of an identification', () => {
     expect(tagsOf('mine').split(' ')).toEqual(['identify', 'mine']);
   });
 
-  it('keep what was measured by hand in their notes', () => {
-    for (const measured of [{}, { distance_m: 1.5 }, { turned_deg: -360.5 }, { distance_m: 0, turned_deg: 0 }, { distance_m: 0.5, slope_deg: -16 }]) expect(measuredIn(noteOf(measured))).toEqual(measured);
-    expect(measuredIn('a wet floor\ndistance_m = 1.25\n')).toEqual({ distance_m: 1.25 });
-    expect(measuredIn('distance_m = much')).toEqual({});
-  });
-
-  it('are a table of measurements by their number', () => {
+  it('keep what was measured by hand in their notes, and are a table of measurements by their number', () => {
+    for (const measured of [{}, { distance_m: 1.5 }, { turned_deg: -360.5 }, { distance_m: 0.5, slope_deg: -16 }]) expect(measuredIn(noteOf(measured))).toEqual(measured);
+    expect(measuredIn('a wet floor\ndistance_m = 1.25\nturned_deg = much')).toEqual({ distance_m: 1.25 });
     const drives = [entry('1', { note: 'distance_m = 1.5' }), entry('2'), entry('3', { note: noteOf({ distance_m: 0.5, turned_deg: 90, slope_deg: 20 }) })];
     expect(measuredTable(drives)).toBe('run,distance_m,turned_deg,slope_deg\n1,1.5,,\n3,0.5,90,20\n');
     expect(measuredTable([entry('1')])).toBe('');
   });
 
-  it('are on the courses of the robot in driving order, then on those of the user', () => {
-    const courses = [course('a'), course('b'), course('c'), course('mine', { from: 'own' }), course('race', { from: 'own', identifies: false })];
+  it('are on the courses of the robot in driving order, then on those of the user, and need the room of the fence', () => {
+    const fence = { min_x_m: -0.2, max_x_m: 1.7, min_y_m: -0.5, max_y_m: 0.6 };
+    const courses = [course('a'), course('b'), course('c'), course('mine', { from: 'own', fence }), course('race', { from: 'own', identifies: false })];
     expect(calibrationCourses(setup({ courses })).map(({ name }) => name)).toEqual(['b', 'a', 'mine']);
-  });
-
-  it('need the room of the fence', () => {
-    expect(space(course('a', { fence: { min_x_m: -0.2, max_x_m: 1.7, min_y_m: -0.5, max_y_m: 0.5 } }))).toBe('1.7 m ahead, 0.2 m behind, 0.5 m to the left, 0.5 m to the right');
+    expect(space(course('a', { fence }))).toBe('1.7 m ahead, 0.2 m behind, 0.6 m to the left, 0.5 m to the right');
   });
 });
 
-describe('a new robot file', () => {
-  it('replaces only one of the user', () => {
-    const robots = [{ name: 'mine', from: 'own' as const, in_force: true, why_not: '' }, { name: 'worn', from: 'bundled' as const, in_force: false, why_not: '' }];
-    expect(fileName(setup({ robots }), 'mine')).toBe('mine');
-    expect(fileName(setup({ robots }), 'worn')).toBe('worn-identified');
-  });
-
-  it('is shown with the digits that its interval leaves', () => {
-    expect(decimals(0.0009)).toBe(5);
-    expect(decimals(0.01)).toBe(3);
-    expect(decimals(2)).toBe(1);
-    expect(decimals(undefined)).toBe(5);
-  });
+it('a new robot file replaces only one of the user, and is shown with the digits that its interval leaves', () => {
+  const robots = [{ name: 'mine', from: 'own' as const, in_force: true, why_not: '' }, { name: 'worn', from: 'bundled' as const, in_force: false, why_not: '' }];
+  expect(['mine', 'worn'].map((robot) => fileName(setup({ robots }), robot))).toEqual(['mine', 'worn-identified']);
+  expect([0.0009, 0.01, 2, undefined].map(decimals)).toEqual([5, 3, 1, 5]);
 });
 
 interface Script {

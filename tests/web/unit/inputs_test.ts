@@ -1,3 +1,4 @@
+// Keys, stick and gamepad: what a person wants, and that nothing drives once the person has let go.
 import { beforeEach, describe, expect, it } from 'vitest';
 import { Inputs, kFrozen_ms, kLastKey_ms, kRepeat_ms, travel, type Pad } from '../../../daemon/web/drive/inputs.ts';
 import { random } from './random.ts';
@@ -16,11 +17,8 @@ beforeEach(() => {
 });
 
 describe('the inputs', () => {
-  it('are nothing, and given now, while no control is held', () => {
-    expect(inputs.wish()).toEqual({ forward: 0, left: 0, source: 'none', at_ms: 1000 });
-  });
-
   it('follow keys by their place, as long as they are held', () => {
+    expect(inputs.wish()).toEqual({ forward: 0, left: 0, source: 'none', at_ms: 1000 });
     expect(inputs.key('KeyW', 'pressed')).toBe(true);
     inputs.key('ArrowLeft', 'pressed');
     now_ms = 1900;
@@ -28,29 +26,20 @@ describe('the inputs', () => {
     inputs.key('KeyS', 'pressed');
     inputs.key('ArrowUp', 'pressed');
     expect(inputs.wish().forward).toBe(1);
-    inputs.key('KeyW', 'released');
-    inputs.key('ArrowUp', 'released');
+    for (const code of ['KeyW', 'ArrowUp']) inputs.key(code, 'released');
     expect(inputs.wish().forward).toBe(-1);
     expect(inputs.key('KeyQ', 'pressed')).toBe(false);
+    inputs.touch({ forward: -2, left: 0.5 });
+    expect(inputs.wish(), 'the stick comes first').toMatchObject({ forward: -1, left: 0.5, source: 'stick' });
+    inputs.touch(undefined);
+    expect(inputs.wish().source).toBe('keys');
     inputs.clear();
     expect(inputs.wish().source).toBe('none');
   });
 
-  it('prefer the stick that is held', () => {
-    inputs.key('KeyW', 'pressed');
-    inputs.touch({ forward: -2, left: 0.5 });
-    expect(inputs.wish()).toMatchObject({ forward: -1, left: 0.5, source: 'stick' });
-    inputs.touch(undefined);
-    expect(inputs.wish().source).toBe('keys');
-  });
-
   it('have a dead zone, and full speed before the stop of a gamepad', () => {
-    expect(travel(0.1)).toBe(0);
-    expect(travel(-0.12)).toBe(0);
+    expect([0.1, -0.12, NaN, -0.9, 1].map(travel)).toEqual([0, 0, 0, -1, 1]);
     expect(travel(0.51)).toBeCloseTo(0.5, 6);
-    expect(travel(-0.9)).toBe(-1);
-    expect(travel(1)).toBe(1);
-    expect(travel(NaN)).toBe(0);
   });
 });
 
@@ -168,11 +157,9 @@ describe('keys whose release may get lost', () => {
 
   // Otherwise a key that was lost while the page slept would drive again with the next one.
   it('are not revived by another key', () => {
-    const board = new Keyboard(400, 33);
-    board.press('KeyW');
-    board.release('KeyW', false);
+    inputs.key('KeyW', 'pressed');
     now_ms += 5000;
-    board.press('KeyA');
+    inputs.key('KeyA', 'pressed');
     expect(given()).toEqual([0, 1]);
   });
 

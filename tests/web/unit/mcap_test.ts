@@ -1,3 +1,4 @@
+// Recordings as the page reads them while they arrive, also corrupted ones.
 import { describe, expect, it } from 'vitest';
 import { McapScanner, type McapMessage } from '../../../daemon/web/replay/mcap.ts';
 import { random } from './random.ts';

@@ -1,3 +1,4 @@
+// The page of all robots: what it knows of each, STOP for one that does not answer, and which it lists.
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { Robot, type Contact, type Listed } from '../../../daemon/web/robots/robot.ts';
 import { kEnded_ms, RobotList } from '../../../daemon/web/robots/robot_list.ts';
@@ -5,41 +6,34 @@ import { FakeDaemon, message } from './fake_daemon.ts';
 
 const kListed: Listed = { url: 'http://127.0.0.1:8766/', session: 'cd34' };
 
-let daemon: FakeDaemon;
-const robot = (listed = kListed): Robot => new Robot(listed, () => Date.now(), daemon.make);
-
-/** A message of `/state`. */
-function state(run: string): void {
-  daemon.newest.say(message(1, { stop: { count: 0, latched: false, by: '', status: 'none' }, run }));
-}
-
-beforeEach(() => {
-  vi.useFakeTimers();
-  daemon = new FakeDaemon();
-});
-afterEach(() => {
-  vi.useRealTimers();
-});
-
 describe('a robot of the list', () => {
-  it('answers while its state comes', () => {
+  let daemon: FakeDaemon;
+  const robot = (listed = kListed): Robot => new Robot(listed, () => Date.now(), daemon.make);
+  /** The daemon answers, and sends `/state`. */
+  const answers = (session = 'cd34'): void => {
+    daemon.newest.greet(session);
+    daemon.newest.say(message(1, { stop: { count: 0, latched: false, by: '', status: 'none' }, run: 'running' }));
+  };
+
+  beforeEach(() => {
+    vi.useFakeTimers();
+    daemon = new FakeDaemon();
+  });
+  afterEach(() => {
+    vi.useRealTimers();
+  });
+
+  it('answers while its state comes, not when its connection ends, or there never was one', () => {
     const one = robot();
     expect(one.contact).toBe('connecting');
-    daemon.newest.greet('cd34');
-    state('running');
-    expect(one.contact).toBe('answers');
-    expect(one.name).toBe('left');
-    expect(one.state?.run).toBe('running');
+    answers();
+    expect([one.contact, one.name, one.state?.run]).toEqual(['answers', 'left', 'running']);
     vi.advanceTimersByTime(900);
     expect(one.contact).toBe('answers');
     vi.advanceTimersByTime(200);
     expect(one.contact).toBe('no_answer');
-  });
-
-  it('does not answer when its connection ends, or there never was one', () => {
-    const one = robot();
-    daemon.newest.greet('cd34');
-    state('running');
+    answers();
+    expect(one.contact).toBe('answers');
     daemon.newest.die();
     expect(one.contact).toBe('no_answer');
     const other = robot();
@@ -62,23 +56,16 @@ describe('a robot of the list', () => {
     expect(daemon.newest.sent[0]).toBe(daemon.newest.calls[0]);
   });
 
-  it('sends nothing to another daemon at its address, and shows nothing of it', () => {
+  it('sends nothing to another daemon at its address, and shows nothing of it, unless the configuration names the address', () => {
     const one = robot();
     one.stop.press(Date.now());
-    daemon.newest.greet('ffff');
-    state('running');
+    answers('ffff');
     one.stop.press(Date.now());
-    expect(one.contact).toBe('other');
-    expect(one.state).toBeUndefined();
-    expect(one.name).toBe('');
+    expect([one.contact, one.state, one.name]).toEqual(['other', undefined, '']);
     expect(daemon.newest.calls.length).toBe(0);
-  });
-
-  it('is whatever daemon answers if the configuration names it', () => {
-    const one = robot({ url: 'http://10.0.0.7:8765/' });
-    daemon.newest.greet('ffff');
-    state('idle');
-    expect(one.contact).toBe('answers');
+    const named = robot({ url: 'http://10.0.0.7:8765/' });
+    answers('ffff');
+    expect(named.contact).toBe('answers');
   });
 
   it('leaves nothing behind', () => {
@@ -102,18 +89,17 @@ describe('the list of robots', () => {
     }
   }
   const kOther: Listed = { url: 'http://127.0.0.1:8767/', session: 'ef56' };
-
-  it('has each once, as long as it is listed', () => {
-    const list = new RobotList((listed) => new Member(listed));
+  let list: RobotList<Member>;
+  let one: Member, other: Member;
+  beforeEach(() => {
+    list = new RobotList((listed) => new Member(listed));
     list.take([kListed, kOther, kOther], 0);
-    list.take([kOther, kListed], 1000);
-    expect(list.robots.map(({ listed }) => listed)).toEqual([kListed, kOther]);
+    [one, other] = list.robots as [Member, Member];
   });
 
-  it('says for a minute that a daemon has ended', () => {
-    const list = new RobotList((listed) => new Member(listed));
-    list.take([kListed, kOther], 0);
-    const [one, other] = list.robots as [Member, Member];
+  it('has each once, as long as it is listed, and says for a minute that a daemon has ended', () => {
+    list.take([kOther, kListed], 500);
+    expect(list.robots).toEqual([one, other]);
     one.contact = 'no_answer';
     list.take([kOther], 1000);
     expect([list.ended(one), list.ended(other)]).toEqual([true, false]);
@@ -125,26 +111,21 @@ describe('the list of robots', () => {
   });
 
   it('keeps one that hangs, and one that answers though it is not listed', () => {
-    const list = new RobotList((listed) => new Member(listed));
-    list.take([kListed, kOther], 0);
-    const [hangs, answers] = list.robots as [Member, Member];
-    hangs.contact = 'no_answer';
+    one.contact = 'no_answer';
     for (let now_ms = 0; now_ms < 3 * kEnded_ms; now_ms += 1000) list.take([kListed], now_ms);
-    expect(list.robots).toEqual([hangs, answers]);
-    expect([list.ended(hangs), list.ended(answers)]).toEqual([false, false]);
+    expect(list.robots).toEqual([one, other]);
+    expect([list.ended(one), list.ended(other)]).toEqual([false, false]);
   });
 
-  it('shows a restarted daemon beside the one that ended', () => {
-    const old = new Member(kListed);
-    const list = new RobotList((listed) => (listed === kListed ? old : new Member(listed)));
-    list.take([kListed], 0);
-    old.contact = 'no_answer';
+  it('shows a restarted daemon beside the one that ended, until its address is known to be the new one’s', () => {
+    one.contact = 'no_answer';
     const again = { ...kListed, session: '9abc' };
-    list.take([again], 1000);
-    expect(list.robots.map(({ listed }) => listed.session)).toEqual(['cd34', '9abc']);
-    // It turns out that the address is the new one's.
-    old.contact = 'other';
-    list.take([again], 2000);
-    expect(list.robots.map(({ listed }) => listed.session)).toEqual(['9abc']);
+    const sessions = (now_ms: number): unknown[] => {
+      list.take([kOther, again], now_ms);
+      return list.robots.map(({ listed }) => listed.session);
+    };
+    expect(sessions(1000)).toEqual(['cd34', 'ef56', '9abc']);
+    one.contact = 'other';
+    expect(sessions(2000)).toEqual(['ef56', '9abc']);
   });
 });

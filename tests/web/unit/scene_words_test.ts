@@ -1,4 +1,5 @@
-import { describe, expect, it } from 'vitest';
+// The scene in words, for who cannot see it.
+import { expect, it } from 'vitest';
 import type { Estimate, State } from '../../../daemon/web/state/messages.ts';
 import { sceneKey, sceneText } from '../../../daemon/web/panel/scene_words.ts';
 import { Store } from '../../../daemon/web/state/store.ts';
@@ -12,45 +13,33 @@ const kEstimate = {
   model: { x_m: 0, y_m: 0 }, fused: { x_m: 0, y_m: 0 }, odometry: { x_m: 1.204, y_m: -0.31, yaw_rad: 0.5 },
 } as unknown as Estimate;
 
-function store(state: Partial<State> = {}, estimate: Partial<Estimate> = {}): { store: Store; later: (ms: number) => void } {
-  let now_ms = 0;
+let now_ms = 0;
+function store(state: Partial<State> = {}, estimate: Partial<Estimate> = {}): Store {
   const made = new Store(() => now_ms);
   made.receive('/state', { ...kState, ...state });
   made.receive('/estimate', { ...kEstimate, ...estimate });
-  return { store: made, later: (ms) => { now_ms += ms; } };
+  return made;
 }
 
-describe('the scene in words', () => {
-  it('says where the robot is and what it does', () => {
-    expect(sceneText(store().store, false)).toBe(
-      'Course 3, robot worn, running. It is at x 1.20 m, y \u22120.31 m, heading 29 degrees. 1.20 of 3.90 m are driven, 4 mm to the right of the path.',
-    );
-    expect(sceneText(store({ course: '', length_m: null, run: 'idle' }).store, false)).toMatch(/^No course, robot worn, idle\. It is at [^.]*\.[^.]*\.[^.]*\.$/);
-    expect(sceneText(store({}, { cross_track_m: 0.0001 }).store, false)).toContain('on the path.');
-    expect(sceneText(store({ pause_left_s: 10 }).store, true)).toMatch(/^Recording\. Course 3, robot worn, paused\./);
-  });
+it('it says where the robot is, what it does and what is wrong', () => {
+  expect(sceneText(store(), false)).toBe(
+    'Course 3, robot worn, running. It is at x 1.20 m, y \u22120.31 m, heading 29 degrees. 1.20 of 3.90 m are driven, 4 mm to the right of the path.',
+  );
+  expect(sceneText(store({ course: '', length_m: null, run: 'idle' }), false)).toMatch(/^No course, robot worn, idle\. It is at [^.]*\.[^.]*\.[^.]*\.$/);
+  expect(sceneText(store({}, { cross_track_m: 0.0001 }), false)).toContain('on the path.');
+  expect(sceneText(store({ pause_left_s: 10 }), true)).toMatch(/^Recording\. Course 3, robot worn, paused\./);
+  const faults = [{ name: 'a', cause: 'too far from the path', fix: '', from: 'daemon' as const }];
+  expect(sceneText(store({ run: 'aborted', faults, stop: { ...kState.stop, latched: true } }), false)).toMatch(/STOP is in force\. Fault: too far from the path\.$/);
+});
 
-  it('says what is wrong', () => {
-    const faults = [{ name: 'a', cause: 'too far from the path', fix: '', from: 'daemon' as const }];
-    const text = sceneText(store({ run: 'aborted', faults, stop: { ...kState.stop, latched: true } }).store, false);
-    expect(text).toMatch(/STOP is in force\. Fault: too far from the path\.$/);
-  });
-
-  it('tells no pose that is old', () => {
-    const { store: old, later } = store();
-    later(1000);
-    expect(sceneText(old, false)).toContain('Its pose is not known now.');
-    expect(sceneText(old, false)).not.toContain('1.20 m');
-    expect(sceneText(new Store(), false)).toBe('Nothing is known of the robot yet.');
-  });
-
-  it('is due when the state changes, not when a figure does', () => {
-    const key = sceneKey(store().store);
-    expect(sceneKey(store({ progress_m: 2 }, { cross_track_m: 0.01 }).store)).toBe(key);
-    for (const changed of [{ run: 'aborted' as const }, { course: '2' }, { faults: [{ name: 'a', cause: '', fix: '', from: 'robot' as const }] }])
-      expect(sceneKey(store(changed).store)).not.toBe(key);
-    const { store: old, later } = store();
-    later(1000);
-    expect(sceneKey(old)).not.toBe(key);
-  });
+it('it tells no pose that is old, and is due when the state changes, not when a figure does', () => {
+  const old = store();
+  const key = sceneKey(old);
+  expect(sceneKey(store({ progress_m: 2 }, { cross_track_m: 0.01 }))).toBe(key);
+  for (const changed of [{ run: 'aborted' as const }, { course: '2' }, { faults: [{ name: 'a', cause: '', fix: '', from: 'robot' as const }] }])
+    expect(sceneKey(store(changed))).not.toBe(key);
+  now_ms += 1000;
+  expect(sceneText(old, false)).toBe('Course 3, robot worn, running. Its pose is not known now.');
+  expect(sceneKey(old)).not.toBe(key);
+  expect(sceneText(new Store(), false)).toBe('Nothing is known of the robot yet.');
 });

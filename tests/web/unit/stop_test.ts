@@ -1,3 +1,4 @@
+// STOP as the page shows it and sends it, whatever becomes of the connection.
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { Client } from '../../../daemon/web/foxglove/client.ts';
 import { kSecondWay_ms, StopSender } from '../../../daemon/web/foxglove/stop_sender.ts';

@@ -1,4 +1,5 @@
-import { beforeEach, describe, expect, it } from 'vitest';
+// The data that the views draw: current, old, of this run, and bounded.
+import { beforeEach, expect, it } from 'vitest';
 import type { Estimate, EstimatedPose, Event, State } from '../../../daemon/web/state/messages.ts';
 import { kColumns, kEvents, Store } from '../../../daemon/web/state/store.ts';
 
@@ -14,69 +15,53 @@ beforeEach(() => {
   store = new Store(() => now_ms);
 });
 
-describe('Store', () => {
-  it('knows the pose that steers', () => {
-    expect(store.pose).toBeUndefined();
-    store.receive('/estimate', estimate(0, 1));
-    expect(store.pose?.y_m).toBe(0.001);
-    store.receive('/estimate', estimate(0.005, 1, { steering: 'model' }));
-    expect(store.pose?.y_m).toBe(0);
-  });
+it('the pose is the one that steers', () => {
+  store.receive('/estimate', estimate(0, 1));
+  expect(store.pose?.y_m).toBe(0.001);
+  store.receive('/estimate', estimate(0.005, 1, { steering: 'model' }));
+  expect(store.pose?.y_m).toBe(0);
+});
 
-  it('calls a value stale when its message is old, or the robot’s sample is', () => {
+it('a value is stale when its message is old, or the robot’s sample is', () => {
+  expect(store.stale('/estimate')).toBe(true);
+  store.receive('/estimate', estimate(0, 0));
+  expect(store.stale('/estimate')).toBe(false);
+  now_ms = 2000;
+  expect(store.stale('/estimate')).toBe(true);
+  for (const age_us of [2e6, null]) {
+    store.receive('/estimate', estimate(2, 0, { age_us }));
     expect(store.stale('/estimate')).toBe(true);
-    store.receive('/estimate', estimate(0, 0));
-    expect(store.stale('/estimate')).toBe(false);
-    now_ms = 2000;
-    expect(store.stale('/estimate')).toBe(true);
-    store.receive('/estimate', estimate(2, 0, { age_us: 2e6 }));
-    expect(store.stale('/estimate')).toBe(true);
-    store.receive('/estimate', estimate(2, 0, { age_us: null }));
-    expect(store.stale('/estimate')).toBe(true);
-  });
+  }
+});
 
-  it('adds up how far the tracks ran', () => {
-    for (let i = 0; i <= 200; i++) store.receive('/estimate', estimate(i * 0.005, 0));
-    expect(store.leftTrack_m).toBeCloseTo(0.1, 6);
-    expect(store.rightTrack_m).toBeCloseTo(0.2, 6);
-  });
+it('a run adds up how far the tracks ran, and has its path until another run begins or the pose jumps', () => {
+  for (let i = 0; i <= 200; i++) store.receive('/estimate', estimate(i * 0.005, i * 0.01));
+  expect([store.leftTrack_m, store.rightTrack_m].map((way_m) => way_m.toFixed(6))).toEqual(['0.100000', '0.200000']);
+  expect(store.path_histories.model.length).toBe(201);
+  store.receive('/estimate', estimate(10, -0.2));
+  expect(store.path_histories.model.length).toBe(1);
+  for (const run of ['arming', 'running'] as const) store.receive('/state', { run } as State);
+  expect(store.path_histories.model.length).toBe(0);
+});
 
-  it('clears the path_histories when another run begins or the pose jumps', () => {
-    for (let i = 0; i < 100; i++) store.receive('/estimate', estimate(i * 0.1, i * 0.01));
-    expect(store.path_histories.model.length).toBe(100);
-    store.receive('/estimate', estimate(10, -0.2));
-    expect(store.path_histories.model.length).toBe(1);
-    const state = { run: 'arming' } as State;
-    store.receive('/state', state);
-    store.receive('/state', { ...state, run: 'running' });
-    expect(store.path_histories.model.length).toBe(0);
-  });
+it('it stays bounded however long it runs, and takes an event that is repeated after a reconnection once', () => {
+  for (let i = 0; i < 2 * store.series.capacity; i++) store.receive('/estimate', estimate(i * 0.02, (i % 1000) * 0.001));
+  expect(store.series.length).toBeLessThanOrEqual(store.series.capacity);
+  for (let i = 0; i < 1000; i++) for (let n = 0; n < 2; n++) store.receive('/event', event(i));
+  expect(store.events.map(({ t_s }) => t_s)).toEqual(Array.from({ length: kEvents }, (_, i) => 1000 - kEvents + i));
+});
 
-  it('stays bounded however long it runs', () => {
-    for (let i = 0; i < 2 * store.series.capacity; i++) store.receive('/estimate', estimate(i * 0.02, (i % 1000) * 0.001));
-    expect(store.series.length).toBeLessThanOrEqual(store.series.capacity);
-    for (let i = 0; i < 1000; i++) store.receive('/event', event(i));
-    expect(store.events.length).toBe(kEvents);
-    expect(store.events.at(-1)?.t_s).toBe(999);
-  });
+it('errors are measured against truth only where there is one', () => {
+  store.receive('/estimate', estimate(0, 1));
+  store.receive('/estimate', estimate(1, 1, { truth: { ...at(1, 0.003), age_us: 0 } }));
+  const column = store.series.since(0)[kColumns.model_error_mm];
+  expect(column?.[0]).toBeNaN();
+  expect(column?.[1]).toBeCloseTo(3, 6);
+});
 
-  it('takes an event that is repeated after a reconnection once', () => {
-    for (let i = 0; i < 2; i++) store.receive('/event', event(1));
-    expect(store.events.length).toBe(1);
-  });
-
-  it('measures errors against truth only where there is one', () => {
-    store.receive('/estimate', estimate(0, 1));
-    store.receive('/estimate', estimate(1, 1, { truth: { ...at(1, 0.003), age_us: 0 } }));
-    const column = store.series.since(0)[kColumns.model_error_mm];
-    expect(column?.[0]).toBeNaN();
-    expect(column?.[1]).toBeCloseTo(3, 6);
-  });
-
-  it('fills the path_histories with what was driven before', () => {
-    const points = Array.from({ length: 50 }, (_, i) => ({ x: 0.02 * i, y: 0, z: 0 }));
-    store.receive('/path_history', { entities: [{ id: 'path_history/model/0', lines: [{ points }] }] });
-    expect(store.path_histories.model.length).toBe(50);
-    expect(store.path_histories.fused.length).toBe(0);
-  });
+it('what was driven before is part of the path', () => {
+  const points = Array.from({ length: 50 }, (_, i) => ({ x: 0.02 * i, y: 0, z: 0 }));
+  store.receive('/path_history', { entities: [{ id: 'path_history/model/0', lines: [{ points }] }] });
+  expect(store.path_histories.model.length).toBe(50);
+  expect(store.path_histories.fused.length).toBe(0);
 });
