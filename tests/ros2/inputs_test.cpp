@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <deque>
 #include <limits>
@@ -81,9 +82,12 @@ TEST_F(InputsTest, AVelocityThatIsNotFiniteOrHasNoTimeIsRefused) {
 }
 
 TEST_F(InputsTest, AnInitialPoseOrAGoalIsAPoseOfTheMap) {
+  const auto both = [&](double x_m, double yaw_rad, const std::string& frame = "map") {
+    return std::array{received(Input::kInitialPose, pose(x_m, yaw_rad, frame)),
+                      received(Input::kGoal, goal(x_m, yaw_rad, frame))};
+  };
   for (const char* frame : {"map", ""}) {
-    for (const Received& message : {received(Input::kInitialPose, pose(1.5, -3.0, frame)),
-                                    received(Input::kGoal, goal(1.5, -3.0, frame))}) {
+    for (const Received& message : both(1.5, -3.0, frame)) {
       const auto at = read_pose(message, why_);
       ASSERT_TRUE(at) << why_;
       EXPECT_EQ(at->x_m, 1.5);
@@ -92,15 +96,15 @@ TEST_F(InputsTest, AnInitialPoseOrAGoalIsAPoseOfTheMap) {
   }
   for (const std::string& frame : {std::string("odom"), std::string("/map"), std::string("od\nom"),
                                    std::string("map\0", 4), std::string(9999, 'm')}) {
-    EXPECT_FALSE(read_pose(received(Input::kInitialPose, pose(1.5, 0.0, frame)), why_));
-    EXPECT_FALSE(read_pose(received(Input::kGoal, goal(0.0, 0.0, frame)), why_));
-    EXPECT_THAT(why_, HasSubstr("give it in 'map'"));
-    EXPECT_THAT(why_, testing::Not(HasSubstr("\n")));
-    EXPECT_LT(why_.size(), 120u);
+    for (const Received& message : both(1.5, 0.0, frame)) {
+      EXPECT_FALSE(read_pose(message, why_));
+      EXPECT_THAT(why_, HasSubstr("give it in 'map'"));
+      EXPECT_THAT(why_, testing::Not(HasSubstr("\n")));
+      EXPECT_LT(why_.size(), 120u);
+    }
   }
   for (const double bad : {kNan, std::numeric_limits<double>::infinity(), -1e300, 101.0}) {
-    EXPECT_FALSE(read_pose(received(Input::kInitialPose, pose(bad, 0.0)), why_)) << bad;
-    EXPECT_FALSE(read_pose(received(Input::kGoal, goal(bad, 0.0)), why_)) << bad;
+    for (const Received& message : both(bad, 0.0)) EXPECT_FALSE(read_pose(message, why_)) << bad;
     auto turned = goal(0.0, 0.0);
     turned.pose.orientation.x = bad;
     EXPECT_FALSE(read_pose(received(Input::kGoal, turned), why_)) << bad;
@@ -111,7 +115,6 @@ TEST_F(InputsTest, AnInitialPoseOrAGoalIsAPoseOfTheMap) {
   // Another type with the same name.
   EXPECT_FALSE(read_pose(received(Input::kGoal, pose(0.0, 0.0)), why_));
   EXPECT_EQ(why_, "no geometry_msgs/msg/PoseStamped in little-endian CDR");
-  EXPECT_FALSE(read_pose(received(Input::kInitialPose, goal(0.0, 0.0)), why_));
 }
 
 TEST_F(InputsTest, ACourseHasANameOf64CharactersAtMost) {
@@ -161,13 +164,6 @@ TEST(CdrReading, GivesWhatWasWritten) {
   const auto read = deserialized<diagnostic_msgs::DiagnosticArray>(bytes);
   ASSERT_TRUE(read);
   EXPECT_EQ(serialized(*read), bytes);
-  nav_msgs::Odometry odometry{.child_frame_id = "base_link"};
-  odometry.pose.covariance[35] = 0.25;
-  odometry.twist.twist.angular.z = -3.0;
-  const auto again = deserialized<nav_msgs::Odometry>(serialized(odometry));
-  ASSERT_TRUE(again);
-  EXPECT_EQ(again->pose.covariance[35], 0.25);
-  EXPECT_EQ(again->twist.twist.angular.z, -3.0);
 }
 
 TEST(CdrReading, RefusesEveryTruncationAndWhatIsTooLongOrOfAnotherEncoding) {

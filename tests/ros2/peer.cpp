@@ -1,18 +1,15 @@
 // ros2_peer DOMAIN [+]TOPIC=TYPE=QOS...: receives topics, and with a plus publishes them, with Fast
 // DDS, an implementation that shares nothing with the daemon's. Writes a line of JSON for each
 // participant, each writer, each message, each match of a topic of its own and each message that it
-// has published. A line "TOPIC=TYPE
-// HEX" on standard input is a message to publish; it ends when standard input does. DOMAIN is a
-// number, @ADDRESS after it an address to be restricted to, >ADDRESS where to announce itself
-// instead of by multicast. A final "quiet" keeps the messages' lines to the end; a final "timed"
-// does so too, and adds how late a thread that only sleeps has woken. QOS: R reliable or B best
-// effort, followed by T transient local or V volatile.
+// has published. A line "TOPIC=TYPE HEX" on standard input is a message to publish; it ends when
+// standard input does. DOMAIN is a number, @ADDRESS after it an address to be restricted to,
+// >ADDRESS where to announce itself instead of by multicast. A final "quiet" keeps the messages'
+// lines to the end. QOS: R reliable or B best effort, followed by T transient local or V volatile.
 
 #include <fastcdr/Cdr.h>
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 #include <fastrtps/utils/IPLocator.h>
 
-#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
@@ -34,10 +31,8 @@
 #include <map>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <string>
 #include <string_view>
-#include <thread>
 #include <vector>
 
 namespace {
@@ -180,33 +175,6 @@ class Messages : public fast::DataReaderListener {
   std::vector<std::string> kept_;
 };
 
-/// A thread that sleeps a millisecond at a time: no message is received sooner than such a thread
-/// wakes on this machine.
-class Sleeper {
- public:
-  ~Sleeper() {
-    ended_ = true;
-    thread_.join();
-    std::string line = "{\"woken_late_ns\":[";
-    for (const std::int64_t late_ns : late_ns_)
-      line += (line.back() == '[' ? "" : ",") + std::to_string(late_ns);
-    print(line + "]}");
-  }
-
- private:
-  void run() {
-    constexpr std::chrono::nanoseconds kSleep = std::chrono::milliseconds(1);
-    while (!ended_) {
-      const auto began = std::chrono::steady_clock::now();
-      std::this_thread::sleep_for(kSleep);
-      late_ns_.push_back((std::chrono::steady_clock::now() - began - kSleep).count());
-    }
-  }
-  std::atomic<bool> ended_ = false;
-  std::vector<std::int64_t> late_ns_;
-  std::thread thread_{&Sleeper::run, this};
-};
-
 class Matches : public fast::DataWriterListener {
  public:
   void on_publication_matched(fast::DataWriter* writer,
@@ -232,10 +200,7 @@ AnyQos with(AnyQos qos, const std::string& wanted) {
 int main(int argc, char** argv) {
   Discovery discovery;
   const std::string domain = argv[1];
-  const bool timed = domain.ends_with("timed");
-  std::optional<Sleeper> sleeper;
-  if (timed) sleeper.emplace();
-  Messages messages(timed || domain.ends_with("quiet"));
+  Messages messages(domain.ends_with("quiet"));
   Matches matches;
   fast::DomainParticipantQos participant_qos = fast::PARTICIPANT_QOS_DEFAULT;
   // Without shared memory, which would leave files behind.
@@ -288,7 +253,6 @@ int main(int argc, char** argv) {
     writers.at(line.substr(0, space))->write(&bytes);
     print("{\"written_ns\":" + std::to_string(unix_ns()) + "}");
   }
-  sleeper.reset();
   messages.print_kept();
   participant->delete_contained_entities();
   factory->delete_participant(participant);

@@ -4,6 +4,8 @@
 The daemon with the shipped CONFIG and the emulated robot, beside a network to other machines: an Ethernet pair (veth)
 whose packets are counted. `with`: the programs have ROS 2.
 """
+import contextlib
+import glob
 import os
 import re
 import signal
@@ -41,41 +43,30 @@ def packets():
     sys.exit(f"failed: no {NEAR}")
 
 
-def table(name):
-    """Local address and state of each socket of the network."""
-    with open("/proc/net/" + name, encoding="utf-8") as file:
-        for line in file.readlines()[1:]:
-            yield line.split()[1], line.split()[3]
-
-
 def sockets():
-    """All sockets of the network that listen or need no connection."""
+    """Protocol, address and port of all sockets of the network that listen or need no connection."""
     found = set()
-    for protocol in ("tcp", "tcp6", "udp", "udp6", "raw", "raw6"):
-        for address, state in table(protocol):
-            if protocol.startswith("tcp") and state != LISTENING:
-                continue
-            host, port = address.split(":")
-            # IPv4: four bytes in the processor's order.
-            host = ".".join(str(int(host[i:i + 2], 16)) for i in (6, 4, 2, 0)) if len(host) == 8 else host
-            found.add(f"{protocol} {host}:{int(port, 16)}")
-    with open("/proc/net/packet", encoding="utf-8") as file:
-        found.update("packet " + line.strip() for line in file.readlines()[1:])
+    for protocol in ("tcp", "tcp6", "udp", "udp6", "raw", "raw6", "packet"):
+        with open("/proc/net/" + protocol, encoding="utf-8") as file:
+            rows = [line.split() for line in file.readlines()[1:]]
+        for row in rows:
+            if protocol == "packet":
+                found.add("packet " + row[0])
+            elif not protocol.startswith("tcp") or row[3] == LISTENING:
+                host, port = row[1].split(":")
+                # IPv4: four bytes in the processor's order.
+                host = ".".join(str(int(host[i:i + 2], 16)) for i in (6, 4, 2, 0)) if len(host) == 8 else host
+                found.add(f"{protocol} {host}:{int(port, 16)}")
     return found
 
 
 def open_sockets(process):
-    """Open files of the process that are sockets of any kind."""
-    folder = f"/proc/{process.pid}/fd"
+    """Open files of the process that are sockets of any kind; none if it has ended."""
     found = set()
-    for name in os.listdir(folder):
-        try:
-            target = os.readlink(f"{folder}/{name}")
-        except FileNotFoundError:
-            continue
-        if target.startswith("socket:"):
-            found.add(target)
-    return found
+    for path in glob.glob(f"/proc/{process.pid}/fd/*"):
+        with contextlib.suppress(FileNotFoundError, PermissionError):
+            found.add(os.readlink(path))
+    return {target for target in found if target.startswith("socket:")}
 
 
 class Watched:
@@ -87,10 +78,7 @@ class Watched:
         with tempfile.TemporaryFile("w+") as log:
             process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=log, stderr=log)
             while process.poll() is None:
-                try:
-                    self.own |= open_sockets(process)
-                except (FileNotFoundError, PermissionError):  # the process has just ended
-                    continue
+                self.own |= open_sockets(process)
                 self.network |= sockets()
                 self.looks += 1
                 if meanwhile is not None and meanwhile(self):
