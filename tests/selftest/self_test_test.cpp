@@ -1,9 +1,12 @@
+// The examination of robot, port and machine from within the daemon. What each finding says:
+// tests/doctor.
 #include "selftest/self_test.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <future>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -27,6 +30,16 @@ wire::Hello hello() {
   return out;
 }
 
+/// What a part is found to be that another thread examines.
+Json examined(SelfTest& test, server::DoctorPart part) {
+  // Kept until the other thread has let go of it.
+  const auto promise = std::make_shared<std::promise<Json>>();
+  test.examine(part, [promise](const std::string&, const std::string& json) {
+    promise->set_value(Json::parse(json));
+  });
+  return promise->get_future().get();
+}
+
 /// A self-test that sees the steps of a robot which confirms every command after one step.
 class SelfTestOfARobot : public ::testing::Test {
  protected:
@@ -38,7 +51,10 @@ class SelfTestOfARobot : public ::testing::Test {
   }
 
   void event(const auto& what) { test_.on_event({record_.now_ns, what}, hello(), {kPort, false}); }
-  void identify() { event(link::HelloReceived{}); }
+  void identify(SessionState state = SessionState::kReady) {
+    event(link::HelloReceived{});
+    record_.inputs.session = state;
+  }
 
   void step() {
     ++record_.step;
@@ -84,7 +100,6 @@ class SelfTestOfARobot : public ::testing::Test {
 
 TEST_F(SelfTestOfARobot, FindsAGoodOneReady) {
   identify();
-  record_.inputs.session = SessionState::kReady;
   record_.inputs.clock = {.valid = true, .uncertainty_us = 300.0};
   record_.inputs.session_number = 1;
   const Json found = examine();
@@ -101,7 +116,6 @@ TEST_F(SelfTestOfARobot, FindsAGoodOneReady) {
 
 TEST_F(SelfTestOfARobot, NamesWhatTheSampleShows) {
   identify();
-  record_.inputs.session = SessionState::kReady;
   record_.snapshot.sample.battery_v = robot_.drive.battery_cutoff_v - 1.0;
   record_.snapshot.sample.accel_mps2 = {0.0, 0.0, -9.8};
   record_.snapshot.faults = fault_bit(Fault::moves_unasked);
@@ -112,9 +126,8 @@ TEST_F(SelfTestOfARobot, NamesWhatTheSampleShows) {
 }
 
 TEST_F(SelfTestOfARobot, NamesTheParameterThatTheFirmwareRefusesUntilThePortIsClosed) {
-  identify();
+  identify(SessionState::kParameters);
   event(link::Acknowledged{wire::Type::kParameters, wire::Result::kOutOfRange, 0});
-  record_.inputs.session = SessionState::kParameters;
   EXPECT_EQ(finding(examine(), "parameters").at("severity"), "error");
   event(link::StateChanged{SessionState::kReady, SessionState::kClosed});
   record_.inputs.session = SessionState::kListening;
@@ -125,15 +138,15 @@ TEST_F(SelfTestOfARobot, NamesTheParameterThatTheFirmwareRefusesUntilThePortIsCl
 
 TEST_F(SelfTestOfARobot, CountsOnlyTheRestartsDuringTheExamination) {
   identify();
-  record_.inputs.session = SessionState::kReady;
   record_.link.reboots = 3;
   EXPECT_EQ(finding(examine(), "reboots").at("severity"), "none");
-  test_.examine(server::DoctorPart::kRobot, [&](const std::string&, const std::string& json) {
-    EXPECT_THAT(json, HasSubstr("the board restarted 1 time "));
-  });
+  std::string found;
+  test_.examine(server::DoctorPart::kRobot,
+                [&](const std::string&, const std::string& json) { found = json; });
   step();
   ++record_.link.reboots;
   for (int i = 0; i < 300; ++i) step();
+  EXPECT_THAT(found, HasSubstr("the board restarted 1 time "));
 }
 
 TEST_F(SelfTestOfARobot, GivesUpASilentOneAfterFiveSeconds) {
@@ -165,11 +178,7 @@ TEST_F(SelfTestOfARobot, ExaminesOneAtATime) {
 
 TEST_F(SelfTestOfARobot, ExaminesTheMachineWithThePrivilegesOfTheRun) {
   test_.set_privileges({{.what = "SCHED_FIFO 80", .granted = false, .fix = "not permitted"}});
-  std::promise<Json> promise;
-  test_.examine(server::DoctorPart::kMachine, [&](const std::string&, const std::string& json) {
-    promise.set_value(Json::parse(json));
-  });
-  const Json found = promise.get_future().get();
+  const Json found = examined(test_, server::DoctorPart::kMachine);
   EXPECT_NE(finding(found, "real-time").at("severity"), "ok");
   EXPECT_EQ(finding(found, "page-port").at("severity"), "ok");
   EXPECT_NE(finding(found, "disk").at("severity"), "none");
@@ -179,11 +188,7 @@ TEST(SelfTest, FindsThePortThatIsConfiguredMissing) {
   config::Configuration configuration;
   configuration.link.port = kPort;
   SelfTest test(configuration, {});
-  std::promise<Json> promise;
-  test.examine(server::DoctorPart::kPort, [&](const std::string&, const std::string& json) {
-    promise.set_value(Json::parse(json));
-  });
-  const Json found = promise.get_future().get();
+  const Json found = examined(test, server::DoctorPart::kPort);
   EXPECT_EQ(found.at("errors"), 1);
   EXPECT_THAT(std::string(found.at("findings").at(0).at("seen")), HasSubstr("no such port"));
 }
