@@ -3,7 +3,8 @@ import { existsSync } from 'node:fs';
 import { mkdir } from 'node:fs/promises';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { chromium, errors, type Browser, type Page } from 'playwright-core';
+import axe from 'axe-core';
+import { chromium, errors, type Browser, type Locator, type Page } from 'playwright-core';
 import { expect } from 'vitest';
 import { bin } from './programs.ts';
 
@@ -33,6 +34,11 @@ export async function openBrowser(flags: string[] = []): Promise<Browser> {
 export interface Size {
   width: number;
   height: number;
+}
+
+export interface Place {
+  x: number;
+  y: number;
 }
 
 /** The smallest size with the layout of a large screen, because the processor draws every pixel. */
@@ -121,15 +127,15 @@ export async function goOn(page: Page): Promise<void> {
   else if ((await rests(page)) && (await page.isEnabled('#start'))) await press(page, '#start');
 }
 
-/** Waits until the run is `wanted`; starts it again as often as necessary. */
-export async function driveUntil(page: Page, wanted: string): Promise<void> {
+/** Drives until the run is in a state or a condition is met; starts it again as often as necessary. */
+export async function driveUntil(page: Page, wanted: string | (() => boolean | Promise<boolean>)): Promise<void> {
   await until(
     async () => {
-      if ((await run(page)) === wanted) return true;
+      if (typeof wanted === 'string' ? (await run(page)) === wanted : await wanted()) return true;
       await goOn(page);
       return false;
     },
-    `the run is ${wanted}`,
+    `the run is ${String(wanted)}`,
     () => page.textContent('#number-x'),
   );
 }
@@ -183,6 +189,18 @@ export async function fits(page: Page, part: string, name: string, also?: () => 
   await resize(page, before);
 }
 
+/** What axe finds that keeps somebody from reading a part of the page, or all of it: serious findings. */
+export async function findings(page: Page, within?: string): Promise<string[]> {
+  if (!(await page.evaluate(() => 'axe' in window))) await page.evaluate(axe.source);
+  return page.evaluate(async (part) => {
+    // Nothing is kept of what passes: most of the time of a long page would go there.
+    const { violations } = await (window as unknown as { axe: typeof axe }).axe.run(part ?? document, { resultTypes: ['violations'], preload: false });
+    return violations
+      .filter(({ impact }) => impact === 'serious' || impact === 'critical')
+      .map(({ id, nodes }) => `${id}: ${nodes[0]?.html ?? ''}`);
+  }, within);
+}
+
 /** Saves a picture for people, beside the test's results. */
 export async function picture(page: Page, name: string): Promise<void> {
   const folder = join(bin, '..', 'web');
@@ -209,4 +227,33 @@ export async function until<T>(
     if (now_ms > Math.min(end_ms, still_ms)) throw new Error(`waited in vain: ${what}`);
     await new Promise((resolve) => setTimeout(resolve, 50));
   }
+}
+
+/** Waits until the first such element shows a text, which is returned; gives up when its text no longer changes. */
+export function shows(where: Page | Locator, selector: string, text: string | RegExp): Promise<string> {
+  const now = async (): Promise<string> => (await where.locator(selector).first().textContent()) ?? '';
+  return until(
+    async () => {
+      const shown = await now();
+      return (typeof text === 'string' ? shown.includes(text) : text.test(shown)) && shown;
+    },
+    `${selector} shows ${String(text)}`,
+    now,
+  );
+}
+
+/** Hides the page, as if another tab or window lay over it. */
+export async function hide(page: Page): Promise<void> {
+  await page.evaluate(() => {
+    Object.defineProperty(document, 'visibilityState', { value: 'hidden', configurable: true });
+    document.dispatchEvent(new Event('visibilitychange'));
+  });
+}
+
+/** Presses the mouse at one place of the page and releases it at another one. */
+export async function drag(page: Page, from: Place, to: Place): Promise<void> {
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down();
+  await page.mouse.move(to.x, to.y, { steps: 5 });
+  await page.mouse.up();
 }

@@ -21,7 +21,6 @@ const kCourse3 = new URL('../../../config/courses/3.toml', import.meta.url);
 export class Program {
   readonly lines: string[] = [];
   private readonly child: ChildProcess;
-  private readonly waiting = new Set<() => void>();
   private gone = false;
 
   constructor(
@@ -33,35 +32,24 @@ export class Program {
     this.child = spawn(path, args, { stdio: ['ignore', 'pipe', 'pipe'] });
     for (const stream of [this.child.stdout, this.child.stderr]) {
       if (stream === null) continue;
-      createInterface({ input: stream }).on('line', (line) => {
-        this.lines.push(line);
-        for (const check of this.waiting) check();
-      });
+      createInterface({ input: stream }).on('line', (line) => this.lines.push(line));
     }
-    this.child.on('exit', () => {
+    this.child.on('close', () => {
       this.gone = true;
-      for (const check of this.waiting) check();
     });
   }
 
   /** The first match in its output, from line `from` on. */
-  line(pattern: RegExp, from = 0): Promise<RegExpExecArray> {
-    return new Promise((resolve, reject) => {
-      const check = (): void => {
-        for (const line of this.lines.slice(from)) {
-          const match = pattern.exec(line);
-          if (match === null) continue;
-          this.waiting.delete(check);
-          resolve(match);
-          return;
-        }
-        if (!this.gone) return;
-        this.waiting.delete(check);
-        reject(new Error(`${this.name} ended without ${String(pattern)}:\n${this.lines.join('\n')}`));
-      };
-      this.waiting.add(check);
-      check();
-    });
+  async line(pattern: RegExp, from = 0): Promise<RegExpExecArray> {
+    for (;;) {
+      const gone = this.gone;
+      for (const line of this.lines.slice(from)) {
+        const match = pattern.exec(line);
+        if (match !== null) return match;
+      }
+      if (gone) throw new Error(`${this.name} ended without ${String(pattern)}:\n${this.lines.join('\n')}`);
+      await new Promise((resolve) => setTimeout(resolve, 20));
+    }
   }
 
   freeze(): void {
@@ -74,7 +62,7 @@ export class Program {
 
   async end(signal: NodeJS.Signals = 'SIGTERM'): Promise<void> {
     if (this.gone) return;
-    const exited = once(this.child, 'exit');
+    const exited = once(this.child, 'close');
     this.child.kill('SIGCONT');
     this.child.kill(signal);
     await exited;

@@ -1,41 +1,36 @@
+// The page of all robots: what it shows of the daemons of this machine and of others, and STOP from there.
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
-import { findings } from './axe.ts';
-import { fits, kPhone, until } from './cockpit.ts';
+import { findings, fits, kPhone, shows, until } from './cockpit.ts';
 import type { Pair } from './programs.ts';
-import { kOthersEnd, Setting } from './setting.ts';
+import { Setting } from './setting.ts';
 
 /** Part of a robot's card. Daemons of other tests may run on this machine: each card is found by its address. */
-const part = (page: Page, pair: Pair, selector = ''): ReturnType<Page['locator']> => page.locator(`.card[data-url="${pair.url}"] ${selector}`);
-const text = async (page: Page, pair: Pair, selector: string): Promise<string> => (await part(page, pair, selector).textContent()) ?? '';
-const becomes = (page: Page, pair: Pair, pattern: RegExp): Promise<boolean> =>
-  until(
-    async () => (await part(page, pair).count()) > 0 && pattern.test(await text(page, pair, '.card-status')),
-    `${pair.url} is ${String(pattern)}`,
-    () => page.textContent('.cards'),
-  );
+const part = (page: Page, { url }: { url: string }, selector: string): ReturnType<Page['locator']> => page.locator(`.card[data-url="${url}"] ${selector}`);
+const says = (page: Page, pair: { url: string }, selector: string, pattern: RegExp): Promise<string> => shows(page, `.card[data-url="${pair.url}"] ${selector}`, pattern);
+const becomes = (page: Page, pair: { url: string }, pattern: RegExp): Promise<string> => says(page, pair, '.card-status', pattern);
 const stopped = (pair: Pair): Promise<boolean> => until(() => pair.said.includes('stop_requested'), `STOP of ${pair.url}`);
 
 describe('the page of all robots', () => {
   const setting = new Setting({ each: true });
 
-  it('shows the daemons of this machine, and stops one of them, and only that one', async () => {
-    setting.expected = kOthersEnd;
+  it('shows the daemons of this machine, stops one of them and only that one, and outlives the one that served it', async () => {
+    setting.expected = /WebSocket|ERR_CONNECTION|Failed to (load|fetch)/;
     const second = await setting.another();
     const page = await setting.open(kPhone);
     await page.click('.robots-link');
     for (const pair of [setting.pair, second]) {
       await becomes(page, pair, /running/);
-      expect(await text(page, pair, 'h2')).toBe('tp100');
-      expect(await text(page, pair, '.badge')).toBe('emulated');
-      expect(await text(page, pair, '[data-figure="course"]')).toMatch(/^3, \d\.\d\d of \d\.\d\d m$/);
-      expect(await text(page, pair, '[data-figure="battery"]')).toMatch(/^\d+\.\d V$/);
+      await says(page, pair, 'h2', /^tp100$/);
+      await says(page, pair, '.badge', /^emulated$/);
+      await says(page, pair, '[data-figure="course"]', /^3, \d\.\d\d of \d\.\d\d m$/);
+      await says(page, pair, '[data-figure="battery"]', /^\d+\.\d V$/);
+      await says(page, pair, '.card-page', pair === second ? /^(?!.*serves this page)/ : /serves this page/);
       expect(await part(page, pair, '.card-page a').getAttribute('href')).toBe(pair.url);
-      const before = await text(page, pair, '[data-figure="pose"]');
-      await until(async () => (await text(page, pair, '[data-figure="pose"]')) !== before, 'its pose follows the robot');
+      const pose = part(page, pair, '[data-figure="pose"]');
+      const before = await pose.textContent();
+      await until(async () => (await pose.textContent()) !== before, 'its pose follows the robot');
     }
-    expect(await text(page, setting.pair, '.card-page')).toContain('serves this page');
-    expect(await text(page, second, '.card-page')).not.toContain('serves this page');
     expect(await findings(page)).toEqual([]);
     await fits(page, '.cards', 'robots');
 
@@ -44,7 +39,7 @@ describe('the page of all robots', () => {
     await becomes(page, third, /running/);
     await part(page, second, '.stop').click();
     await becomes(page, second, /aborted/);
-    await until(async () => (await text(page, second, '.stop-line')).includes('stopped'), 'the robot has acknowledged');
+    await says(page, second, '.stop-line', /stopped/);
     await stopped(second);
     // The space bar on a card means its robot; it does not press the button once more.
     await part(page, third, '.stop').focus();
@@ -55,49 +50,34 @@ describe('the page of all robots', () => {
     // Anywhere else, Escape means all.
     await page.keyboard.press('Escape');
     await stopped(setting.pair);
-  });
 
-  it('says that a daemon hangs or has ended, shows nothing old of it, and outlives the one that served it', async () => {
-    setting.expected = /WebSocket|ERR_CONNECTION|Failed to (load|fetch)/;
-    const [second, third] = [await setting.another(), await setting.another()];
-    const page = await setting.open();
-    await page.click('.robots-link');
-    for (const pair of [second, third]) await becomes(page, pair, /running/);
-    second.daemon.freeze();
-    await becomes(page, second, /no answer/);
-    expect(await part(page, second, '.card-figures').isVisible()).toBe(false);
-    // It is kept, and sent when the daemon is there again.
-    await part(page, second, '.stop').click();
-    await until(async () => (await text(page, second, '.stop-line')).includes('not acknowledged'), 'not acknowledged');
-    await becomes(page, setting.pair, /running|finished|aborted/);
-    second.daemon.thaw();
-    await stopped(second);
-    await becomes(page, second, /aborted/);
-    await second.daemon.end('SIGKILL');
-    await becomes(page, second, /ended/);
-    expect(await part(page, second, '.card-figures').isVisible()).toBe(false);
-    expect(await text(page, second, '.card-problem')).toContain('has ended');
-
+    // STOP for a daemon that hangs is kept until it answers again. The page outlives the daemon that served it.
+    const fourth = await setting.another();
+    await becomes(page, fourth, /running/);
+    fourth.daemon.freeze();
+    await becomes(page, fourth, /no answer/);
+    expect(await part(page, fourth, '.card-figures').isVisible()).toBe(false);
+    await part(page, fourth, '.stop').click();
+    await says(page, fourth, '.stop-line', /not acknowledged/);
     await setting.pair.daemon.end('SIGKILL');
     await becomes(page, setting.pair, /no answer/);
-    await until(async () => ((await page.textContent('.robots-note')) ?? '') !== '', 'a note');
-    await part(page, third, '.stop').click();
-    await stopped(third);
+    await shows(page, '.robots-note', /./);
+    fourth.daemon.thaw();
+    await stopped(fourth);
   });
 
   it('shows a robot of another machine if the configuration names it and it permits the page', async () => {
     setting.expected = /WebSocket|ERR_|Failed to (load|fetch)|blocked/;
     // 127.0.0.1 and localhost are different names: to the browser two machines.
-    const named = setting.pair.url.replace('127.0.0.1', 'localhost');
-    const near = await setting.another(`[server]\nrobots = "${named}"\n`);
+    const named = { url: setting.pair.url.replace('127.0.0.1', 'localhost') };
+    const near = await setting.another(`[server]\nrobots = "${named.url}"\n`);
     const page = await setting.open(undefined, { url: `${near.url}robots.html` });
-    const card = page.locator(`.card[data-url="${named}"]`);
-    await until(async () => ((await card.locator('.card-status').textContent()) ?? '').includes('no answer'), 'it does not permit the page');
-    expect(await card.locator('.card-problem').textContent()).toContain(`is ${new URL(near.url).origin} in its server.origins?`);
+    await becomes(page, named, /no answer/);
+    expect(await part(page, named, '.card-problem').textContent()).toContain(`is ${new URL(near.url).origin} in its server.origins?`);
     await setting.pair.daemon.end();
     const far = await setting.another(`[server]\norigins = "${new URL(near.url).origin}"\n`, new URL(setting.pair.url).host);
-    await until(async () => /running|arming/.test((await card.locator('.card-status').textContent()) ?? ''), 'it permits the page');
-    await card.locator('.stop').click();
+    await becomes(page, named, /running|arming/);
+    await part(page, named, '.stop').click();
     await stopped(far);
   });
 });

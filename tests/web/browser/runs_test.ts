@@ -4,12 +4,9 @@ import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 
 import { join } from 'node:path';
 import type { Locator, Page } from 'playwright-core';
 import { beforeAll, describe, expect, it } from 'vitest';
-import { drawn, driveUntil, fits, kDesktop, rest, until, type Size } from './cockpit.ts';
+import { drawn, driveUntil, fits, rest, shows, until } from './cockpit.ts';
 import { bin } from './programs.ts';
 import { Setting } from './setting.ts';
-
-/** A report gives way to everything else on a busy machine. */
-const kMade_ms = 120_000;
 
 const setting = new Setting({ records: true, configuration: '[record]\nquota_mb = 1000\n' });
 const folder = (): string => join(setting.pair.folder, 'runs');
@@ -22,21 +19,20 @@ beforeAll(() => {
 });
 
 const row = (page: Page, name: string): Locator => page.locator(`.runs tr[data-run="${name}"]`);
-const titled = (page: Page, title: string): Locator => page.locator('.runs tr', { hasText: title });
-const message = (page: Page): Promise<string> => page.textContent('.runs-message').then((text) => text ?? '');
 
-async function openRuns(size?: Size): Promise<Page> {
-  const page = await setting.openTab('runs', size);
+async function openRuns(): Promise<Page> {
+  const page = await setting.openTab('runs');
   await page.waitForSelector('.runs tbody tr');
   return page;
 }
 
-/** The page that the click opens in a tab of its own. */
-async function opened(page: Page, click: () => Promise<void>): Promise<Page> {
-  const [tab] = await Promise.all([page.context().waitForEvent('page', { timeout: kMade_ms }), click()]);
+/** The address of the page that the click opens in a tab of its own. A report gives way to everything else on a busy machine. */
+async function opened(page: Page, button: Locator): Promise<string> {
+  const [tab] = await Promise.all([page.context().waitForEvent('page', { timeout: 120_000 }), button.click()]);
   await tab.waitForLoadState();
   await until(() => tab.isVisible('h1'), 'a page with a title');
-  return tab;
+  await tab.close();
+  return tab.url();
 }
 
 describe('a recorded run', () => {
@@ -47,24 +43,17 @@ describe('a recorded run', () => {
     // Its recording ends a second later.
     const last = page.locator('.runs tr[data-run$="-3"]').first();
     await until(async () => (await last.count()) === 1 && (await last.locator('.run-make').isEnabled()), 'it is recorded');
-    const report = await opened(page, () => last.locator('.run-make').click());
-    expect(report.url()).toMatch(/\/runs\/[\w-]+-3\/report\.html$/);
-    await report.close();
+    expect(await opened(page, last.locator('.run-make'))).toMatch(/\/runs\/[\w-]+-3\/report\.html$/);
     await until(async () => (await last.locator('.run-report').count()) === 1, 'the report stays beside it');
-    await until(async () => (await message(page)).startsWith('Open the report of'), 'a link for who closed it', () => message(page));
 
     expect(await page.isEnabled('#compare')).toBe(false);
     for (const name of ['1-curve', '1-sharp']) await row(page, recorded(name)).locator('.run-box input').check();
     await until(() => page.isEnabled('#compare'), 'two are chosen');
-    const comparison = await opened(page, () => page.click('#compare'));
-    expect(comparison.url()).toMatch(/\/runs\/[\w-]+\/compare-[\w-]+\.html$/);
-    await comparison.close();
-    await until(async () => (await page.locator('.runs').getByText('comparison', { exact: true }).count()) === 1, 'it stays');
+    expect(await opened(page, page.locator('#compare'))).toMatch(/\/runs\/[\w-]+\/compare-[\w-]+\.html$/);
 
     await row(page, 'corrupted').locator('.run-make').click();
-    await until(async () => (await message(page)).includes('is not made'), 'the reason', () => message(page));
-    expect(await message(page)).toMatch(/report of corrupted is not made: corrupted\/run\.mcap: .*not a recording/);
-    expect(await message(page)).not.toContain(folder());
+    const why = await shows(page, '.runs-message', /report of corrupted is not made: corrupted\/run\.mcap: .*not a recording/);
+    expect(why).not.toContain(folder());
     await until(() => row(page, recorded('1-sharp')).locator('.run-make').isEnabled(), 'another one may be made');
   });
 
@@ -76,30 +65,25 @@ describe('a recorded run', () => {
     await page.fill('[name=run-tags]', 'wet  lab');
     await page.fill('.run-form textarea', 'first line\nsecond line');
     await page.click('.run-save');
-    await until(async () => (await titled(page, 'Wet floor <b>\u2713').count()) === 1, 'its name', () => message(page));
-    const shown = await row(page, name).locator('.run-what').innerText();
+    const shown = await shows(row(page, name), '.run-what', 'Wet floor <b>\u2713');
     for (const text of ['wet', 'lab', 'first line', 'second line']) expect(shown).toContain(text);
     expect(readFileSync(join(folder(), name, 'run.toml'), 'utf8')).toContain('tags = "wet lab"');
     await page.reload();
     await page.click('#tab-runs');
-    await until(async () => (await titled(page, 'Wet floor').count()) === 1, 'its name on a new page');
+    await shows(row(page, name), '.run-what', 'Wet floor');
 
+    await shows(page, '.runs-room', /^\d+ runs, .* of at most .*free$/);
     await row(page, name).locator('summary').click();
     const [download] = await Promise.all([page.waitForEvent('download'), row(page, name).locator('.run-zip').click()]);
     expect(download.suggestedFilename()).toBe(`${name}.zip`);
     const script = 'import sys,zipfile; z=zipfile.ZipFile(sys.argv[1]); assert z.testzip() is None; print(*z.namelist())';
     const names = execFileSync('python3', ['-I', '-c', script, await download.path()], { encoding: 'utf8' });
     expect(names.trim().split(' ')).toEqual(readdirSync(join(folder(), name)).sort().map((file) => `${name}/${file}`));
+    await row(page, name).getByText('edit').click();
+    await until(() => page.isVisible('.run-form'), 'the form');
+    await fits(page, '.runs', 'runs');
   });
 
-  it('is shown on every screen, with the room on the disk', async () => {
-    const page = await openRuns(kDesktop);
-    await until(async () => /^\d+ runs, .* of at most .*free$/.test((await page.textContent('.runs-room')) ?? ''), 'the room', () => page.textContent('.runs-room'));
-    await fits(page, '.runs', 'runs');
-    await row(page, recorded('1-sharp')).getByText('edit').click();
-    await until(() => page.isVisible('.run-form'), 'the form');
-    await fits(page, '.runs', 'runs-form');
-  });
 });
 
 interface Moment {
@@ -144,10 +128,8 @@ describe('a replayed run', () => {
     };
     const remove = row(page, name).locator('.run-delete');
     await row(page, name).getByText('replay').click();
-    await until(() => page.isVisible('#scrub'), 'the bar of the recording');
     await until(() => remove.isDisabled(), 'it is replayed');
     await until(async () => Number(await page.getAttribute('#scrub', 'max')) > 10, 'all of the recording');
-    expect(await page.getAttribute('body', 'class')).toContain('replaying');
 
     // The newest step that is not later than the slider; steps are 5 ms apart.
     const five_s = await scrub(5);
@@ -158,13 +140,13 @@ describe('a replayed run', () => {
     expect(await page.isEnabled('#stop')).toBe(true);
 
     await page.click('#live');
-    await until(async () => !((await page.getAttribute('body', 'class')) ?? '').includes('replaying'), 'the robot itself');
+    await until(() => page.evaluate(() => !document.body.classList.contains('replaying')), 'the robot itself');
     await until(() => remove.isEnabled(), 'it is left');
     await remove.click();
-    await until(async () => (await remove.textContent()) === 'really delete', 'the question');
+    await shows(row(page, name), '.run-delete', /^really delete$/);
     expect(existsSync(join(folder(), name))).toBe(true);
     await remove.click();
-    await until(async () => (await row(page, name).count()) === 0, 'it is gone', () => message(page));
+    await until(async () => (await row(page, name).count()) === 0, 'it is gone', () => page.textContent('.runs-message'));
     expect(existsSync(join(folder(), name))).toBe(false);
   });
 });

@@ -1,47 +1,38 @@
+// STOP on the page, while robot and daemon answer, hang or are dead.
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
-import { driveUntil, press as pressButton, run, until } from './cockpit.ts';
+import { driveUntil, press as pressButton, run, shows, until } from './cockpit.ts';
 import { Setting } from './setting.ts';
 
 const setting = new Setting({ each: true });
 
-const line = async (page: Page): Promise<string> => (await page.textContent('.stop-line')) ?? '';
-const says = (page: Page, text: RegExp): Promise<boolean> => until(async () => text.test(await line(page)), `STOP says ${String(text)}`);
-const running = (page: Page): Promise<void> => driveUntil(page, 'running');
+const says = (page: Page, text: RegExp): Promise<string> => shows(page, '.stop-line', text);
 
-interface Look {
-  /** Of a figure's colour: the largest component and the range of its components, out of 255. */
-  light: number;
-  tint: number;
-  /** The CSS filter of the 3-D view. */
-  filter: string;
-}
-
-const look = (page: Page): Promise<Look> =>
-  page.evaluate(() => {
-    const style = (selector: string): CSSStyleDeclaration => getComputedStyle(document.querySelector(selector) ?? document.body);
-    const parts = (style('#number-x').color.match(/[\d.]+/g) ?? []).slice(0, 3).map(Number);
+/** Waits until figures and view are shown as stale, or as fresh. */
+async function look(page: Page, wanted: 'grey' | 'bright'): Promise<void> {
+  let last = {};
+  const looks = async (): Promise<boolean> => {
+    const { colour, filter } = await page.evaluate(() => {
+      const style = (selector: string): CSSStyleDeclaration => getComputedStyle(document.querySelector(selector) ?? document.body);
+      return { colour: style('#number-x').color, filter: style('.stage').filter };
+    });
+    // The largest component of the colour and the range of its components, out of 255.
+    const parts = (colour.match(/[\d.]+/g) ?? []).slice(0, 3).map(Number);
     const light = Math.max(...parts);
-    return { light, tint: light - Math.min(...parts), filter: style('.stage').filter };
-  });
-
-/** Expects that figures and 3-D view are shown as stale. */
-async function grey(page: Page): Promise<void> {
-  let last: Look | undefined;
-  const isGrey = async (): Promise<boolean> => {
-    last = await look(page);
-    return last.light < 150 && last.tint < 40 && last.filter === 'grayscale(1)';
+    last = { colour, filter };
+    return wanted === 'grey' ? light < 150 && light - Math.min(...parts) < 40 && filter === 'grayscale(1)' : light > 180 && filter === 'none';
   };
-  await until(isGrey, 'grey figures').catch(() => {
-    throw new Error(`not grey: ${JSON.stringify(last)}`);
+  await until(looks, `${wanted} figures`).catch(() => {
+    throw new Error(`not ${wanted}: ${JSON.stringify(last)}`);
   });
 }
 
-const bright = (page: Page): Promise<boolean> =>
-  until(async () => {
-    const { light, filter } = await look(page);
-    return light > 180 && filter === 'none';
-  }, 'bright figures');
+/** A page whose robot drives. */
+async function running(): Promise<Page> {
+  const page = await setting.open();
+  await driveUntil(page, 'running');
+  return page;
+}
 
 /** Presses the button without releasing it. */
 async function press(page: Page): Promise<void> {
@@ -52,8 +43,7 @@ async function press(page: Page): Promise<void> {
 describe('STOP', () => {
   it('acts on press, latches, shows the robot’s acknowledgement to every viewer, and ends with a start', async () => {
     const other = await setting.open();
-    const page = await setting.open();
-    await running(page);
+    const page = await running();
     const before = setting.pair.robot.lines.length;
     await press(page);
     await says(page, /^robot stopped in [\d.]+ ms$/);
@@ -65,7 +55,7 @@ describe('STOP', () => {
     await says(other, /^robot stopped in [\d.]+ ms$/);
     await page.bringToFront();
 
-    // The stop is latched: afterwards a start asks where the robot stands, and STOP takes the question away.
+    // The stop is latched: afterwards a start asks where the robot stands.
     await until(async () => page.isEnabled('#start'), 'start is possible');
     const progress_m = async (): Promise<number> => parseFloat((await page.textContent('.timeline-progress')) ?? '');
     const stopped_m = await progress_m();
@@ -74,7 +64,7 @@ describe('STOP', () => {
     expect(await page.textContent('#question-text')).toContain(`${stopped_m.toFixed(2)} of 4.06 m along the course`);
     // The question waits while nothing may start.
     setting.pair.robot.freeze();
-    await until(async () => !(await page.isEnabled('#start-here')), 'the robot is silent');
+    await until(() => page.isDisabled('#start-here'), 'the robot is silent');
     setting.pair.robot.thaw();
     // STOP takes the question away, wherever it is pressed.
     for (const anyone of [page, other]) {
@@ -96,19 +86,15 @@ describe('STOP', () => {
     }, 'it goes on', () => run(page));
     expect(await progress_m()).toBeGreaterThanOrEqual(stopped_m);
     await says(page, /space or esc/);
-
     await other.keyboard.press('Space');
     await says(page, /^robot stopped in/);
-    await page.click('#tab-events');
-    await until(async () => ((await page.textContent('.event-list')) ?? '').includes('viewer'), 'who pressed');
   });
 
   it('takes space and escape, wherever the focus is, and nothing else', async () => {
-    const page = await setting.open();
-    await running(page);
+    const page = await running();
     await page.focus('#camera-top');
     await page.keyboard.press('x');
-    expect(await line(page)).toBe('space or esc');
+    expect(await page.textContent('.stop-line')).toBe('space or esc');
     await page.keyboard.press('Escape');
     await says(page, /^robot stopped in/);
     // The space key stops the robot, but must not also press the button that has the focus.
@@ -121,41 +107,27 @@ describe('STOP', () => {
     await says(page, /^robot stopped in/);
   });
 
-  it('is not acknowledged by a robot that hangs, and is the first thing that it hears afterwards', async () => {
-    const page = await setting.open();
-    await running(page);
-    await bright(page);
-    setting.pair.robot.freeze();
+  it.each(['robot', 'daemon'] as const)('is not acknowledged by a %s that hangs, and is the first thing that it hears afterwards', async (who) => {
+    const page = await running();
+    await look(page, 'bright');
+    setting.pair[who].freeze();
     await press(page);
     await says(page, /^not acknowledged/);
-    await grey(page);
-    setting.pair.robot.thaw();
-    await says(page, /^robot stopped in/);
-  });
-
-  it('is not acknowledged by a daemon that hangs, and reaches it when it goes on', async () => {
-    const page = await setting.open();
-    await running(page);
-    await bright(page);
-    setting.pair.daemon.freeze();
-    await page.keyboard.press('Space');
-    await says(page, /^not acknowledged/);
-    await grey(page);
-    setting.pair.daemon.thaw();
+    await look(page, 'grey');
+    setting.pair[who].thaw();
     await says(page, /^robot stopped in/);
     await until(async () => (await run(page)) !== 'running', 'the run is over');
   });
 
   it('waits for a daemon that is dead and goes out first when another one comes', async () => {
-    const page = await setting.open();
-    await running(page);
+    const page = await running();
     // The browser itself reports that the daemon cannot be reached.
     setting.expected = /WebSocket connection to/;
     await setting.pair.daemon.end('SIGKILL');
-    await until(async () => (await page.textContent('#chip-link .chip-value')) === 'no daemon', 'no daemon');
+    await shows(page, '#chip-link .chip-value', /^no daemon$/);
     await page.keyboard.press('Space');
     await says(page, /^not acknowledged · no link$/);
-    await grey(page);
+    await look(page, 'grey');
     expect(await page.isVisible('#stop')).toBe(true);
     await setting.pair.restart();
     await says(page, /^robot stopped in/);
