@@ -5,7 +5,7 @@ import shutil
 import subprocess
 import sys
 
-from host import ROOT, check, packages, run, skip
+from host import ROOT, check, packages, run
 from machine import Machine
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -13,6 +13,7 @@ sys.path.append(os.path.join(os.path.dirname(HERE), "docs"))
 from run_page import blocks, script_of  # noqa: E402
 
 CONFIG = "/etc/tp100/tp100.toml"
+APT = "apt-get -qq -y -o Dpkg::Use-Pty=0 -o Dpkg::Options::=--force-confdef -o Dpkg::Options::=--force-confold "
 # A short course.
 COURSE = ('description = "short"\nspeed_mps = 0.1\n[[segment]]\ntype = "line"\nlength_m = 0.2\n'
           "[fence]\nmin_x_m = -0.5\nmax_x_m = 0.8\nmin_y_m = -0.5\nmax_y_m = 0.5\n")
@@ -68,8 +69,7 @@ def ros2_drop_in():
 
 
 def serve(machine):
-    """Checks the unit under systemd: ready, real-time, through a course, supervised, stopped. Returns the reason why
-    the rights of its user, which come from limits without a capability, were not checked; empty if they were."""
+    """Checks the unit under systemd: ready, real-time, through a course, supervised, stopped."""
     may_raise = subprocess.run(["prlimit", "--rtprio=90:90", "true"], stderr=subprocess.DEVNULL, check=False)
     machine.write("/etc/tp100/tp100.toml", 'course = "/srv/short.toml"\n[link]\nport = "/srv/robot"\n')
     with open(HERE + "/service.sh", encoding="utf-8") as file:
@@ -77,23 +77,6 @@ def serve(machine):
                               .replace("@ROS2_DROP_IN@", ros2_drop_in()))
     print(output)
     check("service: done" in output, "the service under systemd (above)")
-    untried = re.findall(r"^service: not tried: (.*)", output, re.M)
-    return "; ".join(untried)
-
-
-def verdict_file(build):
-    return os.path.join(build, "package", "rights")
-
-
-def rights(build):
-    """The result of the install step for the unit's LimitRTPRIO, LimitMEMLOCK and PrivateUsers."""
-    if not os.path.exists(verdict_file(build)):
-        skip("no service was started (package.install); see there")
-    with open(verdict_file(build), encoding="utf-8") as file:
-        untried = file.read()
-    if untried:
-        skip(untried)
-    print("the unit as it is gave SCHED_FIFO and locked memory")
 
 
 def left(machine):
@@ -103,48 +86,44 @@ def left(machine):
       grep -s tp100 /etc/passwd /etc/group /etc/shadow /etc/gshadow /var/lib/dpkg/status || true""")
 
 
-def watch_marker(machine, apt):
+def watch_marker(machine):
     """Installs the camera beside the bridge, draws the marker and reads it from an image, and removes it again."""
     output = machine.shell(f"""
       ! dpkg -l 'libopencv*' | grep ^ii
-      {apt} install --no-install-recommends /srv/tp100-camera.deb
+      {APT} install --no-install-recommends /srv/tp100-camera.deb
       tp100-camera --print-marker /srv/marker.svg; grep -c '<svg' /srv/marker.svg
       tp100-camera --print-marker /srv/marker.svg --view /usr/share/tp100/view.toml
-      {apt} purge tp100-camera; {apt} autoremove --purge; tp100d --version""")
+      {APT} purge tp100-camera; {APT} autoremove --purge; tp100d --version""")
     print(output)
+
+
+def upgrade_and_purge(machine):
+    """The user's configuration stays until the package is purged, and then nothing is left."""
+    machine.write(CONFIG, "# of its user\n")
+    machine.shell(f"{APT} install --no-install-recommends /srv/newer.deb; tp100d check {CONFIG}")
+    check(machine.read(CONFIG) == "# of its user\n", f"the upgrade changed {CONFIG}")
+    machine.shell(f"{APT} remove tp100; test -e {CONFIG}; test ! -e /usr/bin/tp100d; {APT} purge tp100")
+    check(not (still := left(machine).strip()), f"after the purge there is still:\n{still}")
+    print("installed, driven, served, upgraded, removed, purged")
 
 
 def install(build):
     debs = packages(build)
-    if os.path.exists(verdict_file(build)):
-        os.remove(verdict_file(build))
     machine = Machine()
     try:
         for name, deb in debs.items():
             shutil.copy(deb, machine.path(f"/srv/{name}.deb"))
         newer(debs["tp100"], machine.path("/srv"))
-        apt = "apt-get -qq -y -o Dpkg::Use-Pty=0 -o Dpkg::Options::=--force-confdef -o Dpkg::Options::=--force-confold "
-        machine.shell(f"apt-get -qq update; {apt} install --no-install-recommends /srv/tp100.deb arduino-core-avr avrdude udev")
+        machine.shell(f"apt-get -qq update; {APT} install --no-install-recommends /srv/tp100.deb arduino-core-avr avrdude udev")
         if "tp100-camera" in debs:
-            watch_marker(machine, apt)
+            watch_marker(machine)
         machine.shell("systemd-analyze verify --man=no tp100d@tp100.service")
         # The message names file and line of a rule with a syntax error.
         machine.shell("! udevadm test /sys/class/mem/null 2>&1 | grep tp100.rules:")
         drive_as_user(machine)
         drive_bare_board(machine)
-        untried = serve(machine)
-        with open(verdict_file(build), "w", encoding="utf-8") as file:
-            file.write(untried)
-
-        machine.write(CONFIG, "# of its user\n")
+        serve(machine)
         machine.write("/etc/tp100/second.toml", "")
-        machine.shell(f"{apt} install --no-install-recommends /srv/newer.deb; tp100d check {CONFIG}")
-        check(machine.read(CONFIG) == "# of its user\n", f"the upgrade changed {CONFIG}")
-        machine.shell(f"{apt} remove tp100; test -e {CONFIG}; test ! -e /usr/bin/tp100d")
-        machine.shell(f"{apt} purge tp100")
-        check(not (still := left(machine).strip()), f"after the purge there is still:\n{still}")
-        print("installed, driven, served, upgraded, removed, purged")
-        if untried:
-            print(f"not tried: {untried}")
+        upgrade_and_purge(machine)
     finally:
         machine.close()

@@ -7,7 +7,7 @@ import tempfile
 
 from container_test import container
 from host import ROOT, check, need, package, packages, run
-from install_test import install, rights
+from install_test import install
 from setup_test import setup
 
 LARGEST_EXPOSURE = 2.0
@@ -61,8 +61,7 @@ def completion(build):
         scripts = at + "/usr/share/bash-completion/completions/"
         for line, offered in (("tp100d ", "identify"), ("tp100d re", "replay"), ("tp100d run --set", "--setup"),
                               ("tp100d run --setup ", "terrain"), ("tp100-sim robot --board a", "avr"),
-                              ("tp100-flash --dry", "--dry-run"), ("tp100-flash --port a", "auto"),
-                              ("tp100-campaign --eng", "--engine"), ("tp100-campaign --engine s", "slurm"),
+                              ("tp100-flash --port a", "auto"), ("tp100-campaign --engine s", "slurm"),
                               ("tp100d check /etc/pass", "/etc/passwd"), ("tp100-camera --print", "--print-marker")):
             if not os.path.exists(at + "/usr/bin/" + line.split(" ", maxsplit=1)[0]):
                 continue
@@ -75,7 +74,7 @@ def completion(build):
             run("zsh", "-n", f"{at}/usr/share/zsh/vendor-completions/_{program}")
 
 
-STEPS = {step.__name__: step for step in (make, lintian, exposure, completion, container, install, rights, setup)}
+STEPS = {step.__name__: step for step in (make, lintian, exposure, completion, container, install, setup)}
 
 if __name__ == "__main__":
     if len(sys.argv) != 3 or sys.argv[1] not in STEPS:

@@ -100,11 +100,8 @@ mv build/$2/cache build/$2/CMakeCache.txt""")
 
 def options(at):
     """An option must not be taken for a preset."""
-    build = at + "/tree/scripts/build"
-    for words in (("--help",), ("--preset", "dev"), ("dev", "-j2")):
-        asked = subprocess.run([build, *words], capture_output=True, text=True, check=False)
-        check(asked.returncode == 2 and asked.stderr.startswith("scripts/build [PRESET]") and not asked.stdout,
-              f"scripts/build {' '.join(words)}: {asked}")
+    asked = subprocess.run([at + "/tree/scripts/build", "dev", "-j2"], capture_output=True, text=True, check=False)
+    check(asked.returncode == 2 and asked.stderr.startswith("scripts/build [PRESET]") and not asked.stdout, f"scripts/build dev -j2: {asked}")
 
 
 def setup(_build):
@@ -113,13 +110,11 @@ def setup(_build):
         failures(at)
         options(at)
         parts(at)
-    with tempfile.TemporaryDirectory() as at:
         machine = Machine(at + "/moreutils", MOREUTILS)
         machine.run(ROOT + "/scripts/setup", "parallel")
         asked = machine.asked()
         check(asked.startswith("noninteractive install ") and asked.endswith(" parallel\n"),
               f"beside moreutils' parallel, and by sudo, apt-get was asked '{asked}'")
-
         machine = Machine(at + "/gnu", GNU)
         machine.run(ROOT + "/scripts/setup", "parallel")
         check(not machine.asked(), f"GNU parallel is there, but apt-get was asked '{machine.asked()}'")

@@ -12,11 +12,7 @@ work_with() {
 }
 works_at() { stty < $1 | grep -q "speed $2 baud"; }
 
-# Records the requests on the bus; the bus is quiet if no speed and no DTR is set on a Mega or on the FTDI bridge.
-watch_bus() {
-  cat /sys/kernel/debug/usb/usbmon/0u > /tmp/bus &
-  bus=$!
-}
+# The bus is quiet if no speed and no DTR is set on a Mega or on the FTDI bridge.
 bus_was_quiet() {
   kill $bus
   lacks /tmp/bus " s 21 2[02] "

@@ -49,3 +49,9 @@ make_robot() {
 }
 # motors_off N REASON: counts how often robot N switched its motors off for REASON.
 motors_off() { grep -c "motors off: $2" /tmp/robot$1.log; }
+
+# watch_bus: records the requests on the bus until $bus is killed.
+watch_bus() {
+  cat /sys/kernel/debug/usb/usbmon/0u > /tmp/bus &
+  bus=$!
+}

@@ -35,8 +35,7 @@ check_drives() {
 check_sets_the_port() {
   unplug 0
   plug 0
-  cat /sys/kernel/debug/usb/usbmon/0u > /tmp/bus &
-  bus=$!
+  watch_bus
   start --port /dev/ttyACM0
   ready
   stty -a < /dev/ttyACM0 > /tmp/stty 2> /dev/null
@@ -66,28 +65,25 @@ check_is_alone_on_it() {
   ! says "ready -> " || wrong "the first tp100d lost its robot: $(last_words)"
 }
 
-check_keeps_dtr() {
+# leaves_the_lines STATE: stops the daemon and reads the last SET_CONTROL_LINE_STATE; 0003: both lines are up.
+leaves_the_lines() {
   stop
   kill $bus
-  # SET_CONTROL_LINE_STATE: both lines are up. Closing the port must leave them up, so that the next opening resets no
-  # board.
-  has /tmp/bus "s 21 22 0003 0000 0000 0"
-  grep "s 21 22" /tmp/bus > /tmp/lines
-  tail -n 1 /tmp/lines > /tmp/last
-  has /tmp/last "s 21 22 0003"
+  grep "s 21 22" /tmp/bus | tail -n 1 > /tmp/last
+  has /tmp/last "s 21 22 $1"
+}
+
+# Closing the port must leave both lines up, so that the next opening resets no board.
+check_keeps_dtr() {
+  leaves_the_lines 0003
 }
 
 check_drops_dtr() {
   printf '[link]\nhang_up = true\n' > /tmp/hang_up.toml
-  cat /sys/kernel/debug/usb/usbmon/0u > /tmp/bus &
-  bus=$!
+  watch_bus
   start --port /dev/ttyACM0 --config /tmp/hang_up.toml
   ready
-  stop
-  kill $bus
-  grep "s 21 22" /tmp/bus > /tmp/lines
-  tail -n 1 /tmp/lines > /tmp/last
-  has /tmp/last "s 21 22 0000"
+  leaves_the_lines 0000
 }
 
 # The bridge must be configured not to delay bytes.

@@ -22,6 +22,5 @@ try bridge_is_left_alone
 try bridge_is_prepared_when_asked
 try starts_nothing_by_itself
 try drives_as_the_service
-try is_restarted_after_want_of_files
 
 echo "guest: done"

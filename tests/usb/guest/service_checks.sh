@@ -150,19 +150,3 @@ check_drives_as_the_service() {
   hears "running -> finished"
   hears "info completed"
 }
-
-# The exit status must lead to a restart. The check uses the other robot's service, whose configuration has no page.
-check_is_restarted_after_want_of_files() {
-  starved=tp100d@other
-  mkdir -p /run/systemd/system/$starved.service.d
-  printf '[Service]\nLimitNOFILE=6\n' > /run/systemd/system/$starved.service.d/test.conf
-  systemctl daemon-reload
-  # The service fails before it reports that it is ready.
-  systemctl start $starved 2> /dev/null
-  again() { [ "$(ask NRestarts $starved)" -ge 1 ]; }
-  until_ again || wrong "NRestarts $(ask NRestarts $starved): $(journal $starved | tail -n 5 | tr '\n' '|')"
-  journal $starved > /tmp/starved
-  has /tmp/starved "code=exited, status=3"
-  has /tmp/starved "stopped: .*; start it again"
-  systemctl stop $starved
-}
