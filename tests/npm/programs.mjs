@@ -14,6 +14,16 @@ export const start = (command, options, settings) => spawn('setpriv', ['--pdeath
 
 export const pause = (ms) => new Promise((resolve) => { setTimeout(resolve, ms); });
 
+/** Waits until the condition holds, and returns its value. */
+export async function until(condition) {
+  for (;;) {
+    const found = condition();
+    if (found) return found;
+    // It does not keep a test alive whose programs have all ended.
+    await new Promise((resolve) => { setTimeout(resolve, 20).unref(); });
+  }
+}
+
 /** Calls `work` with the name of a folder that exists until then. */
 export async function inFolder(work) {
   const folder = await mkdtemp(join(tmpdir(), 'tp100-npm-'));
@@ -53,22 +63,19 @@ export const withRobot = (work, more = []) => inFolder(async (folder) => {
         const child = start(program('tp100d'), ['run', '--config', file, '--port', port, ...listen, ...options],
           { stdio: ['ignore', 'ignore', 'pipe'], env: { ...env, ...variables } });
         running.push(child);
-        const lines = [], waiting = new Set();
+        const lines = [];
+        let ended = false;
         createInterface({ input: child.stderr }).on('line', (line) => {
           lines.push(line);
           // On a busy machine a run may be aborted; the daemon would then wait for another start.
           if (/state: running -> aborted/.test(line) && !options.includes('--stay')) child.kill('SIGTERM');
-          for (const check of waiting) check();
-        });
+        }).on('close', () => { ended = true; });
         const exit = once(child, 'exit');
-        const said = (pattern) => Promise.race([
-          new Promise((resolve) => {
-            const check = () => { if (lines.some((line) => pattern.test(line))) resolve(); };
-            waiting.add(check);
-            check();
-          }),
-          exit.then(() => assert.match(lines.join('\n'), pattern)),
-        ]);
+        const said = (pattern) => until(() => {
+          const found = lines.some((line) => pattern.test(line));
+          assert.ok(found || !ended, `tp100d ended without ${pattern}:\n${lines.join('\n')}`);
+          return found;
+        });
         return { child, exit, said, lines };
       },
     });

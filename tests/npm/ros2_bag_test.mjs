@@ -176,6 +176,8 @@ function checkStates(states, json, facts) {
   });
   assert.deepEqual(changes.filter(({ logTime }) => !states.some((state) => state.logTime === logTime)), []);
   let before = { logTime: states[0].logTime, counted: counters.map(() => 0) };
+  const seconds = Number(states.at(-1).logTime - states[0].logTime) / 1e9;
+  assert.ok(states.length < 1.5 * seconds + 10, `${states.length} states in ${seconds} s`);
   for (const { logTime, value } of states) {
     assert.ok(logTime - before.logTime <= 1_010_000_000n, `nothing before ${logTime}`);
     const estimate = estimates.get(logTime), heard = samples.filter((sample) => sample.logTime <= logTime);

@@ -3,10 +3,9 @@
 // part out. Run it in_network.
 import { execFileSync } from 'node:child_process';
 import { readFile, readdir } from 'node:fs/promises';
-import { cpus } from 'node:os';
 import { join } from 'node:path';
 import { readMcap } from './mcap_file.mjs';
-import { lineCourse, pause, program, withRobot } from './programs.mjs';
+import { lineCourse, program, withRobot } from './programs.mjs';
 import { decode, nanoseconds } from './ros2.mjs';
 import { loseDriver, losses, movedAfter } from './ros2_driver.mjs';
 import { Peer, latched, percentile, ros2On, topics, withSecondHost } from './ros2_network.mjs';
@@ -22,7 +21,7 @@ function printTimes(what, values, unit, counts = {}) {
 
 /** Measures every topic while the robot drives: lost messages, and the age of those that arrive. */
 const measureTopics = (pacing) => withRobot(async ({ folder, daemon }) => {
-  const peer = await Peer.ofEverything('42timed');
+  const peer = await Peer.ofEverything('42quiet');
   const course = await lineCourse(folder, 0.05 * (seconds + 5), 0.05);
   const run = await daemon(ros2On, ['--course', course, '--record', join(folder, 'runs'), '--duration', String(seconds + 5)],
     `pacing = "${pacing}"`);
@@ -31,8 +30,6 @@ const measureTopics = (pacing) => withRobot(async ({ folder, daemon }) => {
   const [name] = await readdir(join(folder, 'runs'));
   execFileSync(program('tp100d'), ['export', join(folder, 'runs', name), '--ros2', join(folder, 'bag')], { stdio: 'ignore' });
   const { topics: bag } = await readMcap(join(folder, 'bag', 'bag_0.mcap'));
-  const { woken_late_ns: late } = peer.found.find((each) => each.woken_late_ns);
-  printTimes(`pacing ${pacing}: a thread that only sleeps wakes late by (no DDS in it)`, late.map((ns) => ns / 1e6), 'ms');
   const key = (bytes) => Buffer.from(bytes).subarray(0, 64).toString('hex');
   for (const topic of topics.keys()) {
     if (latched.includes(topic)) continue;
@@ -55,53 +52,16 @@ const measureTopics = (pacing) => withRobot(async ({ folder, daemon }) => {
 
 const median = (values) => percentile(values, 0.5);
 
-/** A daemon's threads: name, whether it is the loop, last processor, how often and how long it ran and waited for a
-    processor [s]. */
-async function threadsOf(pid) {
-  const out = [];
-  for (const thread of await readdir(`/proc/${pid}/task`)) {
-    const read = async (name) => (await readFile(`/proc/${pid}/task/${thread}/${name}`, 'utf8')).trim();
-    const [name, stat, sched] = await Promise.all(['comm', 'stat', 'schedstat'].map(read)).catch(() => []);
-    if (sched === undefined) continue; // it has just ended
-    // Fields 39 and 41 of proc(5), counted from the name's end: processor and policy, of which 1 is SCHED_FIFO.
-    const fields = stat.split(') ').at(-1).split(' ');
-    const [ran, waited, times] = sched.split(' ').map(Number);
-    out.push({ thread, name, loop: fields[38] === '1', cpu: fields[36], ran_s: ran / 1e9, waited_s: waited / 1e9, times });
-  }
-  return out;
-}
-const speaksDds = ({ name }) => /^(ros2|gc|tev|(dq|recv|xmit).*)$/.test(name);
-const total = (threads, key) => threads.reduce((sum, thread) => sum + thread[key], 0);
-
-/** Processor time that the host of a virtual machine gave to others [s]. */
-const stolen_s = async () => Number((await readFile('/proc/stat', 'utf8')).split('\n')[0].split(/\s+/)[8]) / 100;
-
-/** One short run: figures of the loop's lateness, and its threads' processor times. */
-async function loopRun({ ros2, subscriber, dds_cpu }) {
+/** The loop's lateness in one short run. */
+async function latenessOf({ ros2, subscriber }) {
   let out;
   await withRobot(async ({ folder, daemon }) => {
     const peer = subscriber ? await Peer.ofEverything('42quiet') : undefined;
-    const stats = join(folder, 'stats.json'), duration = 7;
-    const run = await daemon(ros2 ? ros2On : '', ['--duration', String(duration), '--stats', stats], dds_cpu === undefined ? '' : 'cpu = 0');
-    await run.said(/state: syncing -> ready/);
-    const before = await threadsOf(run.child.pid), stolenBefore = await stolen_s(), began = Date.now();
-    if (dds_cpu !== undefined)
-      for (const { thread } of before.filter(speaksDds)) execFileSync('taskset', ['-pc', dds_cpu, thread]);
-    const together = [];
-    let after = before;
-    while (Date.now() - began < (duration - 3) * 1000) {
-      await pause(100);
-      after = await threadsOf(run.child.pid);
-      together.push(after.find(({ loop }) => loop)?.cpu === after.find(({ name }) => name === 'ros2')?.cpu);
-    }
-    const took_s = (Date.now() - began) / 1000, stolen = (await stolen_s() - stolenBefore) / took_s;
-    const spent = (of, key) => total(after.filter(of), key) - total(before.filter(of), key);
-    const isLoop = ({ loop }) => loop;
+    const stats = join(folder, 'stats.json');
+    const run = await daemon(ros2 ? ros2On : '', ['--duration', '7', '--stats', stats], '');
     await run.exit;
     await peer?.end();
-    out = { ...JSON.parse(await readFile(stats, 'utf8')).loop.lateness_us, cores: spent(() => true, 'ran_s') / took_s, stolen,
-      loop_cores: spent(isLoop, 'ran_s') / took_s, dds_cores: spent(speaksDds, 'ran_s') / took_s,
-      waited_us: 1e6 * spent(isLoop, 'waited_s') / spent(isLoop, 'times'), together: together.filter(Boolean).length / together.length };
+    out = JSON.parse(await readFile(stats, 'utf8')).loop.lateness_us;
   });
   return out;
 }
@@ -113,35 +73,23 @@ function ratioOf(values, without) {
   return { p50: ratio([...values.keys()]), low: percentile(drawn, 0.025), high: percentile(drawn, 0.975) };
 }
 
-/** The loop's lateness with and without ROS 2 in alternating runs, and its sources. Two runs without ROS 2 show the
-    noise of the machine: a ratio within their interval is not an effect of ROS 2. There are many short runs, and each
-    round begins with another one, so that a disturbance of the machine affects few. */
+/** The loop's lateness with and without ROS 2 in alternating runs. Two runs without ROS 2 show the noise of the machine: a
+    ratio within their interval is not an effect of ROS 2. There are many short runs, and each round begins with another
+    one, so that a disturbance of the machine affects few. */
 async function measureLoop() {
   const candidates = [{ name: 'without ROS 2' }, { name: 'without ROS 2, once more' }, { name: 'with ROS 2, nobody listens', ros2: true },
     { name: 'with ROS 2 and a subscriber of every topic', ros2: true, subscriber: true }];
-  if (cpus().length > 1) {
-    const pinned = { ros2: true, subscriber: true };
-    candidates.push({ name: 'the same, loop and ROS 2 on processor 0', ...pinned, dds_cpu: '0' },
-      { name: 'the same, loop on processor 0, ROS 2 on 1', ...pinned, dds_cpu: '1' });
-  }
   const found = candidates.map(() => []);
   for (let round = 0; round < rounds; ++round)
     for (const i of candidates.keys()) {
       const at = (round + i) % candidates.length;
-      found[at].push(await loopRun(candidates[at]));
+      found[at].push(await latenessOf(candidates[at]));
     }
   const p99 = (i) => found[i].map((run) => run.p99);
-  for (const [i, { name, ros2 }] of candidates.entries()) {
-    const of = (key) => found[i].map((run) => run[key]);
-    print({ what: `lateness, ${name} (medians of the rounds)`, unit: 'us', count: rounds,
-      p50: median(of('p50')), p99: median(of('p99')), max: median(of('max')) });
+  for (const [i, { name }] of candidates.entries()) {
+    const of = (key) => median(found[i].map((run) => run[key]));
+    print({ what: `lateness, ${name} (medians of the rounds)`, unit: 'us', count: rounds, p50: of('p50'), p99: of('p99'), max: of('max') });
     if (i > 0) print({ what: '  p99 in relation to that without ROS 2', count: rounds, ...ratioOf(p99(i), p99(0)) });
-    printTimes('  loop: woken, but waiting for its processor, mean of a wake-up', of('waited_us'), 'us');
-    printTimes('  processors of tp100d', of('cores'), 'cores');
-    printTimes('  of these, the loop', of('loop_cores'), 'cores');
-    if (ros2) printTimes('  of these, ROS 2 (ros2 and the threads of Cyclone DDS)', of('dds_cores'), 'cores');
-    if (ros2) printTimes('  share of looks at which ros2 was last on the loop\'s processor', of('together'), '');
-    printTimes('  processors that the host of this machine took', of('stolen'), 'cores');
   }
 }
 

@@ -10,7 +10,7 @@ import { join } from 'node:path';
 import test from 'node:test';
 import { readMcap } from './mcap_file.mjs';
 import { load } from './packages.mjs';
-import { inFolder, lineCourse, ordinary, program, start, withRobot } from './programs.mjs';
+import { inFolder, lineCourse, ordinary, program, start, until, withRobot } from './programs.mjs';
 import { decode, nanoseconds } from './ros2.mjs';
 import { Driver } from './ros2_driver.mjs';
 import { Peer, ddsType, discovery, latched, ros2On, topics, withSecondHost } from './ros2_network.mjs';
@@ -56,65 +56,59 @@ function sameAsBag(listener, bag, all, t) {
 
 test('another implementation receives every message of a run', limits, (t) => withRobot(async ({ folder, daemon }) => {
   const listener = await Peer.ofEverything(42);
-  try {
-    const run = await daemon(ros2On, ['--course', await lineCourse(folder, 0.3), '--record', join(folder, 'runs')]);
-    await run.exit;
-    await listener.end();
-    const { reader, topics: bag } = await bagOf(folder);
-    sameAsBag(listener, bag, topics, t);
+  t.after(() => listener.end());
+  const run = await daemon(ros2On, ['--course', await lineCourse(folder, 0.3), '--record', join(folder, 'runs')]);
+  await run.exit;
+  await listener.end();
+  const { reader, topics: bag } = await bagOf(folder);
+  sameAsBag(listener, bag, topics, t);
 
-    // The announced writers must be those of the bag's channels.
-    const writers = listener.found.filter(({ writer }) => writer);
-    assert.deepEqual(writers.map(({ topic }) => topic).sort(), [discovery, ...[...topics.keys()].map((name) => `rt${name}`)].sort());
-    for (const channel of reader.channelsById.values()) {
-      const [type, qos] = topics.get(channel.topic);
-      const writer = writers.find(({ topic }) => topic === `rt${channel.topic}`);
-      assert.equal(writer.type, ddsType(type));
-      assert.equal(writer.qos, qos, channel.topic);
-      assert.equal(writer.user_data, `typehash=${channel.metadata.get('topic_type_hash')};`);
-    }
-
-    // The graph of ROS 2: one node that owns all writers but the graph's.
-    const [participant] = listener.found.filter((each) => each.participant);
-    assert.equal(participant.user_data, 'enclave=/;');
-    const line = '='.repeat(80);
-    const entities = new MessageReader(parse(
-      `Gid gid\nNodeEntitiesInfo[] node_entities_info_seq\n${line}\nMSG: rmw_dds_common/Gid\nuint8[16] data\n${line}\n`
-      + 'MSG: rmw_dds_common/NodeEntitiesInfo\nstring node_namespace\nstring node_name\nGid[] reader_gid_seq\nGid[] writer_gid_seq\n',
-      { ros2: true }));
-    const graph = listener.found.filter(({ message }) => message === discovery);
-    assert.equal(graph.length, 1);
-    const info = entities.readMessage(Buffer.from(graph[0].cdr, 'hex'));
-    const hex = ({ data }) => Buffer.from(data).toString('hex');
-    assert.equal(hex(info.gid), participant.participant);
-    assert.deepEqual(info.node_entities_info_seq.map((node) => [node.node_namespace, node.node_name]), [['/', 'tp100d']]);
-    assert.deepEqual(info.node_entities_info_seq[0].writer_gid_seq.map(hex).sort(),
-      writers.filter(({ topic }) => topic !== discovery).map(({ writer }) => writer).sort());
-  } finally {
-    await listener.end();
+  // The announced writers must be those of the bag's channels.
+  const writers = listener.found.filter(({ writer }) => writer);
+  assert.deepEqual(writers.map(({ topic }) => topic).sort(), [discovery, ...[...topics.keys()].map((name) => `rt${name}`)].sort());
+  for (const channel of reader.channelsById.values()) {
+    const [type, qos] = topics.get(channel.topic);
+    const writer = writers.find(({ topic }) => topic === `rt${channel.topic}`);
+    assert.equal(writer.type, ddsType(type));
+    assert.equal(writer.qos, qos, channel.topic);
+    assert.equal(writer.user_data, `typehash=${channel.metadata.get('topic_type_hash')};`);
   }
+
+  // The graph of ROS 2: one node that owns all writers but the graph's.
+  const [participant] = listener.found.filter((each) => each.participant);
+  assert.equal(participant.user_data, 'enclave=/;');
+  const line = '='.repeat(80);
+  const entities = new MessageReader(parse(
+    `Gid gid\nNodeEntitiesInfo[] node_entities_info_seq\n${line}\nMSG: rmw_dds_common/Gid\nuint8[16] data\n${line}\n`
+    + 'MSG: rmw_dds_common/NodeEntitiesInfo\nstring node_namespace\nstring node_name\nGid[] reader_gid_seq\nGid[] writer_gid_seq\n',
+    { ros2: true }));
+  const graph = listener.found.filter(({ message }) => message === discovery);
+  assert.equal(graph.length, 1);
+  const info = entities.readMessage(Buffer.from(graph[0].cdr, 'hex'));
+  const hex = ({ data }) => Buffer.from(data).toString('hex');
+  assert.equal(hex(info.gid), participant.participant);
+  assert.deepEqual(info.node_entities_info_seq.map((node) => [node.node_namespace, node.node_name]), [['/', 'tp100d']]);
+  assert.deepEqual(info.node_entities_info_seq[0].writer_gid_seq.map(hex).sort(),
+    writers.filter(({ topic }) => topic !== discovery).map(({ writer }) => writer).sort());
 }));
 
-test('who comes late receives what is latched', limits, () => withRobot(async ({ daemon }) => {
+test('who comes late receives what is latched', limits, (t) => withRobot(async ({ daemon }) => {
   // The configuration key overrides the environment's domain.
   const run = await daemon('[ros2]\nenabled = true\ndomain = 3', ['--course', '1-straight', '--stay', '--wait']);
   await run.said(/state: syncing -> ready/);
   const listener = await Peer.ofEverything(3);
   const strict = new Peer(3, ['rt/imu/data=sensor_msgs::msg::dds_::Imu_=RV', 'rt/odom=nav_msgs::msg::dds_::Odometry_=RT']);
-  try {
-    await listener.until(() => [...topics.keys()].every((topic) => listener.messages(topic).length > 0));
-    for (const topic of latched) {
-      assert.equal(listener.messages(topic).length, 1, topic);
-      const value = decode(topics.get(topic)[0], listener.messages(topic)[0]);
-      if (topic === '/path') assert.ok(value.poses.length > 50);
-    }
-    // Subscriptions with a QoS that is not offered are refused as DDS prescribes.
-    await strict.until(() => ['rt/imu/data', 'rt/odom'].every((topic) =>
-      strict.found.some(({ incompatible }) => incompatible === topic)));
-    assert.ok(!strict.found.some(({ message }) => message));
-  } finally {
-    await Promise.all([listener.end(), strict.end()]);
+  t.after(() => Promise.all([listener.end(), strict.end()]));
+  await until(() => [...topics.keys()].every((topic) => listener.messages(topic).length > 0));
+  for (const topic of latched) {
+    assert.equal(listener.messages(topic).length, 1, topic);
+    const value = decode(topics.get(topic)[0], listener.messages(topic)[0]);
+    if (topic === '/path') assert.ok(value.poses.length > 50);
   }
+  // Subscriptions with a QoS that is not offered are refused as DDS prescribes.
+  await until(() => ['rt/imu/data', 'rt/odom'].every((topic) =>
+    strict.found.some(({ incompatible }) => incompatible === topic)));
+  assert.ok(!strict.found.some(({ message }) => message));
 }));
 
 test('threads of DDS have neither the scheduling nor the processor of the loop', limits, () => withRobot(async ({ daemon }) => {
@@ -136,21 +130,18 @@ test('threads of DDS have neither the scheduling nor the processor of the loop',
 test('a course in virtual time is on the topics as it is in its bag, with /clock and the truth', limits, (t) => inFolder(async (folder) => {
   const simulated = new Map([...topics, ['/clock', ['rosgraph_msgs/msg/Clock', 'BV']], ['/ground_truth', ['geometry_msgs/msg/PoseStamped', 'RV']]]);
   const listener = new Peer(42, [...simulated].map(([name, [type, qos]]) => `rt${name}=${ddsType(type)}=${qos}`));
-  try {
-    await listener.until(() => listener.found.some(({ listening }) => listening));
-    const simulation = start(program('tp100-sim'), ['course', await lineCourse(folder, 0.3), '--ros2', '--record', join(folder, 'runs')],
-      { stdio: ['ignore', 'ignore', 'inherit'], env: { ...process.env, ROS_DOMAIN_ID: '42' } });
-    assert.deepEqual(await once(simulation, 'exit'), [0, null]);
-    await listener.end();
-    sameAsBag(listener, (await bagOf(folder)).topics, simulated, t);
-    const clock = listener.messages('/clock').map((bytes) => nanoseconds(decode('rosgraph_msgs/msg/Clock', bytes).clock));
-    clock.forEach((at, i) => assert.ok(i === 0 || at > clock[i - 1]));
-    // Virtual time must not run faster than real time.
-    const times = listener.found.filter(({ message }) => message === 'rt/clock').map(({ received_ns }) => BigInt(received_ns));
-    assert.ok(times.at(-1) - times[0] > (clock.at(-1) - clock[0]) * 9n / 10n);
-  } finally {
-    await listener.end();
-  }
+  t.after(() => listener.end());
+  await until(() => listener.found.some(({ listening }) => listening));
+  const simulation = start(program('tp100-sim'), ['course', await lineCourse(folder, 0.3), '--ros2', '--record', join(folder, 'runs')],
+    { stdio: ['ignore', 'ignore', 'inherit'], env: { ...process.env, ROS_DOMAIN_ID: '42' } });
+  assert.deepEqual(await once(simulation, 'exit'), [0, null]);
+  await listener.end();
+  sameAsBag(listener, (await bagOf(folder)).topics, simulated, t);
+  const clock = listener.messages('/clock').map((bytes) => nanoseconds(decode('rosgraph_msgs/msg/Clock', bytes).clock));
+  clock.forEach((at, i) => assert.ok(i === 0 || at > clock[i - 1]));
+  // Virtual time must not run faster than real time.
+  const times = listener.found.filter(({ message }) => message === 'rt/clock').map(({ received_ns }) => BigInt(received_ns));
+  assert.ok(times.at(-1) - times[0] > (clock.at(-1) - clock[0]) * 9n / 10n);
 }));
 
 /** Calls `work` with a loopback interface as on most machines, without multicast. */
@@ -174,9 +165,9 @@ for (const [announced, domain] of [['at 127.0.0.1', '42>127.0.0.1'], ['by multic
       const listener = new Peer(domain, [...withoutCourse].map(([name, [type, qos]]) => `rt${name}=${ddsType(type)}=${qos}`));
       const driver = new Driver(run, { domain });
       try {
-        await listener.until(() => [...withoutCourse.keys()].every((topic) => listener.messages(topic).length > 0));
+        await until(() => [...withoutCourse.keys()].every((topic) => listener.messages(topic).length > 0));
         await driver.take();
-        await driver.peer.until(() => driver.peer.messages('/odom').length > 0);
+        await until(() => driver.peer.messages('/odom').length > 0);
         const begin = driver.place();
         await driver.driveTo(begin.x + 0.1, begin.y);
         t.diagnostic(`drove from ${begin.x.toFixed(3)} to ${driver.place().x.toFixed(3)} m`);
@@ -205,13 +196,13 @@ test('another host sees what is published on its network, and nothing of this ma
     const there = new Peer(42, odometry, under), here = new Peer('42@127.0.0.1', odometry);
     try {
       const local = await daemon(ros2On, ['--stay', '--wait']);
-      await here.until(() => here.messages('/odom').length > 400);
+      await until(() => here.messages('/odom').length > 400);
       assert.ok(!there.found.some(({ participant }) => participant));
       assert.deepEqual(closedPorts(under, ports), ports);
       local.child.kill('SIGTERM');
       await local.exit;
       const open = await daemon('[ros2]\nenabled = true\ninterface = "eth0"', ['--stay', '--wait']);
-      await there.until(() => there.messages('/odom').length > 400);
+      await until(() => there.messages('/odom').length > 400);
       assert.deepEqual(closedPorts(under, ports.slice(0, 2)), []);
       open.child.kill('SIGTERM');
       await open.exit;
@@ -233,7 +224,7 @@ test('interface = "" leaves Cyclone DDS to CYCLONEDDS_URI: peers that it lists a
     const there = new Peer(42, ['rt/odom=nav_msgs::msg::dds_::Odometry_=RV'], under);
     try {
       await daemon('[ros2]\nenabled = true\ninterface = ""', ['--stay', '--wait'], ordinary, { CYCLONEDDS_URI: `file://${file}` });
-      await there.until(() => there.messages('/odom').length > 100);
+      await until(() => there.messages('/odom').length > 100);
       // The port of domain 42 for discovery by multicast.
       assert.deepEqual(closedPorts(under, [17900]), [17900]);
     } finally {

@@ -2,7 +2,7 @@
 import { execFileSync } from 'node:child_process';
 import { once } from 'node:events';
 import { createInterface } from 'node:readline';
-import { program, start } from './programs.mjs';
+import { program, start, until } from './programs.mjs';
 import { encode } from './ros2.mjs';
 
 /** Configuration that switches ROS 2 on; TP100_ROS2: another line of that section. */
@@ -31,7 +31,6 @@ export class Peer {
   /** `under`: prefix of its command. */
   constructor(domain, wanted, under = []) {
     this.found = [];
-    this.waiting = new Set();
     this.command = [...under, program('ros2_peer'), String(domain), ...wanted];
     this.start();
   }
@@ -39,10 +38,7 @@ export class Peer {
     const [command, ...options] = this.command;
     this.process = start(command, options, { stdio: ['pipe', 'pipe', 'inherit'] });
     this.process.stdin.on('error', () => {});
-    createInterface({ input: this.process.stdout }).on('line', (line) => {
-      this.found.push(JSON.parse(line));
-      for (const check of this.waiting) check();
-    });
+    createInterface({ input: this.process.stdout }).on('line', (line) => this.found.push(JSON.parse(line)));
     // Fast DDS 2.9.1 may send to a newly discovered participant before it has opened a channel to it, and then aborts
     // (https://github.com/eProsima/Fast-DDS/pull/3169).
     this.process.once('exit', (code, signal) => {
@@ -55,19 +51,8 @@ export class Peer {
   static async ofEverything(domain) {
     const listener = new Peer(domain, [...[...topics].map(([name, [type, qos]]) => `rt${name}=${ddsType(type)}=${qos}`),
       `${discovery}=${entitiesType}=RT`]);
-    await listener.until(() => listener.found.some(({ listening }) => listening));
+    await until(() => listener.found.some(({ listening }) => listening));
     return listener;
-  }
-  until(condition) {
-    return new Promise((resolve) => {
-      const check = () => {
-        if (!condition()) return;
-        this.waiting.delete(check);
-        resolve();
-      };
-      this.waiting.add(check);
-      check();
-    });
   }
   /** Publishes a message of `type`, package/msg/Name, on a topic that was named with a plus. */
   publish(topic, type, message) {
@@ -75,7 +60,7 @@ export class Peer {
   }
   /** Waits until the topic has a subscriber. */
   matched(topic, type) {
-    return this.until(() => this.found.some(({ matched, count }) => matched === `rt${topic}=${ddsType(type)}` && count > 0));
+    return until(() => this.found.some(({ matched, count }) => matched === `rt${topic}=${ddsType(type)}` && count > 0));
   }
   kill() {
     this.process.kill('SIGKILL');
@@ -113,4 +98,3 @@ export async function withSecondHost(work) {
     await once(host, 'exit');
   }
 }
-
