@@ -1,3 +1,4 @@
+// The page as it is built into tp100d.
 #include "web/bundle.h"
 
 #include <gtest/gtest.h>
@@ -39,17 +40,13 @@ TEST(Bundle, HoldsEveryFileOfThePage) {
   EXPECT_EQ(bundle().size(), files);
 }
 
-TEST(Bundle, AnswersTheRootWithThePage) {
+TEST(Bundle, AnswersTheRootWithThePageAndKnowsNothingElse) {
   const File* page = find("/");
   ASSERT_NE(page, nullptr);
   EXPECT_EQ(page, find("/index.html"));
   EXPECT_EQ(page->mime, "text/html; charset=utf-8");
-}
-
-TEST(Bundle, KnowsNothingElse) {
-  EXPECT_EQ(find(""), nullptr);
-  EXPECT_EQ(find("/../CMakeLists.txt"), nullptr);
-  EXPECT_EQ(find("/cockpit.js/"), nullptr);
+  for (const char* other : {"", "/../CMakeLists.txt", "/cockpit.js/"})
+    EXPECT_EQ(find(other), nullptr) << other;
 }
 
 TEST(Bundle, TagsDifferAndAreQuoted) {

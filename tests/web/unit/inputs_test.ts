@@ -245,6 +245,10 @@ describe('a gamepad', () => {
     expect(inputs.wish().forward).toBeGreaterThan(0.8);
     at(-0.9, { index: 1 });
     expect(inputs.wish()).toMatchObject({ forward: 0 });
+    expect(inputs.frozen).toBe(true);
+    at(0, { index: 1 });
+    inputs.wish();
+    expect(inputs.frozen, 'nobody waits for it').toBe(false);
   });
 
   it('is nothing when it is gone, and has to move again after the page was left', () => {
