@@ -177,14 +177,12 @@ export function tooWide(part: string): string[] {
 }
 
 /** Expects that the page and `part` of it fit into a desktop's, a tablet's and a phone's screen. */
-export async function fits(page: Page, part: string, name: string, also?: () => Promise<unknown>): Promise<void> {
+export async function fits(page: Page, part: string): Promise<void> {
   const before = page.viewportSize() ?? kSize;
   for (const size of kScreens) {
     await resize(page, size);
     await page.locator(part).scrollIntoViewIfNeeded();
-    expect(await page.evaluate(tooWide, part), `${name} at ${size.width}`).toEqual([]);
-    await also?.();
-    await picture(page, `${name}-${size.width}`);
+    expect(await page.evaluate(tooWide, part), `${part} at ${size.width}`).toEqual([]);
   }
   await resize(page, before);
 }

@@ -4,7 +4,7 @@ import { join } from 'node:path';
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { Bus } from './bus.ts';
-import { drag, drawn, driveUntil, fits, picture, rest, run, shows, until, type Place } from './cockpit.ts';
+import { drag, drawn, driveUntil, fits, rest, run, shows, until, type Place } from './cockpit.ts';
 import { Setting } from './setting.ts';
 
 const setting = new Setting();
@@ -111,7 +111,7 @@ describe('the courses', () => {
     await shows(page, '#course-my-bend .card-about', 'another bend');
     await upload(page, '3.toml', kCourse);
     await shows(page, '.courses-message', 'not one of your own files');
-    await fits(page, '.courses', 'courses');
+    await fits(page, '.courses');
 
     await page.click('#course-my-bend .card-choose');
     await inForce('course', 'my-bend');
@@ -158,7 +158,6 @@ describe('a course of one’s own', () => {
     await page.mouse.click(end.x + 60, end.y - 60);
     await page.waitForSelector('[data-handle="segment-1"]');
     await shows(page, '.draw-verdict', 'm, about');
-    await picture(page, 'draw-arc');
     const text = await fileText(page);
     expect(text).toMatch(/type = "arc"\nradius_m = 0\.\d+\nangle_deg = \d+/);
     const length = Number(/length_m = ([\d.]+)/.exec(text)?.[1]);
@@ -194,7 +193,7 @@ describe('a course of one’s own', () => {
     await page.fill('.draw textarea', after);
     await dragPoint(page, 'segment-0', 300);
     await shows(page, '.draw-verdict', 'leaves the fence');
-    await fits(page, '.draw', 'draw');
+    await fits(page, '.draw');
   });
 
   it('is drawn with the keyboard alone, and so are the corners of its fence', async () => {

@@ -30,7 +30,7 @@ describe('the doctor', () => {
     // How well they are depends on what else this machine does.
     for (const name of ['link', 'real-time', 'disk']) expect(await page.isVisible(`.finding[data-name="${name}"]`), name).toBe(true);
     expect(await page.isVisible('#stop')).toBe(true);
-    await fits(page, '#page-doctor', 'doctor');
+    await fits(page, '#page-doctor');
   });
 
   it('runs the tracks once they are free', async () => {
@@ -58,7 +58,7 @@ describe('the doctor', () => {
       expect(await page.getAttribute(`.wheels-up .finding[data-name="${name}"]`, 'data-severity'), name).toBe('ok');
     expect(await page.isChecked('#wheels-up-free')).toBe(false);
     expect(await findings(page, '#page-doctor')).toEqual([]);
-    await fits(page, '#page-doctor', 'wheels-up');
+    await fits(page, '#page-doctor');
   });
 
   it('waits for the end of a run, and says what to do when the robot is gone', async () => {

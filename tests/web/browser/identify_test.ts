@@ -108,7 +108,7 @@ describe('the identification', () => {
     const [before, after] = await page.locator('.identify-errors').evaluateAll((all) => all.map((each) => Number(/hand: ([\d.]+) cm/.exec(each.textContent)?.[1])));
     expect(after).toBeLessThan((before ?? NaN) / 2);
     expect(await findings(page, '#page-identify')).toEqual([]);
-    await fits(page, '#page-identify', 'identify');
+    await fits(page, '#page-identify');
 
     // One of the drives was straight up a board.
     await write(page, 'ahead', 'slope_deg', '10');

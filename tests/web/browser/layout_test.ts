@@ -142,7 +142,6 @@ describe('the page', () => {
       found.push(...(await findings(page, '.drawer')).map((each) => `${tab}: ${each}`));
     }
     await page.click('#tab-events');
-    await picture(page, `theme-${scheme}`);
     setting.pair.daemon.freeze();
     await until(async () => (await page.getAttribute('.viewport', 'class'))?.includes('stale'), 'it is shown as old');
     found.push(...(await findings(page)).map((each) => `old: ${each}`));

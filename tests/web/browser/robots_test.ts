@@ -32,7 +32,7 @@ describe('the page of all robots', () => {
       await until(async () => (await pose.textContent()) !== before, 'its pose follows the robot');
     }
     expect(await findings(page)).toEqual([]);
-    await fits(page, '.cards', 'robots');
+    await fits(page, '.cards');
 
     // Started while the page is open.
     const third = await setting.another();

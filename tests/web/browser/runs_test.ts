@@ -81,7 +81,7 @@ describe('a recorded run', () => {
     expect(names.trim().split(' ')).toEqual(readdirSync(join(folder(), name)).sort().map((file) => `${name}/${file}`));
     await row(page, name).getByText('edit').click();
     await until(() => page.isVisible('.run-form'), 'the form');
-    await fits(page, '.runs', 'runs');
+    await fits(page, '.runs');
   });
 
 });

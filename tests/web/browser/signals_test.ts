@@ -51,7 +51,7 @@ describe('signals', () => {
     await choose(page, '/estimate.tracks.left_mps', '/estimate.tracks.right_mps', '/sample.battery_v', '/loop.work_us.p99');
     expect(await page.locator('.signal-chart').count()).toBe(3);
     await page.fill('input[aria-label="Search signals"]', '');
-    await fits(page, '#page-signals', 'signals');
+    await fits(page, '#page-signals');
 
     await page.click('#signals-pause');
     await shows(page, '#signals-pause', /^Go on$/);
@@ -140,7 +140,7 @@ describe('parameters', () => {
     await page.click('#parameters-save');
     await until(() => page.isVisible('#parameters-question'), 'the difference');
     expect(await page.locator('#parameters-question li').allTextContents()).toEqual(['loop.rate_hz200.0100.0', 'control.preview_s0.050.08']);
-    await fits(page, '.parameters', 'parameters');
+    await fits(page, '.parameters');
     await page.click('#parameters-write');
     await shows(page, '.parameters-message', 'tp100.toml is saved');
     expect(await file()).toBe(original.replace('preview_s = 0.05', 'preview_s = 0.08').replace('hold_cpu_latency = false\n', 'hold_cpu_latency = false\nrate_hz = 100.0\n'));
