@@ -1,5 +1,4 @@
 // ROS 2 messages with packages of other authors: message definitions and a reader and writer of CDR.
-import assert from 'node:assert/strict';
 import { load } from './packages.mjs';
 
 const { ros2jazzy } = load('@foxglove/rosmsg-msgs-common');
@@ -66,27 +65,4 @@ export function difference(actual, expected, tolerance) {
     if (found !== undefined) return `.${name}${found}`;
   }
   return undefined;
-}
-
-/** Variances of x, y and yaw in a covariance of ROS. Checks that the rest is that of a planar estimate: the covariance
- * of x, y and yaw is symmetric and positive semidefinite, and z, roll and pitch are unknown. */
-export function planarVariances(covariance) {
-  const at = (row, column) => covariance[6 * row + column], planar = [0, 1, 5];
-  for (let row = 0; row < 6; ++row)
-    for (let column = 0; column < 6; ++column) {
-      assert.equal(at(row, column), at(column, row));
-      if (!planar.includes(row) || !planar.includes(column)) assert.equal(at(row, column), row === column ? 1e6 : 0);
-    }
-  // Cholesky decomposition; the tolerance for rounding is a share of the variance.
-  const factor = planar.map(() => [0, 0, 0]);
-  planar.forEach((row, i) => planar.slice(0, i + 1).forEach((column, j) => {
-    const rest = at(row, column) - factor[i].slice(0, j).reduce((sum, value, k) => sum + value * factor[j][k], 0);
-    if (i !== j) {
-      factor[i][j] = factor[j][j] > 0 ? rest / factor[j][j] : 0;
-      return;
-    }
-    assert.ok(rest >= -1e-12 * at(row, row), `not positive semidefinite: ${[...covariance]}`);
-    factor[i][i] = Math.sqrt(Math.max(0, rest));
-  }));
-  return planar.map((i) => at(i, i));
 }
