@@ -43,6 +43,8 @@ it('the time left is the nominal one at first, with turns on the spot, follows t
     timeLeft_s({ run: 'running', progress_m: 0, run_s: 0, ...more } as State, on);
   expect(left_s({})).toBeCloseTo(42);
   expect(left_s({ progress_m: 2, run_s: 22 })).toBeCloseTo(20);
+  expect(left_s({ progress_m: 0.29, run_s: 5 }), 'its pace is not known yet').toBeCloseTo(39.1);
+  expect(left_s({ progress_m: 0.31, run_s: 4.65 })).toBeCloseTo(38.9 * 1.5);
   expect(left_s({ progress_m: 1, run_s: 15 })).toBeCloseTo(32 * 1.5);
   expect(left_s({ progress_m: 1, run_s: 1000 }), 'after a pause').toBeCloseTo(64);
   expect(left_s({ progress_m: 5, run_s: 60 })).toBe(0);
