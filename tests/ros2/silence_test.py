@@ -134,7 +134,7 @@ def main(build, config, ros2):
             daemon(meanwhile=page).expect({"tcp 127.0.0.1:8765"})
             daemon("--listen", "off").expect(set())
             check(not open_sockets(robot), f"the emulated robot has {open_sockets(robot)}")
-            Watched([build + "/bin/tp100-sim", "course", "3", "--camera"]).expect(set())
+            Watched([build + "/bin/tp100-sim", "course", "3", "--camera", "--runs", "3"]).expect(set())
             check(packets() == 0, f"{packets()} packets were sent")
             if ros2 == "with":
                 local = daemon("--listen", "off", enabled="true")

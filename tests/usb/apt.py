@@ -11,5 +11,5 @@ def download(packages, folder):
                          cwd=folder)
     debs = [os.path.join(folder, name) for name in sorted(os.listdir(folder)) if name.endswith(".deb")]
     if status != 0 or len(debs) != len(packages):
-        skip(f"apt-get download {' '.join(packages)}: {' '.join(said.splitlines()[-1:])}; run apt-get update")
+        skip(f"apt-get download {' '.join(packages)}: {' '.join(output.splitlines()[-1:])}; run apt-get update")
     return debs
