@@ -83,7 +83,11 @@ TEST_F(WheelsUpCheckTest, SaysThatThePortCannotBeOpened) {
   const Json found = result(token);
   EXPECT_EQ(found["port"], "/dev/no-such-port");
   EXPECT_EQ(found["errors"], 1);
+  EXPECT_THAT(found.dump(), HasSubstr("/dev/no-such-port: "));
   EXPECT_FALSE(check_.handover().given()) << "the daemon has its port again";
+  ASSERT_EQ(check_.begin({.id = "viewer 4", .name = ""}, monotonic_now(), token), "");
+  ASSERT_TRUE(check_.handover().give("/dev/no-such-port"));
+  EXPECT_EQ(result(token)["errors"], 1) << "the next one may be another viewer's";
 }
 
 TEST_F(WheelsUpCheckTest, NobodyWatchesOnceItsViewerIsGone) {
