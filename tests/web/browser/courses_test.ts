@@ -139,7 +139,6 @@ describe('the courses', () => {
   });
 
   it('place the robot at the start, and where it is drawn on the map', async () => {
-    setting.expected = /willReadFrequently/;
     const page = await openCourses();
     await page.click('#place-map');
     const box = await page.locator('.placing').boundingBox();

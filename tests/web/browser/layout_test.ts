@@ -254,7 +254,6 @@ describe('without WebGL', () => {
       const ring = ((await page.getAttribute('.stage canvas', `data-${name}-uncertainty`)) ?? '').split(' ').map(Number);
       expect(ring.length === 2 && ring.every((m) => m > 1e-4 && m < 0.5), `${name} ${ring.join()}`).toBe(true);
     }
-    setting.expected = /willReadFrequently/;
     const colours = (): Promise<number> =>
       page.evaluate(() => {
         const canvas = document.querySelector<HTMLCanvasElement>('.stage canvas');
