@@ -3,10 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 #include <vector>
 
-#include "bridge/terrain_contacts.h"
-#include "core/arithmetic.h"
 #include "core/error.h"
 #include "step_rig.h"
 
@@ -129,31 +128,6 @@ TEST(ExternalWorld, SlopeStepAndSurfaceAreTheVirtualRobots) {
   EXPECT_TRUE(world.blocked());
 }
 
-TEST(TerrainContacts, AnExternalWorldSaysHowTheVirtualRobotStands) {
-  Parameters parameters;
-  parameters.world = external();
-  parameters.model.slip_left = parameters.model.slip_right = 0.1;
-  TerrainContacts terrain_contacts(parameters, nullptr);
-  ExternalWorld world(parameters.world, parameters.setup);
-  WorldSample received = answer(0, -20 * kRadPerDeg);
-  received.height_m = 0.05;
-  world.take(received);
-  terrain_contacts.set_external_terrain({world.ground(), world.transform()});
-  Pose pose{};
-  for (int i = 0; i < 200; ++i) {
-    terrain_contacts.advance(
-        {.estimates = {{Estimate{pose}, {pose}, {pose}}}, .tracks = {0.1, 0.1}, .dt_s = 0.005});
-    pose.x_m += 0.09 * 0.005;
-  }
-  const Pose there = terrain_contacts.world(pose);
-  EXPECT_EQ(there.z_m, 0.05);
-  EXPECT_EQ(there.pitch_rad, -20 * kRadPerDeg);
-  EXPECT_EQ(terrain_contacts.terrain_contact().pitch_source, PitchSource::kExternal);
-  // The robot drives nine centimetres on the floor; uphill 6 % are lost to the projection and about
-  // 5 % to slip.
-  EXPECT_NEAR(there.x_m, pose.x_m * 0.89, 0.002);
-}
-
 /// A step with an external world, and a robot.
 class WorldStep : public StepTest {
  protected:
@@ -198,20 +172,6 @@ TEST_F(WorldStep, NothingBeginsBeforeTheWorldAnswersAndNothingAfter3S) {
   EXPECT_EQ(ticks(200), RunState::kArming);
   answers_ = true;
   EXPECT_EQ(ticks(20), RunState::kRunning);
-}
-
-TEST_F(WorldStep, ASilentWorldEndsTheRunWithItsCause) {
-  tick({OperatorRequest::kStart});
-  ASSERT_EQ(ticks(30), RunState::kRunning);
-  answers_ = false;
-  EXPECT_EQ(ticks(19), RunState::kRunning);
-  EXPECT_EQ(ticks(3), RunState::kAborted);
-  EXPECT_FALSE(robot_.armed);
-  EXPECT_EQ(tick().faults, fault_bit(Fault::world_lost));
-  answers_ = true;
-  EXPECT_EQ(ticks(20), RunState::kAborted) << "nothing moves before the next start";
-  tick({OperatorRequest::kStart});
-  EXPECT_EQ(ticks(30), RunState::kRunning);
 }
 
 TEST_F(WorldStep, ItsStopIsTheOperatorsAndHoldsWhileItSaysSo) {

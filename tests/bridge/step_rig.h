@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "bridge/step.h"
-#include "support/alloc_count.h"
 
 namespace tp100::bridge {
 
@@ -93,7 +92,6 @@ class StepTest : public testing::Test {
                            RequestAnswer answer = RequestAnswer::kNone) {
     ClockState clock;
     clock.valid = true;
-    const test::AllocCount heap;
     const Outputs& out = step({.restart = restart_,
                                .samples = connected_ ? samples : std::span<const Sample>(),
                                .requests = requests,
@@ -106,7 +104,6 @@ class StepTest : public testing::Test {
                                .session_number = session_,
                                .answer = answer},
                               now_);
-    heap_calls_ += heap.calls();
     restart_.clear();
     changes_.clear();
     camera_.clear();
@@ -150,7 +147,6 @@ class StepTest : public testing::Test {
   HostNs now_ = 0;
   bool connected_ = true;
   std::uint32_t session_ = 1;
-  std::uint64_t heap_calls_ = 0;  // of the steps
 };
 
 }  // namespace tp100::bridge

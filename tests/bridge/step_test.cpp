@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <deque>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -13,63 +14,7 @@
 namespace tp100::bridge {
 namespace {
 
-TEST_F(StepTest, DrivesACourseToItsEndWithTrackSpeedsThatTheRobotMakesOfItsCommands) {
-  parameters_.drive.max_track_mps = 0.14;
-  Step step(parameters_, course_);
-  KinematicRobot robot(parameters_);
-  start(step, robot);
-  const model::TrackParameters& model = parameters_.model;
-  int moving = 0, limited = 0;
-  RunState state = RunState::kIdle;
-  while (state != RunState::kFinished && state != RunState::kAborted) {
-    const Outputs& out = tick(step, robot);
-    state = out.snapshot.run_state;
-    const double left_mps = out.snapshot.commanded_left_mps;
-    const double right_mps = out.snapshot.commanded_right_mps;
-    ASSERT_LE(std::max(std::abs(left_mps), std::abs(right_mps)), 0.14 + 1e-12);
-    const double turn_radps =
-        (right_mps * (1.0 - model.slip_right) - left_mps * (1.0 - model.slip_left)) /
-        model.wheelbase_m;
-    // The requested turn has priority over the speed.
-    ASSERT_NEAR(turn_radps, robot.rate_radps(), 1e-9) << to_s(now_);
-    const double speed_mps =
-        (right_mps * (1.0 - model.slip_right) + left_mps * (1.0 - model.slip_left)) / 2.0;
-    moving += speed_mps > 0.05 ? 1 : 0;
-    limited += std::abs(speed_mps - out.command.speed_mps) > 1e-9 ? 1 : 0;
-  }
-  EXPECT_EQ(state, RunState::kFinished);
-  EXPECT_FALSE(robot.armed);
-  EXPECT_NEAR(robot.x_m, 0.8, 0.02);
-  EXPECT_NEAR(robot.y_m, 0.3, 0.02);
-  for (const PoseSource source : kPoseSources) {
-    const PlanarCovariance& of = tick(step, robot).snapshot.estimates[source].covariance;
-    EXPECT_GT(std::sqrt(of.xx), 0.012) << to_string(source) << ": the way makes it uncertain";
-    EXPECT_LT(std::sqrt(of.xx), 0.2) << to_string(source);
-  }
-  EXPECT_GT(moving, 500);
-  EXPECT_EQ(limited, 0) << "the tracker commands more than the tracks can do";
-}
-
-TEST_F(StepTest, AChangedGainCountsFromTheNextStep) {
-  const ParameterChange slow{LiveParameter::kAcceleration, 0.01};
-  // Speed half a second into the run.
-  const auto speed = [&](const std::vector<ParameterChange>& changes) {
-    Step step(parameters_, course_);
-    KinematicRobot robot(parameters_);
-    run(step, robot, 2.0);
-    start(step, robot);
-    while (tick(step, robot).snapshot.run_state != RunState::kRunning) {
-    }
-    changes_ = changes;
-    double mps = 0.0;
-    for (int i = 0; i < 100; ++i) mps = tick(step, robot).command.speed_mps;
-    return mps;
-  };
-  EXPECT_GT(speed({}), 0.05);
-  EXPECT_NEAR(speed({slow}), 0.005, 1e-3);
-}
-
-TEST_F(StepTest, TheSteeringPoseChangesOnlyAtRest) {
+TEST_F(StepTest, AChangedGainCountsFromTheNextStepAndAnotherSteeringPoseAtRestOnly) {
   const ParameterChange model{LiveParameter::kSteering, 0.0};
   Step step(parameters_, course_);
   KinematicRobot robot(parameters_);
@@ -77,9 +22,11 @@ TEST_F(StepTest, TheSteeringPoseChangesOnlyAtRest) {
   start(step, robot);
   while (tick(step, robot).snapshot.run_state != RunState::kRunning) {
   }
-  changes_ = {model};
+  changes_ = {{LiveParameter::kAcceleration, 0.01}, model};
+  for (int i = 0; i < 99; ++i) tick(step, robot);
+  EXPECT_NEAR(tick(step, robot).command.speed_mps, 0.005, 1e-3) << "after half a second";
   EXPECT_EQ(tick(step, robot).snapshot.steering, PoseSource::kOdometry);
-  EXPECT_EQ(run(step, robot, 60.0), RunState::kFinished);
+  EXPECT_EQ(run(step, robot, 90.0), RunState::kFinished);
   changes_ = {model};
   const Outputs& out = tick(step, robot);
   EXPECT_EQ(out.snapshot.steering, PoseSource::kModel);
@@ -151,22 +98,6 @@ TEST_F(StepTest, GoesOnFromNowhereElse) {
   stays(step, robot, RunState::kFinished);
 }
 
-TEST_F(StepTest, ALostLinkEndsTheRunAndNothingMovesUntilTheNextStart) {
-  Step step(parameters_, course_);
-  KinematicRobot robot(parameters_);
-  begin(step, robot);
-  connected_ = false;
-  EXPECT_FALSE(tick(step, robot).command_valid);
-  EXPECT_EQ(tick(step, robot).snapshot.run_state, RunState::kAborted);
-  connected_ = true;
-  ++session_;
-  const double x_m = robot.x_m;
-  run(step, robot, 2.0);
-  EXPECT_EQ(robot.x_m, x_m);
-  start(step, robot);
-  EXPECT_EQ(run(step, robot, 1.0), RunState::kRunning);
-}
-
 // After a reboot its counts begin at 0.
 TEST_F(StepTest, CountsOfANewSessionAreNoMotion) {
   Step step(parameters_, course_);
@@ -182,28 +113,6 @@ TEST_F(StepTest, CountsOfANewSessionAreNoMotion) {
   const PerSource<Estimate>& estimates = tick(step, rebooted).snapshot.estimates;
   EXPECT_NEAR(estimates[PoseSource::kOdometry].pose.x_m, x_m, 1e-3);
   EXPECT_NEAR(estimates[PoseSource::kFused].pose.x_m, x_m, 1e-2);
-}
-
-// On a flat floor a virtual ramp holds the virtual robot back.
-TEST_F(StepTest, ASecondStartForgetsWhatTheVirtualRobotWasBehind) {
-  auto course = std::make_shared<course::Course>(*course_);
-  course->path = {course::Line{1.2}};
-  course->terrain.ramps.push_back(
-      {{0.5, 0.0, 0.0}, 0.08, 28 * kRadPerDeg, 0.2, 28 * kRadPerDeg, 0.4});
-  Step step(parameters_, course);
-  KinematicRobot robot(parameters_);
-  const auto behind_m = [](const Snapshot& snapshot) {
-    return snapshot.estimates[PoseSource::kOdometry].pose.x_m - snapshot.world.x_m;
-  };
-  start(step, robot);
-  ASSERT_EQ(run(step, robot, 60.0), RunState::kFinished);
-  for (int i = 0; i < 100; ++i) tick(step, robot);
-  EXPECT_GT(behind_m(tick(step, robot).snapshot), 0.03);
-  start(step, robot);
-  ASSERT_EQ(run(step, robot, 0.5), RunState::kRunning);
-  const Snapshot& snapshot = tick(step, robot).snapshot;
-  EXPECT_NEAR(behind_m(snapshot), 0.0, 1e-6);
-  EXPECT_LT(snapshot.world.x_m, 0.2);
 }
 
 TEST_F(StepTest, SamplesThatComeTooLateOrNotAtAllEndTheRunAfter200Ms) {
@@ -245,28 +154,6 @@ TEST_F(StepTest, AHostThatPausedDoesNotBlameTheTracks) {
   }
 }
 
-TEST_F(StepTest, TheImuTellsTheSlopeOfTheRealBody) {
-  Step step(parameters_, course_);
-  KinematicRobot robot(parameters_);
-  const Snapshot* snapshot = nullptr;
-  for (int i = 0; i < 600; ++i) {
-    now_ += kStepPeriod;
-    Sample sample = robot.sample(now_);
-    if (i >= 200) {
-      const double nose_up = std::min(i - 200, 280) * 0.1 * kRadPerDeg;
-      sample.accel_mps2 = {9.81 * std::sin(nose_up), 0.0, 9.81 * std::cos(nose_up)};
-      sample.gyro_radps[1] = i < 480 ? -20.0 * kRadPerDeg : 0.0;
-    }
-    snapshot = &step_with(step, std::span(&sample, 1)).snapshot;
-    if (i == 199) {
-      EXPECT_EQ(snapshot->imu_slope, Slope::kFlat);
-      EXPECT_NEAR(snapshot->imu_pitch_rad, 0.0, 1e-6);
-    }
-  }
-  EXPECT_EQ(snapshot->imu_slope, Slope::kUp);
-  EXPECT_NEAR(snapshot->imu_pitch_rad, -28.0 * kRadPerDeg, 1.5 * kRadPerDeg);
-}
-
 TEST_F(StepTest, PaperModeUsesThePrintedConstantsWhateverTheRobotSays) {
   parameters_.paper_model = true;
   parameters_.model.slip_left = parameters_.model.slip_right = 0.5;
@@ -276,6 +163,69 @@ TEST_F(StepTest, PaperModeUsesThePrintedConstantsWhateverTheRobotSays) {
   tick(step, robot);
   EXPECT_DOUBLE_EQ(snapshot.slip_left, 0.1);
   EXPECT_DOUBLE_EQ(snapshot.slip_right, 0.1188);
+}
+
+class CameraStepTest : public StepTest {
+ protected:
+  /// Runs one period with a camera that sees the robot shifted by `aside_m`, 60 ms late, in every
+  /// sixth step.
+  const Snapshot& tick_seen(Step& step, KinematicRobot& robot, double aside_m,
+                            const std::vector<OperatorRequest>& requests = {}) {
+    const HostNs at = now_ + kStepPeriod;
+    if (++ticks_ % 6 == 0) {
+      under_way_.push_back(
+          {robot.x_m, robot.y_m + aside_m, robot.yaw_rad, at, static_cast<std::uint32_t>(ticks_)});
+    }
+    if (!under_way_.empty() && at - under_way_.front().measured_ns >= 60 * kNsPerMs) {
+      camera_.push_back(under_way_.front());
+      under_way_.pop_front();
+    }
+    return tick(step, robot, requests).snapshot;
+  }
+
+  std::deque<CameraSample> under_way_;
+  int ticks_ = 0;
+};
+
+TEST_F(CameraStepTest, WhoIsMovedIsFoundByTheCameraAndByNobodyElse) {
+  for (const bool stand : {false, true}) {
+    parameters_.setup = stand ? Setup::kStand : Setup::kFlat;
+    Step step(parameters_, course_);
+    KinematicRobot robot(parameters_);
+    under_way_.clear();
+    for (int i = 0; i < 300; ++i) tick_seen(step, robot, 0.0);
+    for (int i = 0; i < 60; ++i) tick_seen(step, robot, 0.04);
+    const Snapshot& snapshot = tick_seen(step, robot, 0.04);
+    EXPECT_NEAR(snapshot.estimates[PoseSource::kFused].pose.y_m, stand ? 0.0 : 0.04, 0.003);
+    EXPECT_EQ(snapshot.estimates[PoseSource::kOdometry].pose.y_m, 0.0);
+    EXPECT_EQ(snapshot.estimates[PoseSource::kModel].pose.y_m, 0.0);
+    EXPECT_EQ(snapshot.filter.recoveries, stand ? 0u : 1u);
+    EXPECT_EQ(snapshot.filter.camera_age_us < 0, stand) << "on a stand it is not looked at";
+  }
+}
+
+// Odometry is off by centimetres where the camera knows the fused pose to millimetres.
+TEST_F(CameraStepTest, TheFenceAllowsForTheUncertaintyOfThePoseThatSteers) {
+  auto course = std::make_shared<course::Course>(*course_);
+  course->fence = {-1.0, 0.6, -1.0, 1.0};
+  const auto left_to_fence_m = [&](PoseSource source) {
+    parameters_.steering = source;
+    Step step(parameters_, course);
+    KinematicRobot robot(parameters_);
+    for (int i = 0; i < 300; ++i) tick_seen(step, robot, 0.0);
+    const Snapshot& snapshot = tick_seen(step, robot, 0.0, {OperatorRequest::kDrive});
+    for (int i = 0; i < 2400; ++i) {
+      velocities_.push_back({.at_ns = now_ + kStepPeriod, .speed_mps = 0.1});
+      tick_seen(step, robot, 0.0);
+    }
+    EXPECT_TRUE(snapshot.at_fence) << to_string(source);
+    under_way_.clear();
+    return course->fence.max_x_m - snapshot.world.x_m;
+  };
+  const double fused_m = left_to_fence_m(PoseSource::kFused);
+  EXPECT_GT(fused_m, 0.01);
+  EXPECT_GT(left_to_fence_m(PoseSource::kOdometry), fused_m + 0.01);
+  EXPECT_GT(left_to_fence_m(PoseSource::kModel), fused_m + 0.01);
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/board.h"
+
 namespace tp100 {
 namespace {
 
@@ -46,6 +48,31 @@ TEST(StartRule, TheFirstStartIsOneEnterOrTheWord) {
   // Several lines at once are not a deliberate answer.
   EXPECT_EQ(meaning_of("\n", StartConsent::kEnter, false), LineMeaning::kNothing);
   EXPECT_EQ(meaning_of("yes", StartConsent::kEnter, false), LineMeaning::kNothing);
+}
+
+constexpr auto kMega = static_cast<std::uint8_t>(wire::BoardType::kMega2560);
+constexpr auto kNative = static_cast<std::uint8_t>(wire::BoardType::kNative);
+constexpr auto kFake = static_cast<std::uint8_t>(wire::BoardType::kFakeRobot);
+constexpr auto kUnknown = static_cast<std::uint8_t>(wire::BoardType::kUnknown);
+
+TEST(Board, APortIsPhysicalUnlessPtyAndHelloProveAnEmulator) {
+  EXPECT_TRUE(is_emulator(true, kNative));
+  // A pty may be a serial server with a real robot behind it, or the robot may be a user's own.
+  EXPECT_FALSE(is_emulator(true, kMega));
+  EXPECT_FALSE(is_emulator(true, kUnknown));
+  EXPECT_FALSE(is_emulator(true, 77));
+  EXPECT_FALSE(is_emulator(false, kNative));
+  EXPECT_FALSE(is_emulator(false, kMega));
+}
+
+TEST(Board, ARobotInsideItsBoardIsShownAsSimulatedButStartsAsARealOne) {
+  EXPECT_EQ(robot_kind(true, kNative), RobotKind::kEmulated);
+  EXPECT_EQ(robot_kind(false, kNative), RobotKind::kPhysical);
+  EXPECT_EQ(robot_kind(false, kMega), RobotKind::kPhysical);
+  for (const bool pseudo_terminal : {false, true}) {
+    EXPECT_EQ(robot_kind(pseudo_terminal, kFake), RobotKind::kSimulated);
+    EXPECT_FALSE(is_emulator(pseudo_terminal, kFake));
+  }
 }
 
 }  // namespace

@@ -47,17 +47,17 @@ TEST(PlannedFault, NumberWordAndTimesAreTaken) {
 }
 
 TEST(PlannedFault, WhatMakesNoSenseIsRefusedInOneLine) {
-  EXPECT_THAT(refusal("dorp:0.1"), HasSubstr("did you mean 'drop'?"));
-  EXPECT_THAT(refusal("drop:2"), HasSubstr("out of range"));
-  EXPECT_THAT(refusal("drop:nan"), HasSubstr("says nothing"));
-  EXPECT_THAT(refusal("drop:left"), HasSubstr("says nothing"));
-  EXPECT_THAT(refusal("cut:1"), HasSubstr("says nothing"));
-  EXPECT_THAT(refusal("drop:0.1@x"), HasSubstr("no time"));
-  EXPECT_THAT(refusal("drop@"), HasSubstr("no time"));
-  EXPECT_THAT(refusal("drop@-1"), HasSubstr("no time"));
-  EXPECT_THAT(refusal("drop@1+"), HasSubstr("no time"));
-  EXPECT_THAT(refusal("reboot@1+2"), HasSubstr("does not last"));
-  EXPECT_THAT(refusal(""), HasSubstr("no such fault"));
+  for (const auto& [text, says] : {std::pair{"dorp:0.1", "did you mean 'drop'?"},
+                                   {"drop:2", "out of range"},
+                                   {"drop:nan", "says nothing"},
+                                   {"drop:left", "says nothing"},
+                                   {"cut:1", "says nothing"},
+                                   {"drop:0.1@x", "no time"},
+                                   {"drop@-1", "no time"},
+                                   {"drop@1+", "no time"},
+                                   {"reboot@1+2", "does not last"},
+                                   {"", "no such fault"}})
+    EXPECT_THAT(refusal(text), HasSubstr(says)) << text;
   EXPECT_EQ(refusal("\n" + std::string(5000, 'x')).find('\n'), std::string::npos);
 }
 

@@ -46,42 +46,32 @@ Counts counted(const std::string& fault) {
           left.counts()};
 }
 
-TEST(EncoderFaults, OneSideStandsStill) {
-  const Counts half = counted("encoder-stuck:left@0.5");
-  EXPECT_NEAR(half.left, static_cast<double>(half.truly) / 2.0, 2.0);
-  EXPECT_NEAR(half.right, static_cast<double>(half.truly), 2.0);
-  EXPECT_EQ(counted("encoder-stuck").left, 0);
-  EXPECT_EQ(counted("encoder-stuck").right, 0);
-}
-
-TEST(EncoderFaults, ADeadPhaseLeavesACountThatGoesToAndFro) {
-  const Counts one = counted("encoder-silent:left@0.5");
-  EXPECT_NEAR(one.left, static_cast<double>(one.truly) / 2.0, 2.0);
-  EXPECT_NEAR(one.right, static_cast<double>(one.truly), 2.0);
-}
-
-TEST(EncoderFaults, AShareOfTheEdgesIsLost) {
-  for (const double share : {0.0, 0.3, 0.5, 0.95, 1.0}) {
-    const Counts lost = counted("encoder-lose:left:" + std::to_string(share));
-    EXPECT_NEAR(lost.left, static_cast<double>(lost.truly) * (1.0 - share), 2.0) << share;
-    EXPECT_NEAR(lost.right, static_cast<double>(lost.truly), 2.0) << share;
-  }
-  const Counts half = counted("encoder-lose:0.5@0.25+0.5");
-  EXPECT_NEAR(half.left, static_cast<double>(half.truly) * 0.75, 2.0);
-  EXPECT_NEAR(half.right, static_cast<double>(half.truly) * 0.75, 2.0);
-}
-
-TEST(EncoderFaults, SwappedPhasesCountBackwards) {
-  const Counts all = counted("encoder-flip:right");
-  EXPECT_NEAR(all.left, static_cast<double>(all.truly), 1.0);
-  EXPECT_NEAR(all.right, -static_cast<double>(all.truly), 2.0);
-}
-
-TEST(EncoderFaults, CountsThatNoTrackMade) {
-  for (const int jump : {400, -400, 1000}) {
-    const Counts all = counted("encoder-jump:left:" + std::to_string(jump) + "@0.3");
-    EXPECT_EQ(all.left, all.truly + jump);
-    EXPECT_NEAR(all.right, static_cast<double>(all.truly), 2.0);
+// What the board counts of the true counts of each side.
+TEST(EncoderFaults, ChangeTheCountsOfTheirSideAtTheirTime) {
+  struct Case {
+    std::string fault;
+    double left, right, jump = 0.0;
+  };
+  const Case cases[] = {
+      {"encoder-stuck:left@0.5", 0.5, 1.0},
+      {"encoder-stuck", 0.0, 0.0},
+      // A dead phase leaves a count that goes to and fro.
+      {"encoder-silent:left@0.5", 0.5, 1.0},
+      {"encoder-lose:left:0", 1.0, 1.0},
+      {"encoder-lose:left:0.3", 0.7, 1.0},
+      {"encoder-lose:left:0.95", 0.05, 1.0},
+      {"encoder-lose:left:1", 0.0, 1.0},
+      {"encoder-lose:0.5@0.25+0.5", 0.75, 0.75},
+      {"encoder-flip:right", 1.0, -1.0},
+      {"encoder-jump:left:400@0.3", 1.0, 1.0, 400.0},
+      {"encoder-jump:left:-1000@0.3", 1.0, 1.0, -1000.0},
+  };
+  for (const Case& each : cases) {
+    SCOPED_TRACE(each.fault);
+    const Counts all = counted(each.fault);
+    const auto truly = static_cast<double>(all.truly);
+    EXPECT_NEAR(all.left, truly * each.left + each.jump, 2.0);
+    EXPECT_NEAR(all.right, truly * each.right, 2.0);
   }
 }
 

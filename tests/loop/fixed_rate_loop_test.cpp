@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "../link/pty_pair.h"
+#include "../support/eventually.h"
 
 // The linker wraps read and poll: the calls of the loop for the watched descriptor are counted.
 namespace {
@@ -41,6 +42,7 @@ namespace tp100::loop {
 namespace {
 
 using namespace std::chrono_literals;
+using test::eventually;
 
 // Echoes every byte and counts what happens to the port.
 class Echo : public LoopClient {
@@ -100,15 +102,6 @@ struct SocketPair {
   int ends[2];
 };
 
-template <class Condition>
-bool eventually(Condition condition) {
-  for (int i = 0; i < 5000; ++i) {
-    if (condition()) return true;
-    std::this_thread::sleep_for(1ms);
-  }
-  return false;
-}
-
 LoopSettings settings(bool robot_paced = false) {
   LoopSettings settings;
   settings.period_ns = 2 * kNsPerMs;
@@ -159,17 +152,26 @@ class LoopRig {
 class Paced : public testing::TestWithParam<bool> {};
 INSTANTIATE_TEST_SUITE_P(ByTheRobot, Paced, testing::Bool());
 
-TEST_P(Paced, ReadsStepsAndWrites) {
+TEST_P(Paced, ReadsStepsAndWritesAndPacedByTheRobotAnswersEverySample) {
   LoopRig rig(settings(GetParam()));
+  rig.echo.prompt = true;
   rig.start();
-  rig.send("hello");
-  std::string back;
-  EXPECT_TRUE(eventually([&] { return rig.receive(back) && back == "hello"; }));
+  for (char sample = 0; sample < 50; ++sample) {
+    rig.send({&sample, 1});
+    std::string back;
+    ASSERT_TRUE(eventually([&] { return rig.receive(back); }));
+    EXPECT_EQ(back, std::string(1, sample));
+    std::this_thread::sleep_for(2ms);
+  }
   EXPECT_EQ(rig.echo.openings, 1);
   rig.end();
   EXPECT_TRUE(rig.loop.ended());
   EXPECT_EQ(rig.echo.closings, 1);
   EXPECT_EQ(rig.echo.done_after_write, rig.echo.steps);
+  if (GetParam()) {
+    EXPECT_GT(rig.loop.statistics().cycles, rig.loop.statistics().frame_timeouts.load());
+    EXPECT_EQ(rig.loop.statistics().work.count(), rig.echo.steps);
+  }
 }
 
 TEST_P(Paced, GivesALostPortBackAndTakesTheNext) {
@@ -267,24 +269,6 @@ TEST(FixedRateLoop, WindsUpBeforeItEndsButNotForever) {
     if (cycles == 5) {
       EXPECT_EQ(rig.echo.shut_downs, 5);
     }
-  }
-}
-
-TEST(FixedRateLoop, PacedByTheRobotEverySampleIsAnswered) {
-  for (const bool prompt : {false, true}) {
-    LoopRig rig(settings(true));
-    rig.echo.prompt = prompt;
-    rig.start();
-    for (char sample = 0; sample < 50; ++sample) {
-      rig.send({&sample, 1});
-      std::string back;
-      ASSERT_TRUE(eventually([&] { return rig.receive(back); }));
-      EXPECT_EQ(back, std::string(1, sample));
-      std::this_thread::sleep_for(2ms);
-    }
-    rig.end();
-    EXPECT_GT(rig.loop.statistics().cycles, rig.loop.statistics().frame_timeouts.load());
-    EXPECT_EQ(rig.loop.statistics().work.count(), rig.echo.steps);
   }
 }
 

@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -95,12 +94,15 @@ TEST(RealTime, TheKernelsUnboundWorkersComeBeforeOrdinaryPrograms) {
   };
   const RealTimeProcess process({.lock_memory = false, .hold_cpu_latency = false});
   const bool permitted = ::setpriority(PRIO_PROCESS, 0, -1) == 0;
-  process.keep();
-  const std::vector<int> now = policies();
-  EXPECT_EQ(process.privileges().size(), permitted && !now.empty() ? 1u : 0u);
-  if (process.privileges().empty()) return;
+  EXPECT_EQ(process.privileges().size(), permitted && !policies().empty() ? 1u : 0u);
   // The kernel may make another one at any time.
-  EXPECT_GE(std::ranges::count(now, SCHED_FIFO), static_cast<std::ptrdiff_t>(now.size()) - 1);
+  const auto all = [&] {
+    process.keep();
+    return std::ranges::all_of(policies(), [](int policy) { return policy == SCHED_FIFO; });
+  };
+  for (int i = 0; i < 100 && !process.privileges().empty(); ++i)
+    if (all()) return;
+  EXPECT_TRUE(process.privileges().empty());
 }
 
 }  // namespace
