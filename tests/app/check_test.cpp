@@ -2,12 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 
 #include "../support/temporary_folder.h"
 #include "app/commands.h"
 #include "core/error.h"
 #include "support/paths.h"
+#include "support/refusal.h"
 
 namespace tp100::app {
 namespace {
@@ -61,17 +61,13 @@ TEST(Check, AFileOfAnotherProgramIsSentThere) {
 TEST(Check, AConfigurationMustNameARobotAndACourseThatExist) {
   const test::TemporaryFolder folder;
   const std::string path = folder.file("c.toml");
-  const auto error_of = [&](const std::string& text) -> std::string {
-    std::ofstream(path) << text;
-    try {
-      return check_file(path);
-    } catch (const SetupError& error) {
-      return error.what();
-    }
+  const auto error_of = [&](const std::string& text) {
+    test::write_bytes(path, text);
+    return test::refusal([&] { check_file(path); });
   };
   EXPECT_THAT(error_of("robot = 'nobody'\n"), HasSubstr("nobody: no such robot"));
   EXPECT_THAT(error_of("course = 'nowhere'\n"), HasSubstr("nowhere: no such course"));
-  EXPECT_THAT(error_of("course = '2'\n"), HasSubstr("robot end-loaded"));
+  EXPECT_EQ(error_of("course = '2'\n"), "");
   EXPECT_THAT(error_of("speed_mps = 3.5\n"), HasSubstr("c.toml:1:13: 'speed_mps' is 3.5, allowed"));
 }
 
@@ -86,6 +82,31 @@ TEST(Check, TheExitStatusIs2IfAnyFileIsWrong) {
   EXPECT_THAT(out, HasSubstr("2.toml: OK, course 2: 3.0712"));
   EXPECT_THAT(err, StartsWith("/nowhere/x.toml: cannot be opened"));
   EXPECT_EQ(std::count(err.begin(), err.end(), '\n'), 1);
+}
+
+TEST(Ports, GivesTheLineToCopyForALikelyRobot) {
+  link::PortInfo mega{"/dev/ttyACM0", 0x2341, 0x0042, "7583", "Arduino", "Mega"};
+  const std::string text = ports_text({mega}, {"/dev/serial/by-id/usb-Arduino-7583"}, {});
+  EXPECT_THAT(text, HasSubstr("/dev/ttyACM0  2341:0042  Arduino Mega 2560, serial 7583\n"));
+  EXPECT_THAT(text, HasSubstr("port = \"/dev/serial/by-id/usb-Arduino-7583\"\n"));
+}
+
+TEST(Ports, FallsBackToThePathAndDoesNotAdviseOtherPorts) {
+  link::PortInfo bridge{"/dev/ttyUSB0", 0x1a86, 0x7523, "", "", ""};
+  link::PortInfo other{"/dev/ttyS0", -1, -1, "", "", ""};
+  const std::string text = ports_text({bridge, other}, {"", ""}, {});
+  EXPECT_THAT(text, HasSubstr("port = \"/dev/ttyUSB0\""));
+  EXPECT_THAT(text, HasSubstr("/dev/ttyS0  -  serial port\n"));
+  EXPECT_THAT(text, testing::Not(HasSubstr("port = \"/dev/ttyS0\"")));
+  EXPECT_THAT(ports_text({}, {}, {}), HasSubstr("no serial ports; plug the robot in"));
+}
+
+TEST(Ports, SaysWhyAutoPassesAPortOverAndWhatToDo) {
+  link::PortInfo bridge{"/dev/ttyUSB0", 0x1a86, 0x7523, "", "", ""};
+  const std::string text = ports_text({bridge}, {""}, {{bridge, "held open by octoprint (pid 7)"}});
+  EXPECT_THAT(text, HasSubstr("port = \"/dev/ttyUSB0\"\n    auto skips it: held open by "
+                              "octoprint (pid 7); if it is the robot, name it with --port or "
+                              "link.port\n"));
 }
 
 }  // namespace

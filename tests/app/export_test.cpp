@@ -1,9 +1,16 @@
+// The exports of a recording: which part of it they hold, what their columns mean, to which files
+// they go, and what is said about it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <functional>
 #include <map>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 #include "../record/random_record.h"
 #include "app/commands.h"
@@ -11,26 +18,52 @@
 #include "messages/messages.h"
 #include "record/recording.h"
 #include "recorded_run.h"
+#include "report/run_result.h"
+#include "support/refusal.h"
 #include "support/temporary_folder.h"
 #include "text/csv_reader.h"
 
 namespace tp100::app {
 namespace {
 
+using testing::ElementsAre;
+using testing::HasSubstr;
 using text::CsvTable;
 using text::parse_csv;
 
-/// A recording whose exported values all differ from each other.
+struct Said {
+  std::string out, err;
+};
+
+Said exported(const ExportOptions& options) {
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(run_export(options), 0);
+  Said said{testing::internal::GetCapturedStdout(), testing::internal::GetCapturedStderr()};
+  return said;
+}
+
+/// The names of the files in a folder, in order.
+std::vector<std::string> files_in(const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+/// A recording whose values all differ.
 class Export : public testing::Test {
  protected:
-  Export() {
-    record_run(folder_.file("run.mcap"), [this](StepRecord& record) {
+  /// The steps from `first` to `last` are a run. Most samples have a true pose, also before and
+  /// after the run.
+  void record(std::uint64_t first = 100, std::uint64_t last = 299) {
+    HostNs before_ns = 0;
+    const auto edit = [&](StepRecord& record) {
       record::RandomFiller fill(record.step + 1);
       Snapshot& s = record.snapshot;
-      for (Pose* pose :
-           {&s.estimates[PoseSource::kModel].pose, &s.estimates[PoseSource::kOdometry].pose,
-            &s.estimates[PoseSource::kFused].pose, &s.world})
-        fill("", *pose);
+      for (const PoseSource source : kPoseSources) fill("", s.estimates[source].pose);
+      fill("", s.world);
       for (double* value :
            {&s.left_mps, &s.right_mps, &s.slip_left, &s.slip_right, &s.cross_track_m,
             &s.heading_error_rad, &s.progress_m, &s.command.desired_yaw_rad, &s.command.speed_mps})
@@ -42,26 +75,43 @@ class Export : public testing::Test {
         sample.right_counts = -static_cast<std::int64_t>(5 * record.step);
         if (sample.measured_ns != 0) samples_.push_back(sample);
       }
-      if (!record.inputs.samples.empty()) snapshots_.push_back(s);
+      s.run_state = record.step < first   ? RunState::kArming
+                    : record.step <= last ? RunState::kRunning
+                                          : RunState::kFinished;
+      if (record.step == 1 || record.step == first) from_ns_ = record.now_ns;
+      if (record.step <= last) to_ns_ = record.now_ns;
+      // A step may report the sample of an earlier one again.
+      if (record.step % 10 == 3) s.sample.measured_ns = before_ns;
+      before_ns = s.sample.measured_ns;
+      if (!record.inputs.samples.empty()) steps_.emplace(before_ns, s);
       return true;
+    };
+    record_run(file(), edit, {{"seed", "5"}}, 0, true, [&](record::Recorder& recorder, HostNs) {
+      for (const auto& [at, step] : steps_) {
+        if (at % 7 == 0) continue;
+        record::RandomFiller fill(static_cast<std::uint64_t>(at));
+        fill("", truth_[at]);
+        recorder.take_truth(at, truth_[at]);
+      }
     });
-    const std::string out = folder_.path().string();
-    EXPECT_EQ(run_export({.runs = {folder_.file("run.mcap")}, .out = out}), 0);
-    start_ns_ = record::Recording(folder_.file("run.mcap")).start_ns();
+    start_ns_ = record::Recording(file()).start_ns();
+    std::erase_if(steps_, [&](const auto& of) { return of.first < from_ns_ || of.first > to_ns_; });
   }
 
-  std::string text(const char* name) const { return test::read_bytes(folder_.file(name)); }
-  /// The step of the row with this time.
-  const Snapshot& at(double t_s) const {
-    for (const Snapshot& snapshot : snapshots_)
-      if (std::abs(to_s(snapshot.sample.measured_ns - start_ns_) - t_s) < 1e-6) return snapshot;
-    throw std::runtime_error("no step of that time");
+  std::string file() const { return folder_.file("run.mcap"); }
+  std::string text(const std::string& name) const { return test::read_bytes(folder_.file(name)); }
+  std::size_t lines_in(const std::string& name) const {
+    const std::string all = text(name);
+    return static_cast<std::size_t>(std::count(all.begin(), all.end(), '\n'));
   }
+  double seconds(HostNs at) const { return to_s(at - start_ns_); }
 
   test::TemporaryFolder folder_;
-  std::vector<Snapshot> snapshots_;  // of the steps that received a sample
-  std::vector<Sample> samples_;
+  std::map<HostNs, Snapshot> steps_;  // the first one of each sample of the run
+  std::vector<Sample> samples_;       // of the whole recording
+  std::map<HostNs, Pose> truth_;      // of the whole recording, where it is known
   HostNs start_ns_ = 0;
+  HostNs from_ns_ = 0, to_ns_ = 0;  // of the run
 };
 
 using Value = std::function<double(const Snapshot&)>;
@@ -74,6 +124,13 @@ PoseOf estimate(PoseSource source) {
 const std::map<std::string, PoseOf> kEstimates = {{"model", estimate(PoseSource::kModel)},
                                                   {"odometry", estimate(PoseSource::kOdometry)},
                                                   {"fused", estimate(PoseSource::kFused)}};
+
+const std::map<std::string, double Pose::*> kPoseValues = {{"x_m", &Pose::x_m},
+                                                           {"y_m", &Pose::y_m},
+                                                           {"z_m", &Pose::z_m},
+                                                           {"roll_rad", &Pose::roll_rad},
+                                                           {"pitch_rad", &Pose::pitch_rad},
+                                                           {"yaw_rad", &Pose::yaw_rad}};
 
 std::map<std::string, Value> columns_of_poses() {
   std::map<std::string, Value> columns = {
@@ -88,41 +145,53 @@ std::map<std::string, Value> columns_of_poses() {
       {"speed_mps", [](const Snapshot& s) { return s.command.speed_mps; }}};
   std::map<std::string, PoseOf> poses = kEstimates;
   poses["world"] = [](const Snapshot& s) { return s.world; };
-  const std::map<std::string, double Pose::*> values = {{"x_m", &Pose::x_m},
-                                                        {"y_m", &Pose::y_m},
-                                                        {"z_m", &Pose::z_m},
-                                                        {"roll_rad", &Pose::roll_rad},
-                                                        {"pitch_rad", &Pose::pitch_rad},
-                                                        {"yaw_rad", &Pose::yaw_rad}};
   for (const auto& [name, pose] : poses)
-    for (const auto& [key, value] : values)
+    for (const auto& [key, value] : kPoseValues)
       columns[name + "_" + key] = [of = pose, member = value](const Snapshot& s) {
         return of(s).*member;
       };
   return columns;
 }
 
-TEST_F(Export, EveryColumnOfPosesHoldsWhatItsNameSays) {
+TEST_F(Export, PosesHasEachSampleOfTheRunOnceInColumnsThatHoldWhatTheirNamesSay) {
+  record();
+  EXPECT_EQ(exported({.runs = {file()}, .out = {}}).err, "");
   const std::map<std::string, Value> columns = columns_of_poses();
-  const std::string csv = text("poses.csv");
   std::vector<std::string_view> names = {"t_s"};
   for (const auto& [name, value] : columns) names.push_back(name);
-  const std::string header = csv.substr(0, csv.find('\n'));
+  std::vector<std::string> truth;
+  for (const auto& [key, value] : kPoseValues) truth.push_back("truth_" + key);
+  const std::vector<std::string_view> gaps(truth.begin(), truth.end());
+  names.insert(names.end(), gaps.begin(), gaps.end());
+  const std::string csv = text("poses.csv"), header = csv.substr(0, csv.find('\n'));
   EXPECT_EQ(static_cast<std::size_t>(std::count(header.begin(), header.end(), ',')) + 1,
             names.size());
-  const CsvTable table = parse_csv(csv, "poses.csv", {names, {}});
-  ASSERT_GT(table.rows(), 50u);
-  for (std::size_t i = 0; i < table.rows(); ++i)
-    for (const auto& [name, value] : columns)
-      ASSERT_EQ(table[name][i], value(at(table["t_s"][i]))) << name << " in row " << i;
+  const CsvTable table = parse_csv(csv, "poses.csv", {names, {}, gaps});
+  ASSERT_GT(steps_.size(), 50u);
+  ASSERT_EQ(table.rows(), steps_.size());
+  std::size_t i = 0, missing = 0;
+  for (const auto& [at, step] : steps_) {
+    ASSERT_EQ(table["t_s"][i], seconds(at));
+    for (const auto& [name, value] : columns) ASSERT_EQ(table[name][i], value(step)) << name;
+    const auto known = truth_.find(at);
+    if (known == truth_.end()) ++missing;
+    for (const auto& [key, value] : kPoseValues) {
+      const double is = table["truth_" + key][i];
+      ASSERT_TRUE(known == truth_.end() ? std::isnan(is) : is == known->second.*value) << key;
+    }
+    ++i;
+  }
+  EXPECT_GT(missing, 5u);
 }
 
 TEST_F(Export, EveryColumnOfSamplesHoldsWhatItsNameSays) {
+  record();
+  exported({.runs = {file()}, .out = {}});
   const CsvTable table = parse_csv(text("samples.csv"), "samples.csv",
                                    {{"t_s", "left_count", "right_count", "gyro_z_radps"}, {}});
   ASSERT_EQ(table.rows(), samples_.size());
   for (std::size_t i = 0; i < table.rows(); ++i) {
-    ASSERT_NEAR(table["t_s"][i], to_s(samples_[i].measured_ns - start_ns_), 1e-9);
+    ASSERT_NEAR(table["t_s"][i], seconds(samples_[i].measured_ns), 1e-9);
     ASSERT_EQ(table["left_count"][i], static_cast<double>(samples_[i].left_counts));
     ASSERT_EQ(table["right_count"][i], static_cast<double>(samples_[i].right_counts));
     ASSERT_EQ(table["gyro_z_radps"][i], samples_[i].gyro_radps[2]);
@@ -130,13 +199,16 @@ TEST_F(Export, EveryColumnOfSamplesHoldsWhatItsNameSays) {
 }
 
 // Each line is `time x y z qx qy qz qw`.
-TEST_F(Export, EveryTrajectoryHoldsThePoseOfItsName) {
+TEST_F(Export, EveryTrajectoryHoldsThePosesOfItsNameDuringTheRun) {
+  record();
+  exported({.runs = {file()}, .out = {}});
   for (const auto& [name, pose_of] : kEstimates) {
-    std::istringstream lines(text((name + ".tum").c_str()));
-    double t_s, x, y, z, qx, qy, qz, qw;
-    int count = 0;
-    for (; lines >> t_s >> x >> y >> z >> qx >> qy >> qz >> qw; ++count) {
-      const Pose pose = pose_of(at(t_s));
+    std::istringstream lines(text(name + ".tum"));
+    for (const auto& [at, step] : steps_) {
+      double t_s, x, y, z, qx, qy, qz, qw;
+      ASSERT_TRUE(lines >> t_s >> x >> y >> z >> qx >> qy >> qz >> qw) << name;
+      const Pose pose = pose_of(step);
+      ASSERT_NEAR(t_s, seconds(at), 1e-6);
       ASSERT_NEAR(x, pose.x_m, 1e-6) << name;
       ASSERT_NEAR(y, pose.y_m, 1e-6) << name;
       ASSERT_NEAR(z, pose.z_m, 1e-6) << name;
@@ -146,20 +218,66 @@ TEST_F(Export, EveryTrajectoryHoldsThePoseOfItsName) {
       ASSERT_NEAR(std::atan2(2 * (qw * qz + qx * qy), 1 - 2 * (qy * qy + qz * qz)), pose.yaw_rad,
                   1e-5);
     }
-    EXPECT_GT(count, 50) << name;
+    EXPECT_EQ(lines_in(name + ".tum"), steps_.size());
   }
+  std::string truth;
+  for (const auto& [at, pose] : truth_)
+    if (at >= from_ns_ && at <= to_ns_) truth += report::tum_line(seconds(at), pose);
+  EXPECT_EQ(text("truth.tum"), truth);
 }
 
-TEST(ExportOfSeveralRuns, NamesTheDestinationThatHoldsOneRunOnly) {
-  const std::map<std::string, std::string ExportOptions::*> destinations = {
+TEST_F(Export, OfARunThatNeverBeganOrIsCutOffIsAllThatThereIsAndThisIsSaid) {
+  record(1000, 1000);
+  const std::string never = ": the run never began; exported the whole recording\n";
+  EXPECT_EQ(exported({.runs = {file()}, .csv = true, .out = {}}).err, "tp100d: " + file() + never);
+  EXPECT_EQ(lines_in("poses.csv"), steps_.size() + 1);
+  const std::string bytes = test::read_bytes(file());
+  test::write_bytes(file(), bytes.substr(0, bytes.size() - 200));
+  EXPECT_THAT(exported({.runs = {file()}, .tum = true, .out = {}}).err,
+              HasSubstr(": the recording is cut off; exported everything before that\n"));
+  EXPECT_EQ(lines_in("model.tum"), steps_.size());
+}
+
+TEST_F(Export, WritesTheFilesThatWereAskedForAndNamesThem) {
+  record();
+  const std::vector<std::string> csv = {"samples.csv", "poses.csv"};
+  const std::vector<std::string> tum = {"model.tum", "odometry.tum", "fused.tum", "truth.tum"};
+  std::vector<std::string> all = csv;
+  all.insert(all.end(), tum.begin(), tum.end());
+  const auto expect_written = [&](ExportOptions options, std::vector<std::string> names) {
+    options.runs = {file()};
+    std::string named;
+    const std::string folder = options.out.empty() ? folder_.path().string() : options.out;
+    for (const std::string& name : names) named += folder + "/" + name + "\n";
+    EXPECT_EQ(exported(options).out, named);
+    if (options.out.empty()) names.insert(names.end(), {"run.mcap", "csv", "tum", "all"});
+    EXPECT_THAT(files_in(folder), testing::UnorderedElementsAreArray(names));
+  };
+  expect_written({.runs = {}, .csv = true, .out = folder_.file("csv")}, csv);
+  expect_written({.runs = {}, .tum = true, .out = folder_.file("tum")}, tum);
+  expect_written({.runs = {}, .out = folder_.file("all")}, all);
+  expect_written({.runs = {}, .out = {}}, all);
+}
+
+// But for one that is named, which holds one run only.
+TEST_F(Export, EachOfSeveralRunsIsExportedBesideItself) {
+  record();
+  for (const char* name : {"one", "two"}) {
+    std::filesystem::create_directory(folder_.path() / name);
+    std::filesystem::copy_file(file(), folder_.path() / name / "run.mcap");
+  }
+  exported({.runs = {folder_.file("one"), folder_.file("two")}, .csv = true, .out = {}});
+  for (const char* name : {"one", "two"})
+    EXPECT_THAT(files_in(folder_.path() / name),
+                ElementsAre("poses.csv", "run.mcap", "samples.csv"));
+  const std::pair<std::string, std::string ExportOptions::*> destinations[] = {
       {"--out", &ExportOptions::out},
       {"--ros2", &ExportOptions::ros2},
       {"--images", &ExportOptions::images}};
-  for (const auto& [name, destination] : destinations) {
-    ExportOptions options{.runs = {"one.mcap", "two.mcap"}, .out = {}};
+  for (const auto& [option, destination] : destinations) {
+    ExportOptions options{.runs = {folder_.file("one"), folder_.file("two")}, .out = {}};
     options.*destination = "folder";
-    EXPECT_THAT([&] { run_export(options); },
-                testing::ThrowsMessage<SetupError>(testing::StartsWith(name + " is for one run")));
+    EXPECT_THAT(test::refusal([&] { run_export(options); }), HasSubstr(option + " is for one run"));
   }
 }
 
