@@ -7,7 +7,7 @@ from wire import DISARMED, TYPE, pack
 # `when`: phase of the robot's life and seconds after its beginning. `must`: see below. `words`: a regular expression
 # for the daemon's output. `course`: line, short, arc or spin. `typed`: (phase, seconds, text) for the daemon's standard
 # input. `options`: of the daemon.
-Oddity = namedtuple("Oddity", "name when do must words course typed options short")
+Oddity = namedtuple("Oddity", "name when do must words course typed options")
 # `exits`: accepted exit statuses. `arms`: largest number of Arms (repeats of a token count once). `ms`, `m`, `deg`:
 # limits within which the motors must be asked off, counted from the oddity; None: no limit. `arrives`: the robot must
 # end where the course does. `stops`: smallest number of Stops that must be sent to a robot that does not obey.
@@ -40,9 +40,9 @@ END = ("Disarm", 0.0)
 ROWS = []
 
 
-def odd(name, when, do, must, words="", course=None, typed=(), options=("--go",), short=""):
+def odd(name, when, do, must, words="", course=None, typed=(), options=("--go",)):
     course = course or ("short" if 0 in must.exits or when == END else "line")
-    ROWS.append(Oddity(name, when, do, must, words, course, typed, options, short))
+    ROWS.append(Oddity(name, when, do, must, words, course, typed, options))
 
 
 # -- kinds of oddities: each function returns a function of the robot
@@ -82,18 +82,6 @@ def altered(change):
 def steps(by):
     """The robot's sequence number jumps."""
     return lambda robot: setattr(robot, "sequence", (robot.sequence + by) % 65536)
-
-
-def once(**fields):
-    def do(robot):
-        left = [1]
-        def change(sample):
-            if left:
-                left.pop()
-                sample.update(fields)
-            return [sample]
-        robot.samples = change
-    return do
 
 
 def drives(left, right, **more):
@@ -183,67 +171,35 @@ def hello(**fields):
     return do
 
 
-def number(bits):
-    return lambda robot: robot.random.getrandbits(bits)
-
-
 def random_bytes(count):
     return lambda robot: robot.random.randbytes(count)
 
 
-def corrupts(share):
-    """Flips a bit in this share of the sent frames."""
+def holds_back(seconds):
+    """Sent bytes are held back for `seconds`, and then leave at once."""
     def do(robot):
-        def transmit(data):
-            if robot.random.random() < share:
-                data = bytearray(data)
-                data[robot.random.randrange(len(data))] ^= 1 << robot.random.randrange(8)
-            robot.write(bytes(data))
-        robot.transmit = transmit
-    return do
-
-
-def holds_back(seconds, every=None):
-    """Sent bytes are held back for `seconds`, again every `every` seconds, and then leave at once."""
-    def do(robot):
-        begin, kept = time.monotonic(), []
+        end, kept = time.monotonic() + seconds, []
         def each():
-            since = time.monotonic() - begin
-            if (since % every if every else since) >= seconds and kept:
+            if time.monotonic() >= end and kept:
                 robot.write(b"".join(kept))
                 kept.clear()
         def transmit(data):
-            since = time.monotonic() - begin
-            if (since % every if every else since) < seconds:
-                kept.append(data)
-            else:
-                each()
-                robot.write(data)
+            kept.append(data)
+            each()
         robot.transmit, robot.each = transmit, each
     return do
 
 
 def delays(seconds):
-    """Each byte arrives later by `seconds`, a function of the robot."""
+    """Each byte arrives later by `seconds`."""
     def do(robot):
         kept = []
         def each():
             while kept and kept[0][0] <= time.monotonic():
                 robot.write(kept.pop(0)[1])
-        def transmit(data):
-            due = time.monotonic() + seconds(robot)
-            kept.append((max(due, kept[-1][0]) if kept else due, data))
-        robot.transmit, robot.each = transmit, each
+        robot.transmit = lambda data: kept.append((time.monotonic() + seconds, data))
+        robot.each = each
     return do
-
-
-def trickles(robot):
-    kept = bytearray()
-    robot.transmit = kept.extend
-    def each():
-        robot.write(bytes(kept[:5]))
-        del kept[:5]
-    robot.each = each
 
 
 def every_nth(n):

@@ -168,8 +168,6 @@ def trial(job):
     off = robot.asked_off
     reaction = "" if off is None else f"{1000 * off[0]:.0f} ms {off[1]:.3f} m {abs(math.degrees(off[2])):.1f} deg"
     verdict = "ok" if not (never or wrong or late) else "FAIL" if never or still < STILL_TRIES else "????"
-    if verdict == "FAIL" and row.short and not never:
-        verdict = "SHRT"
     return Result(verdict, row.name, reaction, status, (complaints(output) or [""])[-1], never + wrong + late, repeated,
                   still, output)
 
@@ -199,14 +197,11 @@ def main():
                       f"{result.message}", flush=True)
                 for what in result.broken:
                     print(f"     {what}", flush=True)
-                if result.verdict == "SHRT":
-                    print(f"     known to fall short: {next(row.short for row in rows if row.name == result.row)}")
                 if args.verbose:
                     print(result.output, flush=True)
-    failed, unknown, short = (sum(result.verdict == verdict for result in results)
-                              for verdict in ("FAIL", "????", "SHRT"))
+    failed, unknown = (sum(result.verdict == verdict for result in results) for verdict in ("FAIL", "????"))
     repeated, still = (sum(counts) for counts in zip(*((result.repeated, result.still) for result in results)))
-    print(f"{len(rows)} oddities, {failed} failed, {short} known to fall short; repeated: {repeated} for their time, {still} as the machine stood "
+    print(f"{len(rows)} oddities, {failed} failed; repeated: {repeated} for their time, {still} as the machine stood "
           f"still; {time.monotonic() - begin:.0f} s")
     if unknown and not failed:
         print(f"skipped: the machine stood still in all {STILL_TRIES} runs of {unknown} oddities")
