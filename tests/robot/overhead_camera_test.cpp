@@ -29,11 +29,12 @@ class OverheadCameraRun : public testing::Test {
   std::string course() const { return folder_.file("1-curve.toml"); }
   std::string port() const { return folder_.file("tp100"); }
   std::string address() const { return "udp:" + std::to_string(udp_port_); }
-  std::vector<std::string> robot(const std::string& name = "uniform") const {
-    return {"tp100-sim", "robot", "--link",   port(),        "--course", course(),
-            "--robot",   name,    "--camera", "--camera-to", address()};
+  Words robot() const { return robot_on(course()); }
+  Words robot_on(const std::string& course) const {
+    return {"tp100-sim", "robot",   "--link",   port(),        "--course", course,
+            "--robot",   "uniform", "--camera", "--camera-to", address()};
   }
-  std::vector<std::string> daemon() const {
+  Words daemon() const {
     return {"tp100d",     "run",
             "--port",     port(),
             "--course",   course(),
@@ -109,19 +110,16 @@ TEST_F(OverheadCameraRun, ABusyPortABadAddressAndAStandAreErrorsOfOneLine) {
   EXPECT_EQ(taken.status, 2);
   EXPECT_EQ(lines(taken.output), 1U) << taken.output;
   EXPECT_NE(taken.output.find("cannot listen"), std::string::npos) << taken.output;
-  EXPECT_EQ(run({"tp100d", "run", "--port", port(), "--camera", "47100"}).status, 2);
-  EXPECT_EQ(
-      run({"tp100d", "run", "--port", port(), "--camera", address(), "--setup", "stand"}).status,
-      2);
-  EXPECT_EQ(run({"tp100-sim", "robot", "--camera-to", "udp:"}).status, 2);
-  EXPECT_EQ(run({"tp100-sim", "robot", "--camera=nothing"}).status, 2);
+  for (const Words& more : {Words{"--camera", "47100"}, {"--camera", "udp:1", "--setup", "stand"}})
+    EXPECT_EQ(run(joined({"tp100d", "run", "--port", port()}, more)).status, 2);
+  for (const char* option : {"--camera-to=udp:", "--camera=nothing"})
+    EXPECT_EQ(run({"tp100-sim", "robot", option}).status, 2);
 }
 
 // With a wide goal for the intervals: only a few manoeuvres are driven.
 TEST_F(OverheadCameraRun, AnIdentificationThatDrivesItselfAsksForNothing) {
   for (int attempt = 0;; ++attempt) {
-    Process body({"tp100-sim", "robot", "--link", port(), "--course", "1-straight", "--robot",
-                  "uniform", "--camera", "--camera-to", address()});
+    Process body(robot_on("1-straight"));
     ASSERT_TRUE(body.wait_for("linked from"));
     Process identify({"tp100d", "identify", "--drive", "--auto", "--narrow", "8", "--port", port(),
                       "--camera", address(), "--out", folder_.file("mine.toml")});

@@ -5,39 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <ostream>
 #include <random>
 #include <string>
 #include <vector>
 
-#include "control/progress.h"
 #include "core/arithmetic.h"
 #include "course/bundled_files.h"
 #include "course/path.h"
 #include "runs.h"
-
-namespace {
-
-/// From this position on, progress along the path is frozen: a fault that this test injects.
-double g_frozen_from_m = std::numeric_limits<double>::infinity();
-
-}  // namespace
-
-// The linker replaces Progress::advance by these functions.
-// NOLINTBEGIN(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp,readability-identifier-naming)
-extern "C" {
-void __real__ZN5tp1007control8Progress7advanceEdd(tp100::control::Progress* self, double x_m,
-                                                  double y_m);
-void __wrap__ZN5tp1007control8Progress7advanceEdd(tp100::control::Progress* self, double x_m,
-                                                  double y_m);
-void __wrap__ZN5tp1007control8Progress7advanceEdd(tp100::control::Progress* self, double x_m,
-                                                  double y_m) {
-  if (self->here().s_m < g_frozen_from_m)
-    __real__ZN5tp1007control8Progress7advanceEdd(self, x_m, y_m);
-}
-}
-// NOLINTEND(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp,readability-identifier-naming)
 
 namespace tp100::sim {
 namespace {
@@ -45,14 +20,10 @@ namespace {
 // Sanitized builds run the same code about ten times slower.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr int kSampled = 3;
-constexpr double kMaxTurns = 2.0;
 #else
 constexpr int kSampled = 30;
-constexpr double kMaxTurns = 10.0;
 #endif
 constexpr double kRoomM = 0.5;
-// The limit of scripts/reproduce for a path that is not smooth.
-constexpr double kTrackingM = 0.015;
 // The allowance for the error of the estimate and for the motion within a step.
 constexpr double kSlackM = 0.02;
 
@@ -113,44 +84,6 @@ void expect_watched(const LockstepSettings& run, const report::RunResult& result
   }
 }
 
-class FreezableProgress : public testing::Test {
- protected:
-  ~FreezableProgress() override { freeze(std::numeric_limits<double>::infinity()); }
-  static void freeze(double from_m) { g_frozen_from_m = from_m; }
-};
-
-class Paths : public testing::TestWithParam<std::string> {};
-
-TEST_P(Paths, ThatCloseOrCrossAreDrivenToTheirEnd) {
-  using course::Arc;
-  using course::Line;
-  const double turn = 2.0 * kPi;
-  std::vector<course::Segment> out, in;
-  for (int i = 0; i < 3; ++i) out.emplace_back(Arc{0.15 + 0.1 * i, 0.75 * turn});
-  for (int i = 0; i < 6; ++i) in.emplace_back(Arc{0.4 - 0.05 * i, -0.5 * turn});
-  std::vector<std::vector<course::Segment>> all = {
-      {Line{0.1}, Arc{0.2, 359.0 * kRadPerDeg}, Line{0.1}},
-      {Line{0.1}, Arc{0.2, -turn}, Line{0.1}},
-      {Line{0.1}, Arc{0.2, 400.0 * kRadPerDeg}, Line{0.1}},
-      {Line{0.1}, Arc{0.2, -2.0 * turn}, Line{0.1}},
-      {Arc{0.15, kMaxTurns * turn}},
-      {Arc{0.2, turn}, Arc{0.2, -turn}},
-      {Line{0.3}, Arc{0.2, 0.75 * turn}, Line{0.4}, Arc{0.2, -0.75 * turn}, Line{0.3}},
-      out,
-      in};
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    SCOPED_TRACE(testing::Message() << "path " << i);
-    const LockstepSettings run = settings(course_of(std::move(all[i])), GetParam());
-    const report::RunResult result = run_lockstep(run);
-    expect_driven_whole(run, result);
-    EXPECT_LE(report::figures(result, run.course).tracking.max_cross_track_m, kTrackingM);
-  }
-}
-
-INSTANTIATE_TEST_SUITE_P(EveryRobot, Paths,
-                         testing::ValuesIn(course::bundled_names(course::Bundled::kRobots)),
-                         [](const auto& param) { return test_name(param.param); });
-
 /// Samples courses over the whole range that config/courses/1-straight.toml documents, limited to a
 /// length that a robot completes in about twenty seconds.
 class Draw {
@@ -204,7 +137,7 @@ class Draw {
   std::mt19937 random_;
 };
 
-class SampledPaths : public FreezableProgress {
+class SampledPaths : public testing::Test {
  protected:
   static LockstepSettings sampled(int seed) {
     Draw draw(static_cast<std::uint32_t>(seed));
@@ -225,34 +158,6 @@ TEST_F(SampledPaths, AreDrivenToTheirEnd) {
     expect_watched(run, result);
     // A robot may make many turns on the spot about a point that is not the reference point.
     EXPECT_LE(report::figures(result, run.course).tracking.max_cross_track_m, 0.1);
-  }
-}
-
-TEST_F(SampledPaths, AreNotLeftFarWhenProgressStandsStill) {
-  for (int seed = 1; seed <= kSampled; seed += 3) {
-    const LockstepSettings run = sampled(seed);
-    SCOPED_TRACE(testing::Message() << "sampled by " << seed << ", " << run.robot.name);
-    freeze(course::Path(run.course).length_m() / 3.0);
-    expect_watched(run, run_lockstep(run));
-  }
-}
-
-// Without this check, only the fence would end the run.
-TEST_F(FreezableProgress, ThatStandsStillEndsTheRunByTheDistanceFromThePath) {
-  constexpr double kFromM = 0.5;
-  freeze(kFromM);
-  for (const course::Course& course :
-       {course_of({course::Line{2.0}}),
-        course_of({course::Line{0.2}, course::Arc{0.35, 4.0 * kPi}}),
-        course_of({course::Arc{0.2, -20.0 * kPi}}),
-        course_of({course::Arc{0.3, 2.0 * kPi}, course::Arc{0.3, -2.0 * kPi}})}) {
-    for (const char* robot : {"end-loaded", "front-heavy"}) {
-      const LockstepSettings run = settings(course, robot);
-      const report::RunResult result = run_lockstep(run);
-      EXPECT_EQ(result.cause, "cross_track");
-      EXPECT_NEAR(result.points.back().progress_m, kFromM, 0.01);
-      expect_watched(run, result);
-    }
   }
 }
 

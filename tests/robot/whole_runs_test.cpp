@@ -210,7 +210,7 @@ const std::vector<WholeRun>& runs() {
       on("3", {.robot = "worn", .setup = "stand"}, "stand"),
       on("calibrate-spin-left", {.robot = "uniform"}),
       on("calibrate-tight-right", {.robot = "large"}),
-      on("1-curve", {.robot = "end-loaded"}, "a second time", {}, drive_again),
+      on("3", {.robot = "uniform"}, "a second time", {}, drive_again),
   // boards, bodies, floors
 #ifdef TP100_HAS_IMAGE
       on("1-straight", {.board = "avr", .robot = "end-loaded"}, "the chip"),
