@@ -64,20 +64,6 @@ std::string seen(const std::function<void(EventLog&, const std::function<void()>
   return output;
 }
 
-TEST(EventLog, LinesComeInOrderAndAllOfThemBeforeItEnds) {
-  const std::string output = seen([](EventLog& log, const auto& read) {
-    read();
-    for (int i = 0; i < 300; ++i) log.info("line " + std::to_string(i) + ";");
-    log.warn("the last one");
-  });
-  std::size_t at = 0;
-  for (int i = 0; i < 300; ++i) {
-    at = output.find("line " + std::to_string(i) + ";", at);
-    ASSERT_NE(at, std::string::npos) << i;
-  }
-  EXPECT_THAT(output, HasSubstr("warning the last one"));
-}
-
 // A person who reads on must know that something is missing.
 TEST(EventLog, WhoDoesNotReadItHoldsUpNobodyAndIsToldHowManyOldLinesAreLost) {
   const std::string output = seen([](EventLog& log, const auto& read) {

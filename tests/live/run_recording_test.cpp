@@ -26,26 +26,17 @@ using namespace std::chrono_literals;
 TEST_F(Run, AViewerEndsARecordingAndBeginsAnother) {
   options_.record = folder_.file("runs");
   robot_->plug_in();
-  std::string refused, ended, began, runs;
   EXPECT_EQ(run([&] {
               eventually(commanded);
-              const std::string port = page();
-              server::WebClient viewer(port);
+              server::WebClient viewer(page());
               viewer.call(server::Service::kRecordStart);
-              refused = viewer.read_until("serviceCallFailure");
+              EXPECT_THAT(viewer.read_until("serviceCallFailure"), HasSubstr("running already"));
               viewer.call(server::Service::kRecordStop);
-              ended = viewer.read_until("\"bytes\"");
+              EXPECT_THAT(viewer.read_until("\"bytes\""), HasSubstr("-poses"));
               viewer.call(server::Service::kRecordStart);
-              began = viewer.read_until("\"run\"");
-              runs = server::http_get(port, "GET /api/runs HTTP/1.0\r\nHost: localhost\r\n\r\n");
+              EXPECT_THAT(viewer.read_until("\"run\""), HasSubstr("-poses"));
             }),
             1);
-  EXPECT_THAT(refused, HasSubstr("running already"));
-  EXPECT_THAT(ended, HasSubstr("-poses"));
-  EXPECT_THAT(began, HasSubstr("-poses"));
-  EXPECT_THAT(runs, HasSubstr("\"kind\":\"recording\""));
-  EXPECT_THAT(runs, HasSubstr("\"active\":true"));
-  EXPECT_THAT(runs, HasSubstr("\"active\":false"));
   // The second recording begins in the middle of the run.
   EXPECT_EQ(replayed_recordings(options_.record).size(), 2U);
 }

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "../server/web_client.h"
+#include "../support/eventually.h"
 #include "../support/temporary_folder.h"
 #include "app/commands.h"
 #include "core/error.h"
@@ -25,17 +26,6 @@
 #include "server/services.h"
 
 namespace tp100::live {
-
-/// True once `condition` holds; false if it does not within `limit`.
-inline bool soon(const std::function<bool()>& condition,
-                 std::chrono::seconds limit = std::chrono::seconds(20)) {
-  const auto end = std::chrono::steady_clock::now() + limit;
-  while (std::chrono::steady_clock::now() < end) {
-    if (condition()) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
-  return false;
-}
 
 class Run : public ::testing::Test {
  protected:
@@ -55,14 +45,6 @@ class Run : public ::testing::Test {
                       top + "\n[loop]\npriority = 0\nlock_memory = false\nspin_us = 0\n" +
                           "[link]\nfirst_frame_timeout_ms = 700\n" +
                           "[server]\nlisten = \"127.0.0.1:0\"\n[record]\n" + record + "\n");
-  }
-  /// A course of 10 cm on a stand.
-  void choose_short_course() {
-    options_.course = folder_.file("short.toml");
-    options_.setup = "stand";
-    test::write_bytes(options_.course,
-                      "speed_mps = 0.1\n[[segment]]\ntype = \"line\"\nlength_m = 0.1\n[fence]\n"
-                      "min_x_m = -1.0\nmax_x_m = 1.0\nmin_y_m = -1.0\nmax_y_m = 1.0\n");
   }
 
   /// Runs the command while `script` runs in parallel; the end of the script ends the command with
@@ -94,7 +76,7 @@ class Run : public ::testing::Test {
   std::string page() const {
     static const std::string kBefore = "http://127.0.0.1:";
     std::string served;
-    soon([&] {
+    test::eventually([&] {
       const std::string text = stats();
       const std::size_t at = text.find(kBefore), end = text.find('/', at + kBefore.size());
       if (end == std::string::npos || at == std::string::npos) return false;
@@ -106,7 +88,7 @@ class Run : public ::testing::Test {
   }
   /// Expects that the statistics file soon contains `word`.
   void says_of_itself(const std::string& word) const {
-    EXPECT_TRUE(soon([&] { return stats().find(word) != std::string::npos; }))
+    EXPECT_TRUE(test::eventually([&] { return stats().find(word) != std::string::npos; }))
         << word << " is not in " << stats();
   }
 
@@ -122,7 +104,7 @@ class Run : public ::testing::Test {
   }
   std::size_t arms() { return received().arms.size(); }
   bool eventually(const std::function<bool(const ScriptedRobot&)>& condition) {
-    const bool happened = soon([&] { return robot_->with(condition); });
+    const bool happened = test::eventually([&] { return robot_->with(condition); });
     EXPECT_TRUE(happened) << "the condition did not become true";
     return happened;
   }

@@ -1,4 +1,5 @@
-// `tp100d run` from its beginning to its end. Robots that behave oddly: tests/oddities.
+// `tp100d run` from its beginning, or an error of one line, to its end. Robots that behave oddly:
+// tests/oddities.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -67,19 +68,12 @@ TEST_F(Run, SigtermEndsItInEveryStateAndDisarms) {
   }
 }
 
-TEST_F(Run, APortThatComesLaterOrIsBusyForAWhileIsTaken) {
+TEST_F(Run, APortThatIsBusyForAWhileIsTaken) {
   options_.wait = true;
-  EXPECT_EQ(run([&] {
-              says_of_itself("\"closed\"");
-              robot_->plug_in();
-              eventually(commanded);
-            }),
-            1);
-  EXPECT_TRUE(logged("state: closed -> listening") && logged("state: syncing -> ready")) << log_;
-  forget();
+  robot_->plug_in();
   auto held = std::make_unique<link::Port>(link::open_port(port(), {}));
   EXPECT_EQ(run([&] {
-              EXPECT_TRUE(soon([&] {
+              EXPECT_TRUE(test::eventually([&] {
                 return test::read_bytes("/proc/self/fd/2").find("port is busy") !=
                        std::string::npos;
               }));
@@ -89,61 +83,78 @@ TEST_F(Run, APortThatComesLaterOrIsBusyForAWhileIsTaken) {
               eventually(commanded);
             }),
             1);
-  EXPECT_TRUE(logged("port is busy"));
   EXPECT_EQ(log_.find("port is busy"), log_.rfind("port is busy")) << "said once: " << log_;
 }
 
-TEST_F(Run, AStartThatCannotBeginIsRefusedAndNotKeptAndEndsARunWithGo) {
+// Nobody may stand there any more who would start it again.
+TEST_F(Run, WithGoAStartThatCannotBeginEndsTheRun) {
   options_.course = "1-straight";
-  const auto carry = [&](double mps) {
-    robot_->with([&](ScriptedRobot& robot) { robot.metres_per_s = mps; });
-  };
-  carry(0.1);
-  robot_->plug_in();
-  EXPECT_EQ(run([&] {
-              says_of_itself("\"run\": \"arming\"");
-              says_of_itself("\"run\": \"idle\"");
-              carry(0.0);
-              after_commands(400);
-            }),
-            1);
-  EXPECT_TRUE(logged("start refused: the gyro is not still")) << log_;
-  EXPECT_TRUE(logged("state: arming -> idle")) << log_;
-  EXPECT_EQ(arms(), 0U);
   options_.go = true;
-  carry(0.1);
-  EXPECT_EQ(run(), 1) << "with --go it must not wait";
+  robot_->with([](ScriptedRobot& robot) { robot.metres_per_s = 0.1; });
+  robot_->plug_in();
+  EXPECT_EQ(run(), 1);
+  EXPECT_TRUE(logged("start refused: the gyro is not still")) << log_;
   EXPECT_THAT(stats(), HasSubstr("\"result\": \"refused\""));
+  EXPECT_EQ(arms(), 0U);
 }
 
-TEST_F(Run, AViewerWatchesStopsAndStartsAgain) {
-  options_.course = "1-straight";
-  options_.stay = true;
+TEST_F(Run, AMissingOrBusyPortIsAnErrorOfOneLine) {
+  EXPECT_EQ(run(), -1);
+  EXPECT_THAT(message_, HasSubstr("robot: no such port"));
+  EXPECT_EQ(log_, "");
+  EXPECT_FALSE(std::filesystem::exists(options_.stats));
   robot_->plug_in();
-  std::string pose, stopped, started;
+  const link::Port held = link::open_port(port(), {});
+  EXPECT_EQ(run(), -1);
+  EXPECT_THAT(message_, HasSubstr("port is busy"));
+}
+
+// Other robots that do not answer as they must: tests/oddities.
+TEST_F(Run, ASilentRobotOrOneOfAnotherVersionIsAnErrorThatSaysWhatToDo) {
+  robot_->with([](ScriptedRobot& robot) { robot.silent = true; });
+  robot_->plug_in();
+  EXPECT_EQ(run(), -1);
+  EXPECT_THAT(message_, HasSubstr("no answer from a TP100"));
+  robot_->with([](ScriptedRobot& robot) {
+    robot.silent = false;
+    robot.protocol = 77;
+  });
+  EXPECT_EQ(run(), -1);
+  for (const char* part : {"robot has protocol 77", "needs protocol 1", "flash"})
+    EXPECT_THAT(message_, HasSubstr(part));
+  EXPECT_TRUE(received().types.empty());
+}
+
+TEST_F(Run, WhoIsAskedToWaitTakesARobotThatAnswersLater) {
+  robot_->plug_in();
+  robot_->with([](ScriptedRobot& robot) { robot.answers_parameters = false; });
+  options_.wait = true;
   EXPECT_EQ(run([&] {
-              eventually(driven);
-              server::WebClient viewer(page());
-              viewer.subscribe(messages::pose_channel(PoseSource::kOdometry));
-              pose = viewer.read_until("\"frame_id\"");
-              forget();
-              viewer.call(server::Service::kStop);
-              stopped = viewer.read_until("\"acknowledged\"");
-              viewer.subscribe(messages::Channel::kState);
-              viewer.read_until("\"can\":{\"start\":true");
-              after_commands(40);
-              // Commands alone never arm the robot again; only a start does.
-              EXPECT_FALSE(received().stops.empty());
-              EXPECT_EQ(arms(), 0U);
-              viewer.call(server::Service::kStart);
-              started = viewer.read_until("\"accepted\"");
-              eventually([](const ScriptedRobot& robot) { return !robot.received.arms.empty(); });
+              says_of_itself("\"unanswered\": 1");
+              robot_->with([](ScriptedRobot& robot) { robot.answers_parameters = true; });
+              eventually(commanded);
             }),
             1);
-  EXPECT_THAT(pose, HasSubstr("\"world\""));
-  EXPECT_THAT(stopped, HasSubstr("\"acknowledged\":true"));
-  EXPECT_THAT(started, HasSubstr("true"));
-  EXPECT_TRUE(logged("stop acknowledged")) << log_;
+  EXPECT_TRUE(logged("no answer from the robot (state parameters)")) << log_;
+}
+
+TEST_F(Run, BadOptionsAreErrors) {
+  robot_->plug_in();
+  const app::RunOptions good = options_;
+  struct Case {
+    std::string app::RunOptions::*option;
+    std::string value;
+    const char* says;
+  };
+  for (const Case& each :
+       {Case{&app::RunOptions::listen, "203.0.113.1:8765", "--listen 203.0.113.1:8765"},
+        {&app::RunOptions::stats, folder_.file("none/stats.json"),
+         "stats.json: cannot be written"}}) {
+    options_ = good;
+    options_.*each.option = each.value;
+    EXPECT_EQ(run(), -1);
+    EXPECT_THAT(message_, HasSubstr(each.says));
+  }
 }
 
 }  // namespace

@@ -59,14 +59,6 @@ TEST_F(ServiceNoticeTest, AManagerThatDoesNotReadHoldsUpNobody) {
   EXPECT_FALSE(manager_.received().empty());
 }
 
-TEST(ServiceNotice, NobodyListensNobodyIsTold) {
-  ServiceNotice alone({});
-  EXPECT_EQ(alone.ready(), "");
-  alone.status("ready");
-  alone.alive(1, kNsPerS);
-  alone.stopping();
-}
-
 TEST(ServiceNotice, AManagerThatCannotBeToldIsNamed) {
   const test::TemporaryFolder folder;
   ServiceNotice gone({.socket = folder.file("gone")});
@@ -83,21 +75,17 @@ class ServiceEnvironment : public testing::Test {
   }
 };
 
-TEST_F(ServiceEnvironment, SaysWhoListensAndHowLongItWaits) {
+TEST_F(ServiceEnvironment, SaysWhoListensAndHowLongItWaitsUnlessThatIsForAnotherProgram) {
   EXPECT_EQ(service_settings().socket, "");
-  EXPECT_EQ(service_settings().watchdog_ns, 0);
   ::setenv("NOTIFY_SOCKET", "@manager", 1);
-  ::setenv("WATCHDOG_USEC", "2000000", 1);
   EXPECT_EQ(service_settings().socket, "@manager");
-  EXPECT_EQ(service_settings().watchdog_ns, 2 * kNsPerS);
-  ::setenv("WATCHDOG_PID", std::to_string(::getpid()).c_str(), 1);
-  EXPECT_EQ(service_settings().watchdog_ns, 2 * kNsPerS);
-}
-
-TEST_F(ServiceEnvironment, AWatchdogOfAnotherProgramOrNoNumberIsNone) {
-  ::setenv("WATCHDOG_USEC", "2000000", 1);
-  ::setenv("WATCHDOG_PID", std::to_string(::getppid()).c_str(), 1);
   EXPECT_EQ(service_settings().watchdog_ns, 0);
+  ::setenv("WATCHDOG_USEC", "2000000", 1);
+  EXPECT_EQ(service_settings().watchdog_ns, 2 * kNsPerS);
+  for (const bool own : {true, false}) {
+    ::setenv("WATCHDOG_PID", std::to_string(own ? ::getpid() : ::getppid()).c_str(), 1);
+    EXPECT_EQ(service_settings().watchdog_ns, own ? 2 * kNsPerS : 0);
+  }
   ::unsetenv("WATCHDOG_PID");
   for (const char* text : {"", "2s", "-1", "99999999999999999999", "9223372036854775807"}) {
     ::setenv("WATCHDOG_USEC", text, 1);

@@ -6,11 +6,11 @@
 #include <atomic>
 #include <chrono>
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <mutex>
 #include <thread>
 
+#include "../support/eventually.h"
 #include "core/error.h"
 #include "support/temporary_folder.h"
 
@@ -18,6 +18,7 @@ namespace tp100::live {
 namespace {
 
 using namespace std::chrono_literals;
+using test::eventually;
 
 class Files : public testing::Test {
  protected:
@@ -44,13 +45,6 @@ class Files : public testing::Test {
   double pitch() {
     const std::lock_guard lock(mutex_);
     return sample_.pitch_rad;
-  }
-  static bool eventually(const std::function<bool()>& condition) {
-    for (int i = 0; i < 5000; ++i) {
-      if (condition()) return true;
-      std::this_thread::sleep_for(2ms);
-    }
-    return false;
   }
 
   test::TemporaryFolder folder_;
