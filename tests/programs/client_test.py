@@ -1,16 +1,12 @@
 #!/usr/bin/python3
 """client_test.py BIN: scripts/tp100_client.py against the real programs in BIN, as a program of its user would run it."""
-import contextlib
 import json
 import math
 import os
-import queue
 import signal
-import socket
 import subprocess
 import sys
 import tempfile
-import threading
 import time
 import urllib.request
 
@@ -70,51 +66,6 @@ def distance(a, b):
     return math.hypot(a["x_m"] - b["x_m"], a["y_m"] - b["y_m"])
 
 
-class SlowPath:
-    """Relays connections to a daemon at `at`; what goes to the daemon arrives later, however little of it there is."""
-
-    def __init__(self, at, delay_s):
-        self._to, self._delay_s = at.split(":"), delay_s
-        self._listener = socket.create_server(("127.0.0.1", 0))
-        self.at = f"127.0.0.1:{self._listener.getsockname()[1]}"
-        threading.Thread(target=self._accept, daemon=True).start()
-
-    def _accept(self):
-        while True:
-            client, _ = self._listener.accept()
-            server = socket.create_connection(tuple(self._to))
-            late = queue.Queue()
-            for job in ((self._take, client, late), (self._deliver, late, server), (self._pass_on, server, client)):
-                threading.Thread(target=job[0], args=job[1:], daemon=True).start()
-
-    def _take(self, client, late):
-        while data := client.recv(65536):
-            late.put((time.monotonic() + self._delay_s, data))
-        late.put((0.0, b""))
-
-    @staticmethod
-    def _deliver(late, server):
-        while (each := late.get())[1]:
-            time.sleep(max(0.0, each[0] - time.monotonic()))
-            server.sendall(each[1])
-        server.shutdown(socket.SHUT_WR)
-
-    @staticmethod
-    def _pass_on(server, client):
-        with contextlib.suppress(OSError):
-            while data := server.recv(65536):
-                client.sendall(data)
-
-
-def is_refused_over_a_slow_path(at):
-    for delay_s in (0.4, 1.2):
-        with tp100_client.Robot(SlowPath(at, delay_s).at) as robot:
-            before = robot.pose("odometry")
-            check("round trip of less than 0.3 s" in refused(robot.drive_by_hand), "a slow path is refused")
-            check(robot.wait_for_end(10.0) == "idle", "then the robot is disarmed")
-            check(distance(before, robot.pose("odometry")) < 0.001, "it has not moved")
-
-
 def drives(at):
     with tp100_client.Robot(at) as robot, tp100_client.Robot(at) as other:
         check("no service" in refused(lambda: robot.call("fly")), "an unknown service is named")
@@ -133,7 +84,6 @@ def drives(at):
             check(robot.state()["run"] == "driving", "the state tells who drives")
         check(robot.wait_for_end(10.0) == "idle", "released, the robot is disarmed")
         check(0.05 < distance(before, robot.pose("odometry")) < 0.4, "it has moved by hand")
-        is_refused_over_a_slow_path(at)
 
         robot.start(patience_s=20.0)
         check(other.stop(), "the robot acknowledges STOP")

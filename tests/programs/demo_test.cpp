@@ -1,12 +1,9 @@
-// `tp100-sim demo`, which starts a robot and a daemon, and test::Process, which starts the demo:
-// their child processes must not outlive them.
+// `tp100-sim demo`, which starts a robot and a daemon: they must not outlive it.
 
 #include <gtest/gtest.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
-#include <array>
 #include <csignal>
 #include <filesystem>
 #include <string>
@@ -72,16 +69,6 @@ TEST_F(Demo, ADemoWhoseMachineStoodStillDrivesAgainAndSaysSo) {
   EXPECT_EQ(demo.wait(), 0) << demo.output();
 }
 
-TEST_F(Demo, ADemoThatIsStoppedDoesNotDriveAgain) {
-  Process demo({"tp100-sim", "demo", "--headless", "--course", short_course(folder_)});
-  ASSERT_TRUE(demo.wait_for("arming -> running")) << demo.output();
-  const pid_t daemon = child_of(demo.pid(), "/tp100d");
-  ASSERT_GT(daemon, 0);
-  ::kill(daemon, SIGINT);
-  EXPECT_EQ(demo.wait(), 1) << demo.output();
-  EXPECT_EQ(demo.output().find("drives again"), std::string::npos) << demo.output();
-}
-
 TEST_F(Demo, WithoutHeadlessItStaysAndSaysHowToGoOn) {
   Process demo({"/usr/bin/env", "-u", "DISPLAY", "-u", "WAYLAND_DISPLAY",
                 build_path("bin/tp100-sim"), "demo", "--course", short_course(folder_)});
@@ -117,27 +104,6 @@ TEST_F(Demo, AKilledDemoTakesItsRobotAndItsDaemonWithIt) {
   EXPECT_TRUE(adoption.ends(robot)) << demo.output();
   EXPECT_EQ(demo.output().find("running -> finished"), std::string::npos)
       << "the daemon must not have driven on: " << demo.output();
-}
-
-TEST(StartedProcess, EndsWithTheTestThatStartedIt) {
-  Adoption adoption;
-  std::array<int, 2> pipe{};
-  ASSERT_EQ(::pipe(pipe.data()), 0);
-  const pid_t starter = ::fork();
-  ASSERT_GE(starter, 0);
-  if (starter == 0) {
-    const Process started({"/bin/sleep", "1000"});
-    const pid_t pid = started.pid();
-    if (::write(pipe[1], &pid, sizeof pid) == sizeof pid) ::pause();
-    ::_exit(1);
-  }
-  pid_t started = -1;
-  ASSERT_EQ(::read(pipe[0], &started, sizeof started), ssize_t{sizeof started});
-  ::close(pipe[0]);
-  ::close(pipe[1]);
-  ::kill(starter, SIGKILL);
-  ASSERT_EQ(::waitpid(starter, nullptr, 0), starter);
-  EXPECT_TRUE(adoption.ends(started));
 }
 
 }  // namespace

@@ -79,20 +79,6 @@ TEST_F(FlashEmulatedMega, AnImageReplacesTheRunningOneAndSilenceIsReported) {
   EXPECT_EQ(flashed.status, 0) << flashed.output;
 }
 
-TEST_F(FlashEmulatedMega, OnlyAnEmulatedChipCanBeBlank) {
-  const Finished native = run({"tp100-sim", "robot", "--blank", "--link", port()});
-  EXPECT_EQ(native.status, 2);
-  EXPECT_THAT(native.output, HasSubstr("--board avr"));
-}
-
-TEST_F(FlashEmulatedMega, ADryRunWritesNothing) {
-  const auto robot = start_robot(port(), {"--board", "avr", "--blank"});
-  const Finished dry = flash({"--dry-run"});
-  EXPECT_EQ(dry.status, 0) << dry.output;
-  EXPECT_THAT(dry.output, HasSubstr("avrdude -q -c wiring -p m2560 -P " + port()));
-  EXPECT_THAT(robot->output(), Not(HasSubstr("port opened")));
-}
-
 /// A board with nothing attached, flashed with the image that simulates the robot inside, and a
 /// daemon that drives a course with it in real time.
 class BareMega : public FlashEmulatedMega {
@@ -177,6 +163,8 @@ class FlashOf : public testing::Test {
     fs::create_directories(folder_.path() / "firmware");
     std::ofstream(folder_.path() / "firmware" / "tp100.hex") << ":00000001FF\n";
     list({});
+    program("avrdude", "echo x >> '" + folder_.file("tries") + "'\n" +
+                           "echo 'avrdude error: unable to open programmer wiring'; exit 1\n");
   }
   void program(const std::string& name, const std::string& text) const {
     std::ofstream(folder_.path() / name) << "#!/bin/sh\n" << text;
@@ -212,12 +200,13 @@ TEST_F(FlashOf, NoBoardOrSeveralAreNotChosenFrom) {
   expect_refused({}, {"/dev/ttyACM0 /dev/ttyACM1", "--port"});
 }
 
-TEST_F(FlashOf, TheOnlyBoardNeedsNoOption) {
+TEST_F(FlashOf, TheOnlyBoardNeedsNoOptionAndADryRunDoesNotOpenIt) {
   const sim::Pty board("");
   list({board.device()});
   const Finished finished = flash({"--dry-run"});
   EXPECT_EQ(finished.status, 0) << finished.output;
-  EXPECT_THAT(finished.output, HasSubstr("-P " + board.device()));
+  EXPECT_THAT(finished.output, HasSubstr("avrdude -q -c wiring -p m2560 -P " + board.device()));
+  EXPECT_FALSE(fs::exists(folder_.file("tries")));
 }
 
 TEST_F(FlashOf, ABusyPortNamesItsHolder) {
@@ -256,8 +245,6 @@ TEST_F(FlashOf, AMissingAvrdudeIsNamed) {
 
 TEST_F(FlashOf, AFailureSaysWhetherTheBootloaderAnswered) {
   const sim::Pty board("");
-  program("avrdude", "echo x >> '" + folder_.file("tries") + "'\n" +
-                         "echo 'avrdude error: unable to open programmer wiring'; exit 1\n");
   const Finished silent = flash({"--port", board.device()});
   EXPECT_EQ(silent.status, 1) << silent.output;
   EXPECT_THAT(silent.output, HasSubstr("no bootloader answers"));

@@ -66,15 +66,5 @@ TEST_F(Overhead, AHandOverTheMarkerDoesNotMoveTheFusedPose) {
   EXPECT_EQ(figure(figures, "recoveries"), 0);
 }
 
-TEST_F(Overhead, EndsIfItsDriveCannotBeRead) {
-  const Finished done =
-      run({"/usr/bin/env", R"(TP100_OVERHEAD={"drive":"/nowhere.csv"})", "LANG=en_US.UTF-8",
-           "LC_ALL=en_US.UTF-8", "xvfb-run", "-a", "-s", "-screen 0 64x64x24", "godot3-runner",
-           "--video-driver", "GLES2", "--audio-driver", "Dummy", "--resolution", "64x64", "--path",
-           source_path("sim/godot"), "res://overhead.tscn"});
-  EXPECT_EQ(done.status, 2) << done.output;
-  EXPECT_THAT(done.output, testing::HasSubstr("/nowhere.csv: is not a drive"));
-}
-
 }  // namespace
 }  // namespace tp100::test

@@ -134,27 +134,10 @@ std::unique_ptr<Process> start_robot(const std::string& link, const Words& more)
   return robot;
 }
 
-bool eventually(const std::function<bool()>& condition) {
-  const auto deadline = Clock::now() + 60s;
-  while (!condition()) {
-    if (Clock::now() > deadline) return false;
-    std::this_thread::sleep_for(10ms);
-  }
-  return true;
-}
-
 double figure(const std::string& stats, const std::string& name) {
   const std::string text = read_bytes(stats), key = "\"" + name + "\": ";
   const std::size_t at = text.find(key);
   return at == std::string::npos ? -1.0 : std::stod(text.substr(at + key.size()));
-}
-
-bool goes_on(const std::string& stats) {
-  const double old = figure(stats, "cycles");
-  double begun = old;
-  // Cycles that are already in the file do not count.
-  return eventually([&] { return (begun = figure(stats, "cycles")) != old; }) &&
-         eventually([&] { return figure(stats, "cycles") >= begun + 100.0; });
 }
 
 std::string short_course(const TemporaryFolder& folder, double length_m) {

@@ -4,11 +4,11 @@
 #include <sys/types.h>
 
 #include <chrono>
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "../support/eventually.h"
 #include "../support/temporary_folder.h"
 
 namespace tp100::test {
@@ -62,15 +62,9 @@ Finished run(std::vector<std::string> arguments);
 /// Starts `tp100-sim robot` with the arguments `more`; returns when its port is there, at `link`.
 std::unique_ptr<Process> start_robot(const std::string& link, const Words& more = {});
 
-/// Waits until `condition` holds. Returns false after a minute.
-bool eventually(const std::function<bool()>& condition);
 /// The first number of that name in the file that tp100d --stats writes once a second; -1 if there
 /// is none yet.
 double figure(const std::string& stats, const std::string& name);
-/// Waits until the daemon that writes `stats` has run a hundred more cycles. Returns false after a
-/// minute.
-bool goes_on(const std::string& stats);
-
 /// Writes a straight course into the folder, by default one of about six seconds, and returns the
 /// file's path.
 std::string short_course(const TemporaryFolder& folder, double length_m = 0.5);

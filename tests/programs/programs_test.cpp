@@ -4,22 +4,14 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <netinet/in.h>
-#include <sched.h>
-#include <sys/resource.h>
-#include <sys/socket.h>
 #include <sys/stat.h>
 
-#include <algorithm>
-#include <array>
-#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <regex>
 #include <sstream>
 #include <thread>
 #include <utility>
@@ -37,12 +29,12 @@ class Programs : public testing::Test {
   std::string port() const { return folder_.file("tp100"); }
   std::string stats() const { return folder_.file("stats.json"); }
   Words daemon(const Words& more = {}) const {
-    return joined({"tp100d", "run", "--port", port(), "--course", "1-curve", "--stats", stats()},
+    return joined({"tp100d", "run", "--port", port(), "--course", course_, "--stats", stats()},
                   more);
   }
   /// Starts a robot and a daemon; returns when the daemon drives.
   void drive(const Words& more = {}) {
-    robot_ = start_robot(port(), {"--course", "1-curve"});
+    robot_ = start_robot(port(), {"--course", course_});
     bridge_ = std::make_unique<Process>(daemon(more));
     ASSERT_TRUE(bridge_->wait_for("state: arming -> running")) << bridge_->output();
   }
@@ -56,10 +48,12 @@ class Programs : public testing::Test {
   }
 
   TemporaryFolder folder_;
+  std::string course_ = "1-curve";
   std::unique_ptr<Process> robot_, bridge_;
 };
 
 TEST_F(Programs, DriveACourseInRealTimeAndBothEndCleanly) {
+  course_ = short_course(folder_);
   drive({"--verbose"});
   EXPECT_EQ(bridge_->wait(), 0) << bridge_->output();
   EXPECT_THAT(bridge_->output(), HasSubstr("state: running -> finished"));
@@ -98,13 +92,6 @@ TEST_F(Programs, IdentifyDrivesAsksForWhatNoCameraSawAndWritesARobot) {
   EXPECT_THAT(identify.output(), HasSubstr("3 recordings in " + runs));
   const Finished check = run({"tp100d", "check", folder_.file("mine.toml")});
   EXPECT_EQ(check.status, 0) << check.output;
-  // The robot file can be identified again from the recordings.
-  const Finished again =
-      run({"tp100d", "identify", runs + "/01-ahead-samples.csv", runs + "/02-left-samples.csv",
-           runs + "/03-right-samples.csv", "--measured", runs + "/measured.csv", "--out",
-           folder_.file("again.toml")});
-  EXPECT_EQ(again.status, 0) << again.output;
-  EXPECT_EQ(read_bytes(folder_.file("again.toml")), read_bytes(folder_.file("mine.toml")));
 }
 
 TEST_F(Programs, AKilledDaemonLeavesTheMotorsOffWithinTwoHundredMilliseconds) {
@@ -124,27 +111,6 @@ TEST_F(Programs, AKilledDaemonLeavesTheMotorsOffWithinTwoHundredMilliseconds) {
   // The robot keeps running after its client has gone: the next client finds it again.
   Process next(daemon());
   EXPECT_TRUE(next.wait_for("state: syncing -> ready")) << next.output();
-}
-
-// Both on a killed robot and on one whose plug was pulled for a moment.
-TEST_F(Programs, ALostRobotLeavesTheDaemonWaitingAndDisarmedUntilANewStart) {
-  drive();
-  // The killed robot leaves its link, whose pseudo-terminal may become another test's.
-  std::filesystem::remove(port());
-  robot_->signal(SIGKILL);
-  robot_->wait();
-  ASSERT_TRUE(bridge_->wait_for("state: running -> aborted")) << bridge_->output();
-  robot_ = start_robot(port(), {"--fault", "unplug:0.3@2"});
-  ASSERT_TRUE(bridge_->wait_for("state: syncing -> ready")) << bridge_->output();
-  ASSERT_TRUE(robot_->wait_for("unplugged for 0.3 s")) << robot_->output();
-  ASSERT_TRUE(bridge_->wait_for("port is gone")) << bridge_->output();
-  ASSERT_TRUE(robot_->wait_for("plugged in again, on ")) << robot_->output();
-  ASSERT_TRUE(bridge_->wait_for("state: syncing -> ready")) << bridge_->output();
-  ASSERT_TRUE(goes_on(stats()));
-  EXPECT_EQ(bridge_->output().rfind("-> arming"), bridge_->output().find("-> arming"))
-      << "it must not arm again without a start: " << bridge_->output();
-  bridge_->signal(SIGTERM);
-  EXPECT_EQ(bridge_->wait(), 1) << bridge_->output();
 }
 
 // However impatient the service manager or the person is, and also when a terminal is closed.
@@ -201,86 +167,6 @@ TEST_F(Programs, AStepOfTheWallClockChangesNothing) {
       << "the clock did not step: " << bridge.output();
 }
 #endif
-
-TEST_F(Programs, AThousandClientsDisturbNoRun) {
-  rlimit files{};
-  ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &files), 0);
-  files.rlim_cur = std::min<rlim_t>(files.rlim_max, 2048);
-  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &files), 0);
-  drive({"--listen", "127.0.0.1:0"});
-  const std::string before = "page: http://127.0.0.1:";
-  const std::size_t at = bridge_->output().find(before);
-  ASSERT_NE(at, std::string::npos) << bridge_->output();
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_port =
-      htons(static_cast<std::uint16_t>(std::stoi(bridge_->output().substr(at + before.size()))));
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-
-  // Some clients send nothing, some an incomplete request, some a complete request to subscribe.
-  const std::array<std::string, 3> words{
-      "", "GET / HT",
-      "GET / HTTP/1.1\r\nHost: localhost\r\nConnection: Upgrade\r\nUpgrade: websocket\r\n"
-      "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n"
-      "Sec-WebSocket-Protocol: foxglove.sdk.v1\r\n\r\n"};
-  std::vector<int> clients;
-  for (std::size_t i = 0; i < 1000; ++i) {
-    const int fd = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-    ASSERT_GE(fd, 0) << i;
-    // On a slow machine the run may end first, and with it the daemon.
-    if (::connect(fd, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
-      ::close(fd);
-      break;
-    }
-    clients.push_back(fd);
-    const std::string& word = words[i % words.size()];
-    if (!word.empty()) ::send(fd, word.data(), word.size(), MSG_NOSIGNAL);
-  }
-  EXPECT_GT(clients.size(), 300u) << "the run ended too soon: " << bridge_->output();
-  EXPECT_EQ(bridge_->wait(), 0) << bridge_->output();
-  EXPECT_THAT(bridge_->output(), HasSubstr("state: running -> finished"));
-  // Clients that were served have received an answer; the connections of the others are closed.
-  std::size_t answered = 0, ended = 0;
-  for (const int fd : clients) {
-    char text[16];
-    const ssize_t n = ::recv(fd, text, sizeof text, MSG_DONTWAIT);
-    answered += n > 0 ? 1U : 0U;
-    ended += n == 0 || (n < 0 && errno != EAGAIN) ? 1U : 0U;
-    ::close(fd);
-  }
-  EXPECT_EQ(answered + ended, clients.size());
-  EXPECT_GT(answered, 0u);
-  EXPECT_GT(ended, clients.size() / 2);
-}
-
-TEST_F(Programs, OneSeedPrintsOneJsonButForTimings) {
-  const std::regex timings(
-      R"re("(realtime_factor|[a-z_]*time[a-z_]*)":[-0-9.e+]+|"loop":\{[^}]*\})re");
-  const auto json = [&](const char* seed) {
-    const Finished finished = run({"tp100-sim", "course", "1-sharp", "--json", "--seed", seed});
-    EXPECT_EQ(finished.status, 0) << finished.output;
-    return std::regex_replace(finished.output, timings, "");
-  };
-  EXPECT_EQ(json("4"), json("4"));
-  EXPECT_NE(json("4"), json("5"));
-}
-
-TEST_F(Programs, ARobotWhoseMachineStoodStillKeepsItsPriority) {
-  robot_ = start_robot(port());
-  const auto priority = [&] {
-    return std::pair(::sched_getscheduler(robot_->pid()),
-                     ::getpriority(PRIO_PROCESS, id_t(robot_->pid())));
-  };
-  const auto before = priority();
-  // The pause is longer than the emulator catches up with.
-  robot_->signal(SIGSTOP);
-  std::this_thread::sleep_for(std::chrono::milliseconds(700));
-  robot_->signal(SIGCONT);
-  for (int i = 0; i < 20; ++i) {
-    ASSERT_EQ(priority(), before);
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
-}
 
 }  // namespace
 }  // namespace tp100::test

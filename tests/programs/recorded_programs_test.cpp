@@ -1,4 +1,4 @@
-// Recordings of programs that run in real time: exported, or cut off by a kill or a full disk.
+// Recordings of programs that run in real time: exported, or cut off by a kill.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
+#include "core/processor.h"
 #include "process.h"
 #include "record/recording.h"
 #include "support/paths.h"
@@ -24,18 +25,14 @@ using Json = nlohmann::json;
 
 class RecordedPrograms : public testing::Test {
  protected:
-  RecordedPrograms() { configure(""); }
-  void configure(const std::string& record) const {
-    test::write_bytes(folder_.file("tp100.toml"),
-                      "[loop]\npriority = 0\nlock_memory = false\n[record]\n" + record);
+  RecordedPrograms() {
+    test::write_bytes(folder_.file("tp100.toml"), "[loop]\npriority = 0\nlock_memory = false\n");
   }
   /// Without a course, the run continues even when a busy machine delays its cycles.
   test::Words daemon(const test::Words& more = {}) const {
-    return test::joined({"tp100d", "run", "--config", folder_.file("tp100.toml"), "--port", port()},
+    return test::joined({"tp100d", "run", "--config", folder_.file("tp100.toml"), "--port", port(),
+                         "--record", records()},
                         more);
-  }
-  test::Words recording_daemon(const test::Words& more = {}) const {
-    return test::joined(daemon({"--record", records()}), more);
   }
   std::string port() const { return folder_.file("tp100"); }
   std::string records() const { return folder_.file("records"); }
@@ -92,7 +89,7 @@ TEST_F(RecordedPrograms, RecordedDrivesAreIdentifiedAgainstTheirOwnRobot) {
 TEST_F(RecordedPrograms, ALiveRunHoldsWhatHappenedReplaysBitForBitAndIsExported) {
   const auto robot = test::start_robot(port());
   // The run is recorded without any viewer.
-  test::Process bridge(recording_daemon(
+  test::Process bridge(daemon(
       {"--course", test::short_course(folder_, 0.3), "--listen", "off", "--duration", "30"}));
   // On a busy machine commands may arrive too late; then the run is aborted, and the recording says
   // so.
@@ -116,19 +113,14 @@ TEST_F(RecordedPrograms, ALiveRunHoldsWhatHappenedReplaysBitForBitAndIsExported)
     EXPECT_GE(happened[text], first) << text;
     EXPECT_LE(happened[text], last) << text;
   }
-  EXPECT_LT(happened["state: idle -> arming"], happened["state: arming -> running"]);
-  EXPECT_LT(happened["state: arming -> running"], happened[end]);
   EXPECT_EQ(counts["/log"], counts["/event"]);
   for (const char* topic : {"/state", "/link", "/loop", "/parameter"}) EXPECT_GT(counts[topic], 0);
   // /state is published five times a second and at every change.
   EXPECT_LT(counts["/state"], counts["/estimate"] / 4);
 
   ASSERT_EQ(test::run({"tp100d", "report", file()}).status, 0);
-  const std::string page =
-      test::read_bytes((std::filesystem::path(file()).parent_path() / "report.html").string());
-  EXPECT_THAT(page, HasSubstr("hello from an emulated board"));
-  EXPECT_THAT(page, HasSubstr("run: running -&gt; " + end.substr(end.rfind(' ') + 1)));
-
+  EXPECT_THAT(test::read_bytes(std::filesystem::path(file()).parent_path() / "report.html"),
+              HasSubstr("run: running -&gt; " + end.substr(end.rfind(' ') + 1)));
   expect_replayed(file());
   const std::string out = folder_.file("out");
   std::filesystem::create_directory(out);
@@ -138,25 +130,9 @@ TEST_F(RecordedPrograms, ALiveRunHoldsWhatHappenedReplaysBitForBitAndIsExported)
   EXPECT_FALSE(std::filesystem::exists(out + "/truth.tum")) << "a live run has no ground truth";
 }
 
-TEST_F(RecordedPrograms, ABlackBoxReplaysBitForBit) {
-  configure("black_box_s = 3\nblack_box_directory = \"" + records() + "\"\n");
-  const auto robot = test::start_robot(port(), {"--course", "1-curve"});
-  test::Process bridge(daemon({"--course", "1-curve", "--duration", "12"}));
-  // A busy machine may end the run by itself; then this fault is the one that is recorded.
-  EXPECT_TRUE(bridge.wait_for("arming -> running"));
-  std::this_thread::sleep_for(std::chrono::seconds(3));
-  // The killed robot leaves its link, whose pseudo-terminal may become another test's.
-  std::filesystem::remove(port());
-  robot->signal(SIGKILL);
-  bridge.wait();
-  EXPECT_THAT(bridge.output(), HasSubstr("black box: "));
-  EXPECT_THAT(bridge.output(), HasSubstr(file()));
-  expect_replayed(file());
-}
-
 TEST_F(RecordedPrograms, AKilledRunIsReadableAndRecoverMakesItWhole) {
   const auto robot = test::start_robot(port());
-  test::Process bridge(recording_daemon());
+  test::Process bridge(daemon());
   ASSERT_TRUE(bridge.wait_for("state: syncing -> ready")) << bridge.output();
   // Waits until two seconds of the run are in the file.
   for (int i = 0; i < 600 && steps_in(file()) < 400; ++i)
@@ -165,50 +141,43 @@ TEST_F(RecordedPrograms, AKilledRunIsReadableAndRecoverMakesItWhole) {
   bridge.signal(SIGKILL);
   bridge.wait();
 
-  std::uint64_t steps = 0;
   HostNs last = 0;
   const Recording cut(file());
   EXPECT_FALSE(cut.whole());
-  cut.visit({.step = [&](const StepRecord& record) {
-    ++steps;
-    last = record.now_ns;
-  }});
-  EXPECT_GE(steps, 400u);
+  cut.visit({.step = [&](const StepRecord& record) { last = record.now_ns; }});
   // The loss is less than a second unless a busy machine delays the writer.
-  RecordProperty("lost_ms", std::to_string((killed - last) / kNsPerMs));
   EXPECT_LT(to_s(killed - last), 5.0);
-
-  const test::Finished exported =
-      test::run({"tp100d", "export", file(), "--out", folder_.file("out")});
-  EXPECT_EQ(exported.status, 0) << exported.output;
-  EXPECT_THAT(exported.output, HasSubstr("is cut off; exported everything before that"));
 
   const test::Finished recover = test::run({"tp100d", "recover", file()});
   EXPECT_EQ(recover.status, 0) << recover.output;
   const std::string saved = std::filesystem::path(file()).parent_path() / "run-recovered.mcap";
   const Recording whole(saved);
   EXPECT_TRUE(whole.whole());
-  EXPECT_EQ(steps_in(saved), steps);
+  EXPECT_EQ(steps_in(saved), steps_in(file()));
   expect_replayed(saved);
   EXPECT_THAT(test::run({"tp100d", "recover", saved}).output, HasSubstr("nothing to recover"));
 }
 
-TEST_F(RecordedPrograms, ARunGoesOnWhenTheDiskIsFull) {
-  const auto robot = test::start_robot(port());
-  // The limit is 600 blocks of 512 bytes.
-  test::Process bridge(
-      test::joined({"/bin/sh", "-c", "ulimit -f 600; exec \"$0/$@\"", build_path("bin")},
-                   recording_daemon({"--duration", "10"})));
-  EXPECT_EQ(bridge.wait(), 1) << bridge.output();
-  EXPECT_THAT(bridge.output(),
-              HasSubstr("recording stopped, the disk is full; the file is complete"));
-  EXPECT_THAT(bridge.output(), HasSubstr("no course: duration after 10."));
-  EXPECT_TRUE(Recording(file()).whole());
+TEST_F(RecordedPrograms, ARunThatNeverBeganLeavesNothing) {
+  EXPECT_EQ(test::run(daemon()).status, 2);
+  EXPECT_TRUE(std::filesystem::is_empty(records()));
 }
 
-TEST_F(RecordedPrograms, ARunThatNeverBeganLeavesNothing) {
-  EXPECT_EQ(test::run(recording_daemon()).status, 2);
-  EXPECT_TRUE(std::filesystem::is_empty(records()));
+// The C library without FMA, as on an older processor: recordings made with it are replayed here.
+TEST(Processors, ARecordingWithoutFmaIsReplayedButForRounding) {
+  if (!arithmetic().starts_with("x86_64") || !arithmetic().ends_with("with FMA"))
+    GTEST_SKIP() << arithmetic()
+                 << ": this processor has no other choice of the C library's functions";
+  const test::TemporaryFolder folder;
+  const auto recorded = test::run({"/usr/bin/env", "GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-AVX2",
+                                   build_path("bin/tp100-sim"), "course", "1-curve", "--record",
+                                   folder.file("runs")});
+  ASSERT_EQ(recorded.status, 0) << recorded.output;
+  const auto replayed = test::run({"tp100d", "replay", folder.file("runs/1-curve-end-loaded-1"),
+                                   "--out", folder.file("poses.csv")});
+  EXPECT_EQ(replayed.status, 0) << replayed.output;
+  EXPECT_THAT(replayed.output, HasSubstr("the largest difference is "));
+  EXPECT_THAT(replayed.output, HasSubstr("without FMA, replayed on " + arithmetic()));
 }
 
 }  // namespace

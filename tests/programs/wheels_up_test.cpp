@@ -10,23 +10,19 @@
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
-#include <thread>
+#include <utility>
 
-#include "../server/web_client.h"
+#include "../server/service_call.h"
 #include "process.h"
 #include "server/services.h"
 
 namespace tp100::test {
 namespace {
 
-using namespace std::chrono_literals;
 using nlohmann::json;
 using server::Service;
 using ::testing::HasSubstr;
 using ::testing::Not;
-
-constexpr std::size_t kHeader = 17;
 
 /// A viewer that calls services.
 class Caller {
@@ -39,26 +35,13 @@ class Caller {
   /// The answer, or the reason of a refusal as text.
   json call(Service service, json request) {
     if (needs_consent(service)) request.update(json::parse("{" + client_.consent() + "}"));
-    std::string bytes(1, '\2');
-    for (const std::uint32_t number : {static_cast<std::uint32_t>(service), ++calls_, 4U})
-      bytes.append(reinterpret_cast<const char*>(&number), 4);
-    client_.write_binary(bytes + "json" + request.dump());
-    for (;;) {
-      client_.drain();
-      for (const std::string& message : client_.take()) {
-        // A response has its kind, service, call and the length of "json" before its payload.
-        const json answer = json::parse(message.substr(message.front() == '{' ? 0 : kHeader));
-        if (!answer.contains("op")) return answer;
-        if (answer["op"] == "serviceCallFailure") return answer["message"];
-      }
-      if (client_.closed()) throw std::runtime_error("the daemon is gone");
-      std::this_thread::sleep_for(1ms);
-    }
+    const std::string text = server::ask(client_, service, request.dump());
+    const json answer = json::parse(text.substr(text.front() == '{' ? 0 : server::kResponseHead));
+    return answer.contains("op") ? answer["message"] : answer;
   }
 
  private:
   server::WebClient client_;
-  std::uint32_t calls_ = 0;
 };
 
 class WheelsUpFromThePage : public testing::Test {
@@ -95,11 +78,9 @@ class WheelsUpFromThePage : public testing::Test {
   }
   /// Watches until the check has ended; questions are answered by the first choice.
   json watched() {
-    json answer;
-    json reply = json::object();
+    json answer, reply = json::object();
     EXPECT_TRUE(eventually([&] {
-      answer = watch(reply);
-      reply = json::object();
+      answer = watch(std::exchange(reply, json::object()));
       if (answer.contains("question"))
         reply = {{"question", answer["question"]["number"]},
                  {"answer", answer["question"]["choices"][0]["answer"]}};
@@ -184,18 +165,6 @@ TEST_F(WheelsUpFromThePage, AsksOnAStand) {
   EXPECT_THAT(line(result, "gyro"), HasSubstr("error: "));
 }
 
-TEST_F(WheelsUpFromThePage, NothingElseBeginsMeanwhile) {
-  start();
-  begin();
-  Caller other(page_);
-  EXPECT_THAT(other.call(Service::kWheelsUpBegin, {{"tracks", "free"}}).get<std::string>(),
-              Not(HasSubstr("{")));
-  EXPECT_TRUE(other.call(Service::kDriveTake, json::object()).is_string());
-  EXPECT_THAT(other.call(Service::kDoctor, {{"part", "robot"}}).get<std::string>(),
-              HasSubstr("a check of the tracks is under way"));
-  watched();
-}
-
 TEST_F(WheelsUpFromThePage, StopOfAnyViewerStopsTheTracksAndIsAcknowledged) {
   start();
   json result, stop = json::object();
@@ -253,15 +222,6 @@ TEST_F(WheelsUpFromThePage, TheEndOfTheDaemonStopsTheTracks) {
     ASSERT_TRUE(eventually([&] { return !last_cause().empty(); })) << robot_->output();
   }
   EXPECT_EQ(last_cause(), "disarm") << robot_->output();
-}
-
-TEST_F(WheelsUpFromThePage, AKilledDaemonLeavesTheTracksToTheFirmware) {
-  start();
-  begin();
-  run_tracks();
-  daemon_->signal(SIGKILL);
-  daemon_->wait();
-  ASSERT_TRUE(robot_->wait_for("motors off: command_timeout")) << robot_->output();
 }
 
 }  // namespace
