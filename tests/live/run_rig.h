@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <chrono>
 #include <csignal>
 #include <exception>
@@ -43,7 +44,7 @@ class Run : public ::testing::Test {
   void configure(const std::string& record, const std::string& top = {}) const {
     test::write_bytes(folder_.file("config.toml"),
                       top + "\n[loop]\npriority = 0\nlock_memory = false\nspin_us = 0\n" +
-                          "[link]\nfirst_frame_timeout_ms = 700\n" +
+                          "[link]\nfirst_frame_timeout_ms = 3000\n" +
                           "[server]\nlisten = \"127.0.0.1:0\"\n[record]\n" + record + "\n");
   }
 
@@ -51,6 +52,7 @@ class Run : public ::testing::Test {
   /// SIGTERM. Returns its status; -1: it did not begin, for the reason in `message_`.
   int run(const std::function<void()>& script = {}) {
     testing::internal::CaptureStderr();
+    std::atomic<bool> over{false};
     std::thread beside([&] {
       if (!script) return;
       try {
@@ -58,7 +60,7 @@ class Run : public ::testing::Test {
       } catch (const std::exception& error) {
         ADD_FAILURE() << error.what();
       }
-      ::kill(::getpid(), SIGTERM);
+      if (!over) ::kill(::getpid(), SIGTERM);
     });
     int status = -1;
     try {
@@ -66,6 +68,7 @@ class Run : public ::testing::Test {
     } catch (const SetupError& error) {
       message_ = error.what();
     }
+    over = true;
     beside.join();
     log_ = testing::internal::GetCapturedStderr();
     return status;

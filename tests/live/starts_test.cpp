@@ -190,7 +190,7 @@ TEST_F(Starts, WhatIsNoEmulatorOfTheFirstRunWaitsForAPerson) {
       ASSERT_TRUE(starts_to_move());
     });
     ::unsetenv("NOTIFY_SOCKET");
-    EXPECT_TRUE(logged(each.logged)) << log_;
+    EXPECT_TRUE(logged(each.logged)) << message_ << log_;
     robot_->unplug();
   }
 }
