@@ -1,4 +1,4 @@
-// Whole runs in virtual time: what happened in each, and a hash of all its poses and commands, must
+// Whole runs in virtual time: what happened in each, and a hash of its poses, figures and commands, must
 // be as tests/robot/whole_runs.txt says. A change of the product that changes the behaviour of a
 // robot, however little, changes a line of that file. `scripts/test --accept` writes it anew.
 #include <gtest/gtest.h>
@@ -28,13 +28,21 @@ namespace {
 
 const std::string kFile = source_path("tests/robot/whole_runs.txt");
 
-/// A hash of every pose and command of a run (FNV-1a, 64 bits).
+/// A hash of every pose, figure and command of a run (FNV-1a, 64 bits).
 class Hash : public messages::Sink {
  public:
   void take(const StepRecord& record) override {
     const Snapshot& snapshot = record.snapshot;
     for (const PoseSource source : kPoseSources) add(snapshot.estimates[source].pose);
+    for (const PoseSource source : kPoseSources) {
+      add(snapshot.estimates[source].covariance.xx);
+      add(snapshot.estimates[source].covariance.yaw_yaw);
+    }
     add(snapshot.world);
+    for (const double figure : {snapshot.left_mps, snapshot.right_mps, snapshot.slip_left,
+                                snapshot.slip_right, snapshot.cross_track_m, snapshot.progress_m,
+                                snapshot.gyro_bias_radps, snapshot.imu_pitch_rad})
+      add(figure);
     add(snapshot.command.desired_yaw_rad);
     add(snapshot.command.yaw_rate_radps);
     add(snapshot.command.speed_mps);
@@ -238,7 +246,7 @@ const std::vector<WholeRun>& runs() {
       on("1-curve", {.robot = "end-loaded"}, "world with a slope",
          world([](WorldSample& answer, double) { answer.pitch_rad = -0.1; }, false)),
       on("1-curve", {.robot = "end-loaded"}, "world owns the pose",
-         world([](WorldSample&, double) {}, true)),
+         world([](WorldSample& answer, double) { answer.pose.pitch_rad = -0.02; }, true)),
       on("1-straight", {.robot = "end-loaded"}, "world turns the robot round",
          world([](WorldSample& answer, double) { answer.pose.x_m *= -1.0; }, true)),
       on("1-straight", {.robot = "end-loaded"}, "world falls silent",
