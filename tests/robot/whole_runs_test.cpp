@@ -1,6 +1,6 @@
-// Whole runs in virtual time: what happened in each, and a hash of its poses, figures and commands, must
-// be as tests/robot/whole_runs.txt says. A change of the product that changes the behaviour of a
-// robot, however little, changes a line of that file. `scripts/test --accept` writes it anew.
+// Whole runs in virtual time: what happened in each, and a hash of its poses, figures and commands,
+// must be as tests/robot/whole_runs.txt says. A change of the product that changes the behaviour of
+// a robot, however little, changes a line of that file. `scripts/test --accept` writes it anew.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
