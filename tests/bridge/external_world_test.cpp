@@ -62,8 +62,10 @@ TEST(ExternalWorld, APoseBelongsToTheStepThatItAnswers) {
   for (int i = 0; i < 100; ++i) world.remember(i * kStepPeriod, {.x_m = 0.01 * i});
   WorldSample received = answer(40 * kStepPeriod);
   received.has_pose = true;
-  received.pose = {.x_m = 0.35, .y_m = 0.1};
+  received.has_ground = false;
+  received.pose = {.x_m = 0.35, .y_m = 0.1, .pitch_rad = -0.2};
   world.take(received);
+  EXPECT_EQ(world.ground()->pitch_rad, -0.2) << "it may leave the ground out";
   ASSERT_TRUE(world.transform());
   EXPECT_NEAR(world.transform()->x_m, -0.05, 1e-12);
   EXPECT_NEAR(world.transform()->y_m, 0.1, 1e-12);
