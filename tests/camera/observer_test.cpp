@@ -1,3 +1,6 @@
+// The observer of tp100-camera on drawn images: how exactly it places the robot, and when it says
+// nothing.
+
 #include "camera/observer.h"
 
 #include <gtest/gtest.h>
@@ -15,14 +18,13 @@ using camera::Observer;
 
 struct Errors {
   double place_rms_m = 0.0, place_max_m = 0.0, yaw_rms_rad = 0.0, yaw_max_rad = 0.0;
-  int found = 0;
 };
 
 double place_error(const camera::MarkerPose& found, const Pose& truth) {
   return std::hypot(found.x_m - truth.x_m, found.y_m - truth.y_m);
 }
 
-/// Errors for a robot at places all over the floor, in every direction.
+/// Errors for a robot that is found at places all over the floor, in every direction.
 Errors errors_over_the_floor(Scene& scene, const camera::View& view, int images,
                              const Twist& twist = {}, const SceneNoise& noise = {}) {
   Observer observer(lens_of(scene.camera()), view);
@@ -33,8 +35,9 @@ Errors errors_over_the_floor(Scene& scene, const camera::View& view, int images,
     const double b = std::fmod(0.5 + i * 0.5698402910, 1.0);
     const Pose truth{.x_m = -1.2 + 2.4 * a, .y_m = -0.55 + 1.1 * b, .yaw_rad = 2.4 * i};
     const auto found = observer.look(scene.image(truth, twist, noise));
+    EXPECT_TRUE(found.has_value()) << i;
     if (!found) continue;
-    ++errors.found;
+    EXPECT_NEAR(found->side_m, 0.10, 0.002);
     const double place = place_error(*found, truth);
     const double yaw = std::abs(wrap_angle(found->yaw_rad - truth.yaw_rad));
     errors.place_rms_m += place * place;
@@ -42,18 +45,14 @@ Errors errors_over_the_floor(Scene& scene, const camera::View& view, int images,
     errors.place_max_m = std::max(errors.place_max_m, place);
     errors.yaw_max_rad = std::max(errors.yaw_max_rad, yaw);
   }
-  errors.place_rms_m = std::sqrt(errors.place_rms_m / errors.found);
-  errors.yaw_rms_rad = std::sqrt(errors.yaw_rms_rad / errors.found);
-  std::printf("%d of %d found; place %.2f mm rms, %.2f mm max; direction %.2f deg rms, %.2f max\n",
-              errors.found, images, errors.place_rms_m * 1e3, errors.place_max_m * 1e3,
-              errors.yaw_rms_rad * kDegPerRad, errors.yaw_max_rad * kDegPerRad);
+  errors.place_rms_m = std::sqrt(errors.place_rms_m / images);
+  errors.yaw_rms_rad = std::sqrt(errors.yaw_rms_rad / images);
   return errors;
 }
 
 TEST(Observer, FindsTheRobotToAMillimetreAllOverTheFloor) {
   Scene scene = corner_scene();
   const Errors errors = errors_over_the_floor(scene, corner_view(), 24);
-  EXPECT_EQ(errors.found, 24);
   EXPECT_LT(errors.place_rms_m, 0.0005);
   EXPECT_LT(errors.place_max_m, 0.001);
   EXPECT_LT(errors.yaw_rms_rad, 0.3 * kRadPerDeg);
@@ -64,17 +63,13 @@ TEST(Observer, FindsTheRobotToAMillimetreAllOverTheFloor) {
 TEST(Observer, FindsTheRobotWithoutTiltAndByPixelsThatWereReadOff) {
   Scene scene = corner_scene(SceneCamera{}, 2);
   camera::View view = corner_view();
-  const Errors straight = errors_over_the_floor(scene, view, 8);
-  EXPECT_EQ(straight.found, 8);
-  EXPECT_LT(straight.place_max_m, 0.002);
+  EXPECT_LT(errors_over_the_floor(scene, view, 8).place_max_m, 0.002);
   for (const camera::FloorMarker& marker : view.floor_markers) {
     const auto pixel = scene.camera().pixel({marker.world_m.x, marker.world_m.y, 0.0});
     view.floor_points.push_back({{std::round(pixel[0]), std::round(pixel[1])}, marker.world_m});
   }
   view.floor_markers.clear();
-  const Errors read_off = errors_over_the_floor(scene, view, 8);
-  EXPECT_EQ(read_off.found, 8);
-  EXPECT_LT(read_off.place_max_m, 0.003);
+  EXPECT_LT(errors_over_the_floor(scene, view, 8).place_max_m, 0.003);
 }
 
 TEST(Observer, BlurNoiseAndMotionCostLessThanTwoMillimetres) {
@@ -82,26 +77,9 @@ TEST(Observer, BlurNoiseAndMotionCostLessThanTwoMillimetres) {
   const Twist twist{.vx_mps = 0.2, .yaw_rate_radps = 0.8};
   const SceneNoise noise{.blur_px = 1.3, .grey_sd = 6.0, .exposure_s = 0.02};
   const Errors errors = errors_over_the_floor(scene, corner_view(), 12, twist, noise);
-  EXPECT_EQ(errors.found, 12);
   EXPECT_LT(errors.place_rms_m, 0.001);
   EXPECT_LT(errors.place_max_m, 0.002);
   EXPECT_LT(errors.yaw_rms_rad, 0.4 * kRadPerDeg);
-}
-
-// The marker's height causes the largest single error of an overhead camera; the lift corrects it.
-TEST(Observer, WithoutItsHeightAMarkerFarOutWouldBeThirtyMillimetresOff) {
-  Scene scene = corner_scene(SceneCamera{}, 4);
-  const Pose truth{.x_m = 1.2, .y_m = 0.0, .yaw_rad = 0.7};
-  const cv::Mat image = scene.image(truth);
-  camera::View view = corner_view();
-  const auto lifted = Observer(lens_of(scene.camera()), view).look(image);
-  ASSERT_TRUE(lifted.has_value());
-  EXPECT_LT(place_error(*lifted, truth), 0.0015);
-  EXPECT_NEAR(lifted->side_m, 0.10, 0.0015);
-  view.marker_height_m = 0.0;
-  const auto flat = Observer(lens_of(scene.camera()), view).look(image);
-  ASSERT_TRUE(flat.has_value());
-  EXPECT_NEAR(flat->x_m - truth.x_m, 1.2 * 0.06 / 2.44, 0.002);
 }
 
 TEST(Observer, TheMountedAngleOfTheMarkerIsTakenOut) {
@@ -112,19 +90,6 @@ TEST(Observer, TheMountedAngleOfTheMarkerIsTakenOut) {
   const auto found = Observer(lens_of(scene.camera()), view).look(scene.image(truth));
   ASSERT_TRUE(found.has_value());
   EXPECT_NEAR(wrap_angle(found->yaw_rad - (0.5 - kPi / 2)), 0.0, 0.01);
-}
-
-TEST(Observer, FollowsADriveAndLosesNothing) {
-  Scene scene = corner_scene(tilted_camera(), 5);
-  Observer observer(lens_of(scene.camera()), corner_view());
-  Pose truth{.x_m = -0.5, .y_m = -0.2};
-  for (int i = 0; i < 40; ++i) {
-    truth.x_m += 0.03;
-    truth.yaw_rad += 0.05;
-    const auto found = observer.look(scene.image(truth));
-    ASSERT_TRUE(found.has_value()) << i;
-    EXPECT_LT(place_error(*found, truth), 0.002) << i;
-  }
 }
 
 TEST(Observer, SaysNothingWithoutTheMarkerOrTheFloor) {

@@ -80,10 +80,6 @@ std::array<double, 2> SceneCamera::pixel(const Vec3& world_m) const {
           centre_y_px + focal_px * (y * stretch + p1 * (r2 + 2 * y * y) + 2 * p2 * x * y)};
 }
 
-Vec3 SceneCamera::direction(double u_px, double v_px) const {
-  return direction(u_px, v_px, axes());
-}
-
 Vec3 SceneCamera::direction(double u_px, double v_px, const std::array<Vec3, 3>& frame) const {
   const double want_x = (u_px - centre_x_px) / focal_px, want_y = (v_px - centre_y_px) / focal_px;
   double x = want_x, y = want_y, off = 1.0;
@@ -153,28 +149,24 @@ cv::Mat Scene::background() const {
 /// Draws the decals over each other at the instants of the exposure; each ray of a pixel belongs to
 /// one instant.
 void Scene::draw(cv::Mat& grey, const std::vector<std::vector<Decal>>& instants) const {
-  double left = 1e9, right = -1e9, top = 1e9, bottom = -1e9;
+  std::vector<cv::Point2f> corners;
   for (const auto& decals : instants) {
     for (const Decal& decal : decals) {
       for (int k = 0; k < 4; ++k) {
         const auto at =
             camera_.pixel(decal.corner_m + (k & 1) * decal.across_m + (k >> 1) * decal.down_m);
-        left = std::min(left, at[0]);
-        right = std::max(right, at[0]);
-        top = std::min(top, at[1]);
-        bottom = std::max(bottom, at[1]);
+        corners.emplace_back(static_cast<float>(at[0]), static_cast<float>(at[1]));
       }
     }
   }
   // Distortion bends edges slightly beyond their ends.
-  const int u0 = std::max(0, static_cast<int>(left) - 6);
-  const int u1 = std::min(grey.cols - 1, static_cast<int>(right) + 6);
-  const int v0 = std::max(0, static_cast<int>(top) - 6);
-  const int v1 = std::min(grey.rows - 1, static_cast<int>(bottom) + 6);
+  const cv::Rect hull = cv::boundingRect(corners);
+  const cv::Rect box = cv::Rect(hull.x - 6, hull.y - 6, hull.width + 12, hull.height + 12) &
+                       cv::Rect(0, 0, grey.cols, grey.rows);
   const std::array<Vec3, 3> frame = camera_.axes();
-  for (int v = v0; v <= v1; ++v) {
+  for (int v = box.y; v < box.br().y; ++v) {
     float* row = grey.ptr<float>(v);
-    for (int u = u0; u <= u1; ++u) {
+    for (int u = box.x; u < box.br().x; ++u) {
       double sum = 0.0;
       for (int ray = 0; ray < kRays; ++ray) {
         const double du = (ray % kGrid + 0.5) / kGrid - 0.5;

@@ -28,9 +28,7 @@ struct SceneCamera {
 
   /// Pixel of a point of the world; pixel (0, 0) is the centre of the first pixel.
   std::array<double, 2> pixel(const Vec3& world_m) const;
-  /// Direction of a pixel's ray in the world.
-  Vec3 direction(double u_px, double v_px) const;
-  /// The same with `frame` = axes().
+  /// Direction of a pixel's ray in the world; `frame` is axes().
   Vec3 direction(double u_px, double v_px, const std::array<Vec3, 3>& frame) const;
   /// The x, y and z axes of the camera frame in the world.
   std::array<Vec3, 3> axes() const;
@@ -64,8 +62,7 @@ class Scene {
 
   /// The image of the robot at `pose`, which is its pose in the middle of the exposure; the robot
   /// moves with `twist` (body frame) during the exposure.
-  cv::Mat image(const Pose& pose, const Twist& twist, const SceneNoise& noise);
-  cv::Mat image(const Pose& pose) { return image(pose, {}, {}); }
+  cv::Mat image(const Pose& pose, const Twist& twist = {}, const SceneNoise& noise = {});
   /// The image without a robot.
   cv::Mat empty_floor(const SceneNoise& noise);
 
