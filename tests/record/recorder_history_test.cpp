@@ -4,9 +4,9 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "record/step_codec.h"
@@ -50,29 +50,22 @@ TEST_F(RecorderTest, WhatWentInBeforeItBeganIsInARecordingFirst) {
       << "the file of the history must be anonymous";
 }
 
-TEST_F(RecorderTest, ALateRecordingWithoutThemSaysSo) {
-  Recorder recorder({.history = HistorySettings{.max_bytes = 100'000}});
-  feed(recorder, 1, 2000);
-  recorder.begin(settings("ended.mcap"), facts());
-  recorder.end();
-  recorder.begin(settings(), facts());
-  feed(recorder, 2001, 2100);
-  recorder.end();
-  EXPECT_THAT(recorder.status().warning, HasSubstr("it cannot be replayed"));
-  EXPECT_THAT(recorder.status().warning, HasSubstr("more than 0 MB"));
-  const Recording recording(folder_.file("run.mcap"));
-  EXPECT_TRUE(recording.whole());
-  EXPECT_EQ(steps_in(recording), 100u);
-}
-
-TEST_F(RecorderTest, AHistoryThatCannotBeWrittenIsReportedByTheRecording) {
-  Recorder recorder({.history = HistorySettings{.folder = "/proc/none", .memory_bytes = 100'000}});
-  feed(recorder, 1, 2000);
-  recorder.begin(settings(), facts());
-  feed(recorder, 2001, 2010);
-  recorder.end();
-  EXPECT_THAT(recorder.status().warning, HasSubstr("it cannot be replayed"));
-  EXPECT_THAT(recorder.status().warning, HasSubstr("/proc/none"));
+TEST_F(RecorderTest, ALateRecordingWithoutThemSaysWhy) {
+  for (const auto& [history, why] :
+       {std::pair{HistorySettings{.max_bytes = 100'000}, "more than 0 MB"},
+        {HistorySettings{.folder = "/proc/none", .memory_bytes = 100'000}, "/proc/none"}}) {
+    Recorder recorder({.history = history});
+    feed(recorder, 1, 2000);
+    recorder.begin(settings("ended.mcap"), facts());
+    recorder.end();
+    recorder.begin(settings(), facts());
+    feed(recorder, 2001, 2100);
+    recorder.end();
+    EXPECT_THAT(recorder.status().warning,
+                testing::AllOf(HasSubstr("it cannot be replayed"), HasSubstr(why)));
+    EXPECT_TRUE(Recording(folder_.file("run.mcap")).whole());
+    EXPECT_EQ(steps_in(), numbers(2001, 2100));
+  }
 }
 
 // What replay needs: where the step restarted, everything before it is left out.
@@ -85,7 +78,7 @@ TEST_F(RecorderTest, AHistoryBeginsWhereTheStepBeganAnew) {
   feed(recorder, 1101, 1200);
   recorder.end();
   EXPECT_EQ(recorder.status().warning, "");
-  EXPECT_EQ(steps_before(folder_.file("run.mcap")), numbers(1000, 1100));
+  EXPECT_EQ(steps_before(), numbers(1000, 1100));
 }
 
 TEST_F(RecorderTest, ARecordingLooksBackWithAllThatLedThere) {
@@ -100,9 +93,8 @@ TEST_F(RecorderTest, ARecordingLooksBackWithAllThatLedThere) {
     for (std::uint64_t i = 101; i <= 1000; ++i) recorder.take(*random_record(i, i == anew));
     RecordingStatus status;
     const std::string name = std::to_string(anew);
-    const std::uint64_t number = recorder.ask_look_back(
-        [&] { return std::make_unique<RecordingWriter>(settings(name), facts()); },
-        [&](const RecordingStatus& ended) { status = ended; });
+    const std::uint64_t number =
+        look_back(recorder, name, [&](const RecordingStatus& ended) { status = ended; });
     EXPECT_NE(number, 0U);
     EXPECT_EQ(recorder.number(), 0U) << "nobody else sees it";
     feed(recorder, 1001, 1200);
@@ -112,8 +104,8 @@ TEST_F(RecorderTest, ARecordingLooksBackWithAllThatLedThere) {
     EXPECT_EQ(status.warning, "");
     EXPECT_EQ(to_s(status.last_ns - status.first_ns), 3.0);
     EXPECT_EQ(recorder.status().path, "");
-    EXPECT_EQ(steps_before(folder_.file(name)), numbers(anew <= 600 ? anew : 100, 599));
-    EXPECT_EQ(steps_in(Recording(folder_.file(name))), 601U);
+    EXPECT_EQ(steps_before(name), numbers(anew <= 600 ? anew : 100, 599));
+    EXPECT_EQ(steps_in(name), numbers(600, 1200));
   }
 }
 
@@ -121,38 +113,35 @@ TEST_F(RecorderTest, TwoThatLookBackShareNoStep) {
   Recorder recorder({.history = HistorySettings{}, .look_back_ns = kNsPerS, .blocking = true});
   std::uint64_t next = 1;
   for (const char* name : {"first.mcap", "second.mcap"}) {
-    const std::uint64_t number = recorder.ask_look_back(
-        [this, name] { return std::make_unique<RecordingWriter>(settings(name), facts()); },
-        [](const RecordingStatus& status) { EXPECT_EQ(status.warning, ""); });
+    const std::uint64_t number = look_back(
+        recorder, name, [](const RecordingStatus& status) { EXPECT_EQ(status.warning, ""); });
     feed(recorder, next, next + 99);
     recorder.ask_end(number, [](const std::string&) {});
     feed(recorder, next + 100, next + 149);
     next += 150;
   }
   recorder.end();
-  EXPECT_EQ(steps_in(Recording(folder_.file("first.mcap"))), 100U);
-  EXPECT_EQ(steps_in(Recording(folder_.file("second.mcap"))), 150U) << "50 of them before it";
+  EXPECT_EQ(steps_in("first.mcap"), numbers(1, 100));
+  EXPECT_EQ(steps_in("second.mcap"), numbers(101, 250)) << "50 of them before it";
 }
 
 TEST_F(RecorderTest, ARecordingThatLooksBackMakesWay) {
   Recorder recorder({.look_back_ns = kNsPerS, .blocking = true});
   feed(recorder, 1, 100);
   std::vector<std::string> ended;
-  const auto look_back = [&](const std::string& name) {
-    return recorder.ask_look_back(
-        [this, name] { return std::make_unique<RecordingWriter>(settings(name), facts()); },
-        [&](const RecordingStatus& status) { ended.push_back(status.path + status.warning); });
+  const auto note = [&](const RecordingStatus& status) {
+    ended.push_back(status.path + status.warning);
   };
-  EXPECT_NE(look_back("first.mcap"), 0U);
-  EXPECT_EQ(look_back("second.mcap"), 0U);
+  EXPECT_NE(look_back(recorder, "first.mcap", note), 0U);
+  EXPECT_EQ(look_back(recorder, "second.mcap", note), 0U);
   EXPECT_THAT(ended, testing::ElementsAre(HasSubstr("running already")));
   recorder.ask_end(0, [](const std::string& why) { EXPECT_NE(why, ""); });
   recorder.begin(settings(), facts());
   feed(recorder, 101, 200);
   recorder.end();
   EXPECT_THAT(ended, testing::ElementsAre(testing::_, HasSubstr("first.mcap")));
-  EXPECT_EQ(steps_in(Recording(folder_.file("first.mcap"))), 100U);
-  EXPECT_EQ(steps_in(Recording(folder_.file("run.mcap"))), 100U);
+  EXPECT_EQ(steps_in("first.mcap"), numbers(1, 100));
+  EXPECT_EQ(steps_in(), numbers(101, 200));
 }
 
 // The course has changed: its step cannot be replayed from inputs of the step before.
@@ -160,37 +149,27 @@ TEST_F(RecorderTest, WhatIsForgottenIsInNoLaterRecording) {
   Recorder recorder({.history = HistorySettings{}, .look_back_ns = kNsPerS, .blocking = true});
   feed(recorder, 1, 100);
   recorder.forget(101);
-  feed(recorder, 101, 120);
-  recorder.begin(settings("later.mcap"), facts());
-  feed(recorder, 121, 130);
-  ASSERT_TRUE(recorder.end());
-  EXPECT_EQ(steps_before(folder_.file("later.mcap")), numbers(101, 120));
-
-  recorder.forget(131);
-  feed(recorder, 131, 140);
-  recorder.ask_look_back(
-      [&] { return std::make_unique<RecordingWriter>(settings("box.mcap"), facts()); },
-      [](const RecordingStatus&) {});
-  feed(recorder, 141, 150);
-  ASSERT_TRUE(recorder.end());
-  std::vector<std::uint64_t> steps;
-  Recording(folder_.file("box.mcap")).visit({.step = [&](const StepRecord& record) {
-    steps.push_back(record.step);
-  }});
-  EXPECT_EQ(steps, numbers(131, 150));
-  EXPECT_EQ(steps_before(folder_.file("box.mcap")), numbers(1, 0));
-}
-
-TEST_F(RecorderTest, ARecordingMayBeginRightAfterWhatIsForgotten) {
-  Recorder recorder({.history = HistorySettings{}, .blocking = true});
-  feed(recorder, 1, 100);
-  recorder.forget(101);
-  recorder.begin(settings(), facts());
+  recorder.begin(settings("at-once.mcap"), facts());
   feed(recorder, 101, 110);
   ASSERT_TRUE(recorder.end());
   EXPECT_EQ(recorder.status().warning, "");
-  EXPECT_EQ(steps_in(Recording(folder_.file("run.mcap"))), 10u);
-  EXPECT_EQ(steps_before(folder_.file("run.mcap")), numbers(1, 0));
+  EXPECT_EQ(steps_in("at-once.mcap"), numbers(101, 110));
+  EXPECT_EQ(steps_before("at-once.mcap"), numbers(1, 0));
+
+  recorder.forget(111);
+  feed(recorder, 111, 120);
+  recorder.begin(settings("later.mcap"), facts());
+  feed(recorder, 121, 130);
+  ASSERT_TRUE(recorder.end());
+  EXPECT_EQ(steps_before("later.mcap"), numbers(111, 120));
+
+  recorder.forget(131);
+  feed(recorder, 131, 140);
+  look_back(recorder, "back.mcap", [](const RecordingStatus&) {});
+  feed(recorder, 141, 150);
+  ASSERT_TRUE(recorder.end());
+  EXPECT_EQ(steps_in("back.mcap"), numbers(131, 150));
+  EXPECT_EQ(steps_before("back.mcap"), numbers(1, 0));
 }
 
 }  // namespace

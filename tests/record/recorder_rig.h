@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <memory>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -33,19 +35,30 @@ class RecorderTest : public testing::Test {
   static void feed(Recorder& recorder, std::uint64_t from, std::uint64_t to) {
     for (std::uint64_t i = from; i <= to; ++i) recorder.take(*random_record(i));
   }
-  static std::uint64_t steps_in(const Recording& recording) {
-    std::uint64_t steps = 0;
-    recording.visit({.step = [&](const StepRecord&) { ++steps; }});
+  /// Asks for a recording that looks back. Returns its number.
+  std::uint64_t look_back(Recorder& recorder, const std::string& name,
+                          const Recorder::Ended& ended) const {
+    return recorder.ask_look_back(
+        [=, this] { return std::make_unique<RecordingWriter>(settings(name), facts()); }, ended);
+  }
+  /// Numbers of the steps in a file of the folder, and of those before it.
+  std::vector<std::uint64_t> steps_in(const std::string& name = "run.mcap") const {
+    std::vector<std::uint64_t> steps;
+    Recording(folder_.file(name)).visit({.step = [&](const StepRecord& r) {
+      steps.push_back(r.step);
+    }});
     return steps;
   }
-  static std::vector<std::uint64_t> steps_before(const std::string& path) {
+  std::vector<std::uint64_t> steps_before(const std::string& name = "run.mcap") const {
     std::vector<std::uint64_t> steps;
-    Recording(path).visit({.before = [&](const StepRecord& r) { steps.push_back(r.step); }});
+    Recording(folder_.file(name)).visit({.before = [&](const StepRecord& r) {
+      steps.push_back(r.step);
+    }});
     return steps;
   }
   static std::vector<std::uint64_t> numbers(std::uint64_t first, std::uint64_t last) {
-    std::vector<std::uint64_t> all;
-    for (; first <= last; ++first) all.push_back(first);
+    std::vector<std::uint64_t> all(last + 1 - first);
+    std::iota(all.begin(), all.end(), first);
     return all;
   }
   test::TemporaryFolder folder_;
