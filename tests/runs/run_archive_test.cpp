@@ -1,8 +1,13 @@
+// What a viewer may ask of the recorded runs: lists, notes, deletions, and reports, which another
+// program makes; and that program.
+
 #include "runs/run_archive.h"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <future>
@@ -13,6 +18,7 @@
 
 #include "../support/as_nobody.h"
 #include "../support/temporary_folder.h"
+#include "runs/report_process.h"
 
 namespace tp100::runs {
 namespace {
@@ -102,7 +108,6 @@ TEST_F(RunArchiveTest, ListsRunsWithoutAPath) {
   EXPECT_THAT(text, Not(HasSubstr(folder_.path().string())));
   const Json list = Json::parse(text);
   EXPECT_EQ(list["directory"], "runs");
-  EXPECT_GT(list["free_bytes"], 0);
   EXPECT_EQ(list["quota_bytes"], 5'000'000);
   EXPECT_GT(list["bytes"], 8);
   for (const Json& run : list["runs"]) {
@@ -139,13 +144,6 @@ TEST_F(RunArchiveTest, AFolderThatCannotBeSearchedIsAnError) {
     EXPECT_FALSE(there("a/run.toml"));
     EXPECT_TRUE(there("a/run.mcap"));
   }
-}
-
-TEST_F(RunArchiveTest, WithoutAFolderThereAreNoRuns) {
-  settings_.folder.clear();
-  EXPECT_EQ(Json::parse(archive().json())["directory"], "");
-  EXPECT_THAT(report("a").why, HasSubstr("no such run"));
-  EXPECT_THAT(remove("a").why, HasSubstr("no such run"));
 }
 
 TEST_F(RunArchiveTest, TheListIsReadFromTheDiskOnceASecondAndAfterAChange) {
@@ -242,13 +240,44 @@ TEST_F(RunArchiveTest, ARobotIsIdentifiedFromRunsAndNothingStaysInTheirFolder) {
 }
 
 TEST_F(RunArchiveTest, ANoteIsAnsweredAsItIsThen) {
-  const Answered answer = asked(
-      [&](const auto& reply) { archive().change_note("a", {.name = "Wet", .keep = true}, reply); });
-  EXPECT_EQ(answer.json,
+  const auto noted = [&](const RunNoteChange& change) {
+    return asked([&](const auto& reply) { archive().change_note("a", change, reply); });
+  };
+  EXPECT_EQ(noted({.name = "Wet", .keep = true}).json,
             Json::parse(R"({"run":"a","name":"Wet","note":"","tags":"","keep":true})"));
-  const Answered refused =
-      asked([&](const auto& reply) { archive().change_note("a", {.name = "a\nb"}, reply); });
-  EXPECT_THAT(refused.why, HasSubstr("name takes"));
+  EXPECT_THAT(noted({.name = "a\nb"}).why, HasSubstr("name takes"));
+}
+
+std::string run(ReportProcess& process, const std::string& script,
+                std::chrono::milliseconds limit = 60s) {
+  return process.run({"/bin/sh", "-c", script}, limit);
+}
+
+TEST(ReportProcess, SaysWhyAProgramFailedOrWasKilled) {
+  ReportProcess process;
+  EXPECT_EQ(run(process, "echo out; echo note >&2"), "") << "of one that is done nothing is said";
+  EXPECT_EQ(run(process, "echo first >&2; echo 'the reason' >&2; exit 2"), "the reason");
+  EXPECT_THAT(run(process, "exit 2"), HasSubstr("status 2"));
+  EXPECT_THAT(run(process, "kill -SEGV $$"), HasSubstr("killed"));
+  EXPECT_THAT(process.run({"/none/tp100d"}, 60s), HasSubstr("/none/tp100d: cannot be started"));
+  EXPECT_THAT(run(process, "exec sleep 600", 50ms), HasSubstr("not done after"));
+  const std::string long_text = run(process, "head -c 100000 /dev/zero | tr '\\0' x >&2; exit 1");
+  EXPECT_LT(long_text.size(), 1000U);
+}
+
+TEST(ReportProcess, RunsAtTheLowestPriorityWithoutOurFiles) {
+  ReportProcess process;
+  const test::TemporaryFolder folder;
+  const std::string out = folder.file("out");
+  const int ours = ::open(folder.file("ours").c_str(), O_CREAT | O_RDWR, 0600);
+  // The priority is set when the program has begun.
+  EXPECT_EQ(run(process,
+                "until chrt -p $$ | grep -q SCHED_IDLE; do sleep 0.01; done; ls -l "
+                "/proc/$$/fd > " +
+                    out),
+            "");
+  ::close(ours);
+  EXPECT_THAT(test::read_bytes(out), ::testing::Not(HasSubstr("ours")));
 }
 
 }  // namespace
