@@ -1,4 +1,6 @@
-// Compares the scene with the terrain that it shows.
+// What viewers draw: the scene, compared with the terrain that it shows, and the driven paths,
+// thinned, bounded, and begun anew with each run.
+
 #include "messages/scene.h"
 
 #include <gtest/gtest.h>
@@ -9,6 +11,7 @@
 
 #include "fixtures.h"
 #include "messages/messages.h"
+#include "messages/path_history.h"
 
 namespace tp100::messages {
 namespace {
@@ -59,23 +62,69 @@ TEST(Scene, ABlockStandsOnTheFloor) {
   EXPECT_EQ(cube["size"]["y"], 0.4);
 }
 
-TEST(Scene, TheRobotMovesWithItsFrame) {
+TEST(Scene, TheRobotMovesWithItsFrameAndIsAllThatThereIsWithoutACourse) {
   for (const char* id : {"robot/body", "robot/left", "robot/right"})
     EXPECT_EQ(entity(id)["frame_id"], "robot");
   EXPECT_GT(entity("robot/left")["cubes"][0]["pose"]["position"]["y"], 0.0);
-}
-
-TEST(Scene, EveryKindOfPrimitiveIsAList) {
-  for (const Json& each : entities()) {
-    for (const char* kind :
-         {"arrows", "cubes", "spheres", "cylinders", "lines", "triangles", "texts", "models"})
-      EXPECT_TRUE(each[kind].is_array()) << each["id"] << kind;
-  }
-}
-
-TEST(Scene, WithoutACourseThereIsOnlyTheRobot) {
   const Messages messages(RunContext{}, example_clock());
-  EXPECT_EQ(Json::parse(scene_text(messages, 0))["entities"].size(), 3U);
+  const Json without_course = Json::parse(scene_text(messages, 0))["entities"];
+  EXPECT_EQ(without_course.size(), 3U);
+  for (const char* kind :
+       {"arrows", "cubes", "spheres", "cylinders", "lines", "triangles", "texts", "models"})
+    EXPECT_TRUE(without_course[0][kind].is_array()) << kind;
+}
+
+Snapshot at(double x_m, RunState state = RunState::kRunning) {
+  Snapshot snapshot;
+  snapshot.has_sample = true;
+  snapshot.run_state = state;
+  snapshot.estimates[PoseSource::kModel].pose.x_m =
+      snapshot.estimates[PoseSource::kOdometry].pose.x_m =
+          snapshot.estimates[PoseSource::kFused].pose.x_m = x_m;
+  return snapshot;
+}
+
+std::size_t points_of(const Json& update) {
+  std::size_t points = 0;
+  for (const Json& entity : update["entities"]) points += entity["lines"][0]["points"].size();
+  return points;
+}
+
+TEST(PathHistory, APointPerCentimetreAndOnlyWhatIsNew) {
+  PathHistory path_history;
+  for (int i = 0; i <= 100; ++i) path_history.add(at(i * 1.001e-3));
+  path_history.add(at(std::nan("")));
+  const Json first = Json::parse(path_history.take_update({}, 0));
+  EXPECT_EQ(points_of(first), 3U * 11U);
+  EXPECT_EQ(path_history.take_update({}, 0), "");
+  for (int i = 100; i <= 151; ++i) path_history.add(at(i * 1.001e-3));
+  const Json second = Json::parse(path_history.take_update({}, 0));
+  // The update has five new points and the last point of the previous part.
+  EXPECT_EQ(points_of(second), 3U * 6U);
+  EXPECT_TRUE(second["deletions"].empty());
+  EXPECT_EQ(points_of(Json::parse(path_history.whole({}, 0))), 3U * 16U);
+}
+
+TEST(PathHistory, ANewRunDeletesTheOldOne) {
+  PathHistory path_history;
+  for (int i = 0; i < 50; ++i) path_history.add(at(i * 1e-2));
+  path_history.take_update({}, 0);
+  path_history.add(at(0.5, RunState::kFinished));
+  path_history.add(at(0.0));
+  const Json update = Json::parse(path_history.take_update({}, 0));
+  EXPECT_EQ(update["deletions"][0]["type"], 1);
+  EXPECT_EQ(points_of(update), 0U);
+}
+
+TEST(PathHistory, StaysBoundedOverAnyLength) {
+  PathHistory path_history;
+  for (int i = 0; i < 30'000; ++i) path_history.add(at(i * 1e-2));
+  const Json whole = Json::parse(path_history.whole({}, 0));
+  EXPECT_LE(points_of(whole), 3U * (PathHistory::kMaxPoints + 1));
+  EXPECT_GE(points_of(whole), 3U * PathHistory::kMaxPoints / 2);
+  const Json& points = whole["entities"][0]["lines"][0]["points"];
+  EXPECT_EQ(points.front()["x"], 0.0) << "it still shows the whole run";
+  EXPECT_NEAR(points.back()["x"].get<double>(), 300.0, 1.0);
 }
 
 }  // namespace

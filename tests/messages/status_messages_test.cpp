@@ -1,11 +1,18 @@
+// What the channels say once or twice a second: state, faults, STOP, link and loop. Parameters, of
+// which a viewer asks for values: only what fits is taken.
+
 #include "messages/status_messages.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "fixtures.h"
+#include "messages/parameter_text.h"
 
 namespace tp100::messages {
 namespace {
@@ -58,7 +65,19 @@ TEST(LinkMessage, ALinkIsPoorAboveOnePercent) {
   EXPECT_STREQ(link_quality(link), "poor");
 }
 
-TEST(LoopMessage, HasEveryTimeOfATurn) {
+TEST(LinkMessage, SaysWhatKindOfRobotItIsOnceABoardWasHeard) {
+  LinkFigures link;
+  EXPECT_FALSE(Json::parse(link_message(0.5, link)).contains("kind"));
+  link.port.firmware = "0.1.0";
+  for (const auto& [kind, name] : {std::pair{RobotKind::kPhysical, "physical"},
+                                   {RobotKind::kEmulated, "emulated"},
+                                   {RobotKind::kSimulated, "simulated"}}) {
+    link.port.kind = kind;
+    EXPECT_EQ(Json::parse(link_message(0.5, link))["kind"], name);
+  }
+}
+
+TEST(LoopMessage, HasEveryTimeOfACycle) {
   LoopFigures loop;
   loop.sample_wait.p99_us = 2.5;
   loop.privileges = {{"SCHED_FIFO 80", true}};
@@ -75,8 +94,11 @@ TEST(LoopMessage, HasEveryTimeOfATurn) {
 }
 
 // Percentiles are those of the histogram's buckets, see core/histogram.h.
-TEST(Durations, AreInMicroseconds) {
+TEST(Durations, AreInMicrosecondsAndNonsenseIsLeftOut) {
   Histogram histogram;
+  for (const double us : {-1.0, std::nan(""), HUGE_VAL}) add_us(histogram, us);
+  EXPECT_EQ(durations_of(histogram).count, 0U);
+  EXPECT_EQ(durations_of(histogram).p99_us, 0.0);
   for (int us = 1; us <= 10000; ++us) add_us(histogram, us);
   const Durations result = durations_of(histogram);
   EXPECT_EQ(result.count, 10000U);
@@ -84,19 +106,6 @@ TEST(Durations, AreInMicroseconds) {
   EXPECT_DOUBLE_EQ(result.max_us, 10000.0);
   EXPECT_NEAR(result.p50_us, 5000.0, 250.0);
   EXPECT_NEAR(result.p99_us, 9900.0, 495.0);
-}
-
-TEST(Durations, NothingGivesZerosAndNonsenseIsLeftOut) {
-  Histogram histogram;
-  add_us(histogram, -1.0);
-  add_us(histogram, std::nan(""));
-  add_us(histogram, HUGE_VAL);
-  EXPECT_EQ(durations_of(histogram).count, 0U);
-  EXPECT_EQ(durations_of(histogram).p99_us, 0.0);
-  add_us(histogram, 0.0);
-  EXPECT_EQ(durations_of(histogram).p50_us, 0.0);
-  add_us(histogram, 1e15);
-  EXPECT_DOUBLE_EQ(durations_of(histogram).max_us, 1e15);
 }
 
 TEST(LoopMessage, EveryDurationIsInItsBin) {
@@ -111,6 +120,50 @@ TEST(LoopMessage, EveryDurationIsInItsBin) {
     EXPECT_GE(static_cast<double>(below), kLatenessEdgesUs[i] * 15.0 / 16.0 - 1.0) << i;
   }
   EXPECT_EQ(below + counts.back(), 20'000U);
+}
+
+using ::testing::HasSubstr;
+
+const ParameterText kGain{{.name = "control.gain",
+                           .type = ParameterText::Type::kNumber,
+                           .value = 16.0,
+                           .standard = 16.0,
+                           .unit = "1/m",
+                           .range = {0.0, 200.0}}};
+const ParameterText kSteering{{.name = "estimation.steering",
+                               .type = ParameterText::Type::kChoice,
+                               .value = std::string("model"),
+                               .standard = std::string("model"),
+                               .choices = {"model", "fused"}}};
+
+TEST(ParameterText, NumbersMustBeFiniteAndInRange) {
+  for (const double good : {0.0, 16.5, 200.0}) EXPECT_EQ(why_not(kGain, good), "");
+  for (const double bad : {-0.001, 200.001, std::nan(""), std::numeric_limits<double>::infinity(),
+                           -std::numeric_limits<double>::infinity()})
+    EXPECT_NE(why_not(kGain, bad), "") << bad;
+  EXPECT_THAT(why_not(kGain, 201.0), HasSubstr("0 to 200 1/m"));
+}
+
+TEST(ParameterText, TheTypeMustFitAndAChoiceMustBeAmongThem) {
+  EXPECT_NE(why_not(kGain, true), "");
+  EXPECT_NE(why_not(kGain, std::string("16")), "");
+  EXPECT_NE(why_not(kSteering, 1.0), "");
+  EXPECT_EQ(why_not(kSteering, std::string("fused")), "");
+  EXPECT_THAT(why_not(kSteering, std::string("truth")), HasSubstr("model, fused"));
+  ParameterText whole = kGain;
+  whole.type = ParameterText::Type::kInteger;
+  EXPECT_EQ(why_not(whole, 3.0), "");
+  EXPECT_NE(why_not(whole, 3.5), "");
+}
+
+TEST(ParameterText, TheListHasUnitAndLimits) {
+  const auto json = Json::parse(parameters_message({kGain, kSteering}))["parameters"];
+  EXPECT_EQ(json[0]["unit"], "1/m");
+  EXPECT_EQ(json[0]["max"], 200.0);
+  EXPECT_FALSE(json[1].contains("max"));
+  for (const auto& one : json)
+    for (const auto& [name, content] : one.items()) EXPECT_FALSE(content.is_null()) << name;
+  EXPECT_EQ(json[1]["choices"][1], "fused");
 }
 
 }  // namespace
