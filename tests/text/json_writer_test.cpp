@@ -1,9 +1,10 @@
+// JSON of any numbers and bytes is valid, and read back as it was.
+
 #include "text/json_writer.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <random>
 
@@ -39,19 +40,13 @@ TEST(JsonWriter, WritesNestedObjectsAndArrays) {
 
 TEST(JsonWriter, EveryFiniteDoubleComesBackExactly) {
   std::mt19937_64 random(1);
-  for (int i = 0; i < 2000; ++i) {
+  // One in 2000 of these is no finite number.
+  for (int i = 0; i < 20'000; ++i) {
     const auto value = std::bit_cast<double>(random());
     std::string text;
     JsonWriter(text).value(value);
-    if (std::isfinite(value)) {
-      EXPECT_EQ(Json::parse(text).get<double>(), value) << text;
-    } else {
-      EXPECT_EQ(text, "null");
-    }
+    EXPECT_EQ(Json::parse(text), std::isfinite(value) ? Json(value) : Json()) << text;
   }
-  std::string text;
-  JsonWriter(text).value(std::numeric_limits<double>::infinity());
-  EXPECT_EQ(text, "null");
 }
 
 TEST(JsonWriter, TextComesBackAsItWas) {

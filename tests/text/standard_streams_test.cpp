@@ -1,3 +1,5 @@
+// Standard streams that are closed or cannot be written, and what is said of wrong arguments.
+
 #include "text/standard_streams.h"
 
 #include <fcntl.h>
@@ -42,7 +44,7 @@ TEST(StandardStreamsDeathTest, AnOutputThatCannotBeWrittenIsAnError) {
 
 TEST(UsageError, NamesWhatWasMeantAndTheRightHelp) {
   const std::vector<Subcommand> known = {{"run", {"--course", "--port"}}, {"replay", {"--out"}}};
-  const auto error_of = [&](std::vector<std::string> arguments, const char* what = "what") {
+  const auto error_of = [&](std::vector<std::string> arguments, const char* what) {
     arguments.insert(arguments.begin(), "prog");
     std::vector<char*> argv;
     for (std::string& argument : arguments) argv.push_back(argument.data());
@@ -51,29 +53,25 @@ TEST(UsageError, NamesWhatWasMeantAndTheRightHelp) {
               2);
     return testing::internal::GetCapturedStderr();
   };
-  EXPECT_EQ(error_of({"run", "--cours", "3"}),
-            "prog: unknown option '--cours'; did you mean '--course'?; see prog run --help\n");
-  EXPECT_EQ(error_of({"run", "--cours=3"}),
-            "prog: unknown option '--cours'; did you mean '--course'?; see prog run --help\n");
-  EXPECT_EQ(error_of({"run", "--zzz"}), "prog: unknown option '--zzz'; see prog run --help\n");
-  EXPECT_EQ(error_of({"run", "--port"}), "prog: what; see prog run --help\n");
-  EXPECT_EQ(error_of({"run", "--", "--cours"}), "prog: what; see prog run --help\n");
-  EXPECT_EQ(error_of({"rum"}),
-            "prog: unknown subcommand 'rum'; did you mean 'run'?; see prog --help\n");
-  EXPECT_EQ(error_of({}), "prog: what; see prog --help\n");
-  EXPECT_EQ(error_of({"run", "--port", "x"}, "Could not convert: --port = x"),
-            "prog: --port x: not a number; see prog run --help\n");
-  EXPECT_EQ(error_of({"run"}, "--port: Value abc not in range 0.100000 to 3600.000000"),
-            "prog: --port abc: not a number; give 0.1 to 3600; see prog run --help\n");
-  EXPECT_EQ(error_of({"run"}, "--port: Value -7 not in range 1 to 100"),
-            "prog: --port -7: out of range; give 1 to 100; see prog run --help\n");
-  EXPECT_EQ(error_of({"run"}, "--port: Value  not in range 1 to 100"),
-            "prog: --port : not a number; give 1 to 100; see prog run --help\n");
+  const auto expect = [&](const std::vector<std::string>& arguments, const char* what,
+                          const std::string& error) {
+    EXPECT_EQ(error_of(arguments, what), "prog: " + error + "\n");
+  };
+  const char* unknown = "unknown option '--cours'; did you mean '--course'?; see prog run --help";
+  expect({"run", "--cours", "3"}, "what", unknown);
+  expect({"run", "--zzz"}, "what", "unknown option '--zzz'; see prog run --help");
+  expect({"run", "--", "--cours"}, "what", "what; see prog run --help");
+  expect({"rum"}, "what", "unknown subcommand 'rum'; did you mean 'run'?; see prog --help");
+  expect({"run", "--port", "x"}, "Could not convert: --port = x",
+         "--port x: not a number; see prog run --help");
+  expect({"run"}, "--port: Value abc not in range 0.100000 to 3600.000000",
+         "--port abc: not a number; give 0.1 to 3600; see prog run --help");
+  expect({"run"}, "--port: Value -7 not in range 1 to 100",
+         "--port -7: out of range; give 1 to 100; see prog run --help");
   const char* unexpected = "The following argument was not expected: low";
-  EXPECT_EQ(error_of({"run", "--port", "low"}, unexpected),
-            "prog: low: unexpected argument; did you mean '--port=low'?; see prog run --help\n");
-  EXPECT_EQ(error_of({"run", "low"}, unexpected),
-            "prog: low: unexpected argument; see prog run --help\n");
+  expect({"run", "--port", "low"}, unexpected,
+         "low: unexpected argument; did you mean '--port=low'?; see prog run --help");
+  expect({"run", "low"}, unexpected, "low: unexpected argument; see prog run --help");
 }
 
 }  // namespace
