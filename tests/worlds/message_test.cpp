@@ -1,20 +1,16 @@
+// The messages between the daemon and a world: their format, and what of a world's is refused.
+
 #include "worlds/message.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <fstream>
-#include <nlohmann/json.hpp>
-#include <sstream>
+#include <utility>
 
 #include "core/arithmetic.h"
-#include "support/paths.h"
 
 namespace tp100::worlds {
 namespace {
 
-using ::testing::HasSubstr;
 using Verdict = Decoded::Verdict;
 
 PoseReport report() {
@@ -63,22 +59,13 @@ std::string changed(const std::string& from, const std::string& to) {
 
 Verdict verdict(const std::string& text) { return decode_world(text, Frame::kRos).verdict; }
 
-// Other programs rely on this format: a change here breaks them.
+// Other programs rely on this format, which WORLD.md documents: a change here breaks them. Unreal's
+// frame shows each unit.
 TEST(WorldMessage, IsWrittenAsDocumented) {
   EXPECT_EQ(encode(hello()),
             R"({"v":1,"type":"hello","session":7,"name":"tp100d","version":"0.1.0","frame":"ros",)"
             R"("authority":"bridge","rate_hz":100.0,"timeout_s":0.3,"lockstep":false,)"
             R"("course":"3","setup":"flat"})");
-  EXPECT_EQ(encode(report(), Frame::kRos),
-            R"({"v":1,"type":"pose","session":7,"seq":4711,"timestamp":12.345678,"run":1,)"
-            R"("frame":"ros","src":"odometry","pos":[0.612,0.034,0.041],)"
-            R"("quat":[0.00287,-0.239142,0.011651,0.97091],"rpy":[0.0,-0.483,0.024],)"
-            R"("floor":{"pos":[0.65,0.034,0.0],"yaw":0.024},)"
-            R"("estimates":{"model":{"pos":[0.64,0.02,0.0],"yaw":0.01},)"
-            R"("odometry":{"pos":[0.65,0.034,0.0],"yaw":0.024},)"
-            R"("fused":{"pos":[0.651,0.035,0.0],"yaw":0.025}},"vel":[0.098,0.001,0.0],)"
-            R"("omega":[0.0,0.0,0.31],"tracks":{"l":0.101,"r":0.118},)"
-            R"("slip":{"l":0.17,"r":0.18},"mode":"running","target":{"yaw":0.05,"speed":0.1}})");
   EXPECT_EQ(encode(report(), Frame::kUnreal),
             R"({"v":1,"type":"pose","session":7,"seq":4711,"timestamp":12.345678,"run":1,)"
             R"("frame":"unreal","src":"odometry","pos":[61.2,-3.4,4.1],)"
@@ -90,20 +77,6 @@ TEST(WorldMessage, IsWrittenAsDocumented) {
             R"("omega":[0.0,0.0,-17.761692],"tracks":{"l":10.1,"r":11.8},)"
             R"("slip":{"l":0.17,"r":0.18},"mode":"running",)"
             R"("target":{"yaw":-2.864789,"speed":10.0}})");
-}
-
-TEST(WorldMessage, EveryFieldIsInTheDocument) {
-  std::ostringstream text;
-  text << std::ifstream(source_path("daemon/worlds/WORLD.md")).rdbuf();
-  const auto explain = [&](const nlohmann::json& json, const auto& self) -> void {
-    for (const auto& [key, value] : json.items()) {
-      EXPECT_THAT(text.str(), HasSubstr("`" + key + "`"));
-      if (value.is_object()) self(value, self);
-    }
-  };
-  for (const std::string& message :
-       {encode(hello()), encode(report(), Frame::kRos), encode_error("x"), kWorld})
-    explain(nlohmann::json::parse(message), explain);
 }
 
 TEST(WorldMessage, TheLongestFitsADatagram) {
@@ -132,18 +105,11 @@ TEST(WorldMessage, SaysWhatTheWorldSaid) {
   EXPECT_EQ(m.sequence, 933u);
   EXPECT_EQ(m.answers, 4711u);
   EXPECT_EQ(m.stamp_s, 12.35);
-  ASSERT_TRUE(m.ground);
-  EXPECT_EQ(m.ground->height_m, 0.041);
-  EXPECT_EQ(m.ground->pitch_rad, -0.489);
-  EXPECT_EQ(m.ground->roll_rad, 0.02);
+  ASSERT_TRUE(m.ground && m.pose);
   EXPECT_EQ(m.ground->surface, "tarpaulin");
-  EXPECT_EQ(m.step_height_m, 0.037);
-  EXPECT_TRUE(m.blocked);
-  EXPECT_TRUE(m.stop);
-  ASSERT_TRUE(m.pose);
+  EXPECT_EQ(m.ground->roll_rad, 0.02);
+  EXPECT_TRUE(m.blocked && m.stop);
   EXPECT_EQ(m.pose->x_m, 0.61);
-  EXPECT_EQ(m.pose->pitch_rad, -0.48);
-  EXPECT_EQ(m.pose->yaw_rad, 0.02);
 }
 
 TEST(WorldMessage, IsReadInTheFrameOfTheWorld) {
@@ -171,49 +137,47 @@ TEST(WorldMessage, IsReadInTheFrameOfTheWorld) {
 }
 
 TEST(WorldMessage, OptionalBlocksMayBeMissingAndUnknownFieldsAreIgnored) {
-  EXPECT_EQ(verdict(R"({"v":1,"type":"world","seq":1,"ack":2})"), Verdict::kGood);
-  EXPECT_EQ(verdict(R"({"more":[{}],"v":1,"type":"world","seq":1,"ack":2,"ground":null,"x":{}})"),
-            Verdict::kGood);
-  EXPECT_EQ(verdict(R"({"v":1,"type":"welcome","session":3})"), Verdict::kGood);
-  EXPECT_EQ(verdict(kWorld + "\n"), Verdict::kGood);
+  for (const std::string& text :
+       {std::string(R"({"v":1,"type":"world","seq":1,"ack":2})"),
+        std::string(R"({"more":[{}],"v":1,"type":"world","seq":1,"ack":2,"ground":null,"x":{}})"),
+        std::string(R"({"v":1,"type":"welcome","session":3})"), kWorld + "\n"})
+    EXPECT_EQ(verdict(text), Verdict::kGood) << text;
 }
 
 TEST(WorldMessage, AnotherVersionIsToldApart) {
-  const Decoded decoded = decode_world(changed("\"v\":1", "\"v\":2"), Frame::kRos);
+  const Decoded decoded = decode_world(R"({"v":2,"type":"world"})", Frame::kRos);
   EXPECT_EQ(decoded.verdict, Verdict::kOtherVersion);
   EXPECT_EQ(decoded.version, 2);
 }
 
-TEST(WorldMessage, WhatIsNotOfTheFormatIsRefused) {
+TEST(WorldMessage, WhatIsNotOfTheFormatOrOutOfRangeIsRefused) {
   for (const char* text :
        {"", "[]", "null", "{}", "{\"v\":\"1\"}", "{\"v\":1}",
         R"({"v":1,"type":"pose","seq":1,"ack":1})", R"({"v":1,"type":"world","seq":1})",
         R"({"v":1,"type":"welcome"})", R"({"v":1,"type":7,"seq":1,"ack":1})"})
     EXPECT_EQ(verdict(text), Verdict::kMalformed) << text;
-  EXPECT_EQ(verdict(kWorld + "}"), Verdict::kMalformed);
-  EXPECT_EQ(verdict(changed("\"ack\":4711", "\"ack\":-1")), Verdict::kMalformed);
-  EXPECT_EQ(verdict(changed("\"ack\":4711", "\"ack\":1.5")), Verdict::kMalformed);
-  EXPECT_EQ(verdict(changed("\"ack\":4711", "\"ack\":18446744073709551615")), Verdict::kMalformed);
-  EXPECT_EQ(verdict(changed("\"estop\":true", "\"estop\":1")), Verdict::kMalformed);
-  EXPECT_EQ(verdict(changed("\"z\":0.041,", "")), Verdict::kMalformed);
-  EXPECT_EQ(verdict(changed("[0.61,0.03,0.04]", "[0.61,0.03]")), Verdict::kMalformed);
-  EXPECT_EQ(verdict(changed("\"rpy\":[0,-0.48,0.02]", "\"quat\":[0,0,0,0]")), Verdict::kMalformed);
-  EXPECT_EQ(verdict(changed("\"session\":7", "\"session\":4294967296")), Verdict::kMalformed);
-  EXPECT_EQ(verdict(changed("tarpaulin", std::string(65, 'a'))), Verdict::kMalformed);
-  EXPECT_EQ(verdict(std::string(600, '[') + std::string(600, ']')), Verdict::kMalformed);
-}
-
-TEST(WorldMessage, WhatIsOutOfRangeIsRefused) {
   for (const char* number : {"1e999", "-1e999", "NaN", "Infinity", "100.001", "-1e300", "\"1\""})
     EXPECT_EQ(verdict(changed("\"z\":0.041", "\"z\":" + std::string(number))), Verdict::kMalformed)
         << number;
-  EXPECT_EQ(verdict(changed("-0.489", "1.6")), Verdict::kMalformed);
-  EXPECT_EQ(verdict(changed("\"roll\":0.02", "\"roll\":-1.6")), Verdict::kMalformed);
-  EXPECT_EQ(verdict(changed("0.037", "-0.001")), Verdict::kMalformed);
-  EXPECT_EQ(verdict(changed("0.037", "1.001")), Verdict::kMalformed);
-  EXPECT_EQ(verdict(changed("[0.61", "[1000.1")), Verdict::kMalformed);
+  for (const auto& [from, to] : {std::pair{"\"ack\":4711", "\"ack\":-1"},
+                                 {"\"ack\":4711", "\"ack\":1.5"},
+                                 {"\"ack\":4711", "\"ack\":18446744073709551615"},
+                                 {"\"estop\":true", "\"estop\":1"},
+                                 {"\"z\":0.041,", ""},
+                                 {"[0.61,0.03,0.04]", "[0.61,0.03]"},
+                                 {"\"rpy\":[0,-0.48,0.02]", "\"quat\":[0,0,0,0]"},
+                                 {"\"session\":7", "\"session\":4294967296"},
+                                 {"-0.489", "1.6"},
+                                 {"\"roll\":0.02", "\"roll\":-1.6"},
+                                 {"0.037", "-0.001"},
+                                 {"0.037", "1.001"},
+                                 {"[0.61", "[1000.1"},
+                                 {"}}", "}}}"}})
+    EXPECT_EQ(verdict(changed(from, to)), Verdict::kMalformed) << to;
+  EXPECT_EQ(verdict(changed("tarpaulin", std::string(65, 'a'))), Verdict::kMalformed);
   EXPECT_EQ(verdict(changed("{\"v\"", "{\"pad\":\"" + std::string(1200, 'x') + "\",\"v\"")),
             Verdict::kMalformed);
+  EXPECT_EQ(verdict(std::string(600, '[') + std::string(600, ']')), Verdict::kMalformed);
 }
 
 // Unreal's JSON source reads these two.

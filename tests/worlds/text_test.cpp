@@ -1,3 +1,5 @@
+// Worlds that write text files: the encoders' text, and orientations in many writings.
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -29,13 +31,6 @@ TEST(EncoderText, FillsTheTemplateInTheFrame) {
   EXPECT_EQ(encoder_text("{left},{right},{y},{yaw} {mode}\\n", *record(), Frame::kUnreal),
             "10.000000,11.000000,-50.000000,-90.000000 running\n");
   EXPECT_EQ(encoder_text("{t_s}\\t{left_count}", *record(), Frame::kRos), "2.500000\t-5\n");
-}
-
-TEST(EncoderText, AnUnknownNameIsAnErrorAtTheStart) {
-  EXPECT_NO_THROW(require_encoder_template("{seq} {left} {right} end", "world.encoder_template"));
-  EXPECT_THROW(require_encoder_template("{wheel}", "k"), SetupError);
-  EXPECT_THROW(require_encoder_template("{left", "k"), SetupError);
-  EXPECT_THROW(require_encoder_template(std::string(501, 'x'), "k"), SetupError);
 }
 
 TEST(OrientationText, UnrealsOwnTextsAreUnderstood) {
@@ -85,36 +80,24 @@ TEST(OrientationText, ATemplateIsTakenLiterally) {
     EXPECT_FALSE(orientation_of(bad, pattern, Frame::kRos)) << bad;
 }
 
-TEST(OrientationText, ABadTemplateIsAnErrorAtTheStart) {
-  EXPECT_NO_THROW(require_orientation_template("", "k"));
-  EXPECT_NO_THROW(require_orientation_template("{pitch} {}", "k"));
-  EXPECT_THROW(require_orientation_template("{roll}", "k"), SetupError);
-  EXPECT_THROW(require_orientation_template("{pitch} {tilt}", "k"), SetupError);
-  EXPECT_THROW(require_orientation_template("{pitch", "k"), SetupError);
+TEST(WorldText, ABadTemplateIsAnErrorAtTheStart) {
+  EXPECT_NO_THROW(require_encoder_template("{seq} {left} {right} end", "k"));
+  for (const std::string& bad :
+       {std::string("{wheel}"), std::string("{left"), std::string(501, 'x')})
+    EXPECT_THROW(require_encoder_template(bad, "k"), SetupError) << bad;
+  for (const char* good : {"", "{pitch} {}"})
+    EXPECT_NO_THROW(require_orientation_template(good, "k"));
+  for (const char* bad : {"{roll}", "{pitch} {tilt}", "{pitch"})
+    EXPECT_THROW(require_orientation_template(bad, "k"), SetupError) << bad;
 }
 
 TEST(OrientationText, WhatIsIncompleteOrOutOfRangeIsRefused) {
-  for (const char* text : {"",
-                           "   ",
-                           "1 2",
-                           "1 2 3 4",
-                           "1 2 3 4 5 6 7",
-                           "P=1 Y=2",
-                           "P=1 Y=2 R=",
-                           "P=1 Y=2 R=3 X=1",
-                           "P=1 Y=2 R=3 R=4",
-                           "nan",
-                           "inf",
-                           "1e999",
-                           "2.0",
-                           "P=0 Y=1e9 R=0",
-                           "0 0 0 2001 0 0",
-                           "P=",
-                           "X=1 Y=2 Z=3",
-                           "0.1.2",
-                           "0x10",
-                           "up",
-                           "1001 0 0 0 0 0"})
+  for (const char* text : {"", "   ", "1 2", "1 2 3 4", "1 2 3 4 5 6 7", "0.1.2", "0x10", "up"})
+    EXPECT_FALSE(orientation_of(text, "", Frame::kRos)) << text;
+  for (const char* text : {"nan", "inf", "1e999", "2.0", "0 0 0 2001 0 0", "1001 0 0 0 0 0"})
+    EXPECT_FALSE(orientation_of(text, "", Frame::kRos)) << text;
+  for (const char* text : {"P=", "P=1 Y=2", "P=1 Y=2 R=", "P=1 Y=2 R=3 X=1", "P=1 Y=2 R=3 R=4",
+                           "P=0 Y=1e9 R=0", "X=1 Y=2 Z=3"})
     EXPECT_FALSE(orientation_of(text, "", Frame::kRos)) << text;
   std::string long_text(5001, ' ');
   long_text.back() = '1';
