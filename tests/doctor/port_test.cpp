@@ -1,5 +1,9 @@
+// What the doctor says of the port: which it is, who holds it, who may use it, and what USB and
+// ModemManager do.
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "../link/pty_pair.h"
 #include "../support/as_nobody.h"
@@ -31,13 +35,8 @@ TEST_F(Port, IsTheOnlyBoardWithItsStableName) {
   EXPECT_EQ(find(port.findings, "by-id").seen, "/dev/serial/by-id/usb-Arduino-7583");
 }
 
-TEST_F(Port, IsTheOneThatIsOpenWhateverElseIsPluggedIn) {
-  const ChosenPort port = choose_port(fake_.system(), "auto", {}, kDevice);
-  EXPECT_EQ(port.path, kDevice);
-  EXPECT_EQ(port.device, kDevice);
-}
-
-TEST_F(Port, IsFoundBehindALink) {
+TEST_F(Port, IsTheOneThatIsOpenOrIsFoundBehindALink) {
+  EXPECT_EQ(choose_port(fake_.system(), "auto", {}, kDevice).device, kDevice);
   fake_.link("/dev/robot", "ttyACM0");
   const ChosenPort port = choose_port(fake_.system(), "/dev/robot", {FakeSystem::mega()});
   EXPECT_EQ(port.path, "/dev/robot");
@@ -64,13 +63,18 @@ TEST_F(Port, ThatIsMissingSaysWhy) {
               "name it with --port");
 }
 
-TEST_F(Port, WithoutAStableNameIsNoted) {
+TEST_F(Port, WithoutAStableNameIsNotedUnlessItIsAPseudoTerminal) {
   expect_finding(choose_port(fake_.system(), "auto", {FakeSystem::mega()}).findings, "by-id",
                  Severity::kNote, "", "link.port");
   fake_.write("/dev/robot", "");
   const ChosenPort unknown = choose_port(fake_.system(), "/dev/robot", {});
   EXPECT_FALSE(unknown.pseudo_terminal);
   expect_finding(unknown.findings, "by-id", Severity::kNote);
+  const PtyPair pty;
+  const ChosenPort pseudo_terminal = choose_port(System(), pty.near(), {});
+  EXPECT_TRUE(pseudo_terminal.pseudo_terminal);
+  EXPECT_EQ(pseudo_terminal.findings.size(), 1U);
+  expect_finding(pseudo_terminal.findings, "device", Severity::kOk);
 }
 
 // The other board was plugged in while the daemon had the robot's port.
@@ -81,27 +85,14 @@ TEST_F(Port, OneOfSeveralIsBestNamedByItsStableName) {
                  Severity::kWarning, "", "link.port = \"/dev/serial/by-id/usb-Arduino-7583\"");
 }
 
-TEST_F(Port, ThatIsAPseudoTerminalHasNoStableName) {
-  const PtyPair pty;
-  const ChosenPort port = choose_port(System(), pty.near(), {});
-  EXPECT_TRUE(port.pseudo_terminal);
-  EXPECT_EQ(port.findings.size(), 1U);
-  expect_finding(port.findings, "device", Severity::kOk);
-}
-
-TEST_F(Port, ThatIsHeldNamesItsHolder) {
+TEST_F(Port, ThatIsHeldNamesItsHolderIfThisAccountCanSeeIt) {
   expect_finding(holder_findings(fake_.system(), kDevice), "holder", Severity::kOk);
   fake_.process("999999999", "minicom");
   fake_.opens("999999999", kDevice);
   expect_finding(holder_findings(fake_.system(), kDevice), "holder", Severity::kError,
                  "/dev/ttyACM0: held open by minicom (pid 999999999)", "end that program");
-}
-
-TEST_F(Port, ThatAnotherAccountMayHoldIsNotCalledFree) {
   if (::geteuid() != 0) GTEST_SKIP() << "only root can look as somebody else; run it as root";
-  ASSERT_EQ(::chmod(fake_.system().file("/").c_str(), 0755), 0);
-  fake_.process("999999999", "tp100d");
-  fake_.opens("999999999", kDevice);
+  fake_.mode("/", 0755);
   fake_.mode("/proc/999999999/fd", 0700);
   const test::AsNobody as_nobody;
   EXPECT_EQ(find(holder_findings(fake_.system(), kDevice), "holder").seen,
@@ -124,32 +115,76 @@ TEST_F(Port, IsProbedByAModemManagerThatRunsUnlessUdevToldIt) {
   expect_finding(findings(), "modem-manager", Severity::kOk);
 }
 
-TEST_F(Port, MayBePutToSleep) {
-  const std::string file = FakeSystem::kUsb + "/power/control";
-  fake_.write(file, "on\n");
-  expect_finding(usb_findings(fake_.system(), kDevice, FakeSystem::mega()), "autosuspend",
-                 Severity::kOk);
-  fake_.write(file, "auto\n");
-  expect_finding(usb_findings(fake_.system(), kDevice, FakeSystem::mega()), "autosuspend",
-                 Severity::kWarning, "", "echo on | sudo tee " + file);
-}
-
-TEST_F(Port, MayKeepBytesBack) {
-  const std::string file = FakeSystem::kUsb + "/1-1:1.0/latency_timer";
+TEST_F(Port, MayBePutToSleepOrKeepBytesBackOrBeBehindACh340) {
+  const auto findings = [&] { return usb_findings(fake_.system(), kDevice, FakeSystem::mega()); };
+  EXPECT_THAT(findings(), IsEmpty());
+  const std::string power = FakeSystem::kUsb + "/power/control";
+  fake_.write(power, "on\n");
+  expect_finding(findings(), "autosuspend", Severity::kOk);
+  fake_.write(power, "auto\n");
+  expect_finding(findings(), "autosuspend", Severity::kWarning, "", "echo on | sudo tee " + power);
+  const std::string timer = FakeSystem::kUsb + "/1-1:1.0/latency_timer";
   fake_.link(FakeSystem::kUsb + "/1-1:1.0/tty/ttyACM0/device", "../..");
-  fake_.write(file, "16\n");
-  expect_finding(usb_findings(fake_.system(), kDevice, FakeSystem::mega()), "latency-timer",
-                 Severity::kWarning, "16 ms",
+  fake_.write(timer, "16\n");
+  expect_finding(findings(), "latency-timer", Severity::kWarning, "16 ms",
                  "echo 1 | sudo tee /sys/class/tty/ttyACM0/device/latency_timer");
-  fake_.write(file, "1\n");
-  expect_finding(usb_findings(fake_.system(), kDevice, FakeSystem::mega()), "latency-timer",
-                 Severity::kOk);
-}
-
-TEST_F(Port, BehindACh340IsNoted) {
+  fake_.write(timer, "1\n");
+  expect_finding(findings(), "latency-timer", Severity::kOk);
   const link::PortInfo clone{kDevice, 0x1a86, 0x7523, "", "", ""};
   expect_finding(usb_findings(fake_.system(), kDevice, clone), "bridge", Severity::kNote, "CH340");
-  EXPECT_THAT(usb_findings(fake_.system(), kDevice, FakeSystem::mega()), IsEmpty());
+}
+
+/// A device that belongs to the default group of new files; alice is not a member.
+class Permission : public testing::Test {
+ protected:
+  Permission() {
+    fake_.plug_in_mega();
+    fake_.mode(kDevice, 0660);
+    write_group("");
+  }
+  void write_group(const std::string& members) {
+    fake_.write("/etc/group", "root:x:99991:\ndialout:x:" + std::to_string(gid()) + ":" + members +
+                                  "\nusers:x:99992:alice\n");
+  }
+  gid_t gid() const { return fake_.system().device(kDevice)->gid; }
+  /// The only finding for an account to which the kernel denies access.
+  Findings look(const Account& account) const {
+    Findings findings = permission_findings(fake_.system(), kDevice, account, false);
+    EXPECT_EQ(findings.size(), 1U);
+    return findings;
+  }
+  Account alice() const { return {"alice", {gid() + 1}}; }
+
+  FakeSystem fake_;
+};
+
+TEST_F(Permission, ThatIsMissingIsAnErrorThatSaysHowToGetIt) {
+  expect_finding(look(alice()), "permission", Severity::kError, "alice is not in group dialout",
+                 "sudo adduser alice dialout");
+  // Alice is in the group, but her session began before.
+  write_group("bob,alice");
+  expect_finding(look(alice()), "group", Severity::kError, "", "log out and in again");
+  expect_finding(look(alice()), "group", Severity::kError, "", "newgrp dialout");
+  // The session has the group, too: an access list forbids it.
+  Account account = alice();
+  account.groups.push_back(gid());
+  expect_finding(look(account), "permission", Severity::kError, "", "getfacl /dev/ttyACM0");
+  // The group itself has no permission.
+  fake_.mode(kDevice, 0600);
+  expect_finding(look(alice()), "permission", Severity::kError, "mode 0600", "plug it in again");
+}
+
+// udev lets the user at the machine in by an access list, which mode and groups do not show.
+TEST_F(Permission, IsTheKernelsToSay) {
+  EXPECT_EQ(permission_findings(fake_.system(), kDevice, alice(), true).at(0).severity,
+            Severity::kOk);
+  if (::geteuid() != 0) GTEST_SKIP() << "only root can look as somebody else; run it as root";
+  fake_.mode("/", 0755);
+  for (const mode_t mode : {0660U, 0662U, 0664U, 0666U}) {
+    fake_.mode(kDevice, mode);
+    const test::AsNobody as_nobody;
+    EXPECT_EQ(fake_.system().usable(kDevice), mode == 0666) << mode;
+  }
 }
 
 }  // namespace

@@ -1,13 +1,19 @@
-// What the doctor says about a robot whose hello, state or link is not as it should be.
+// What the doctor says about a robot whose hello, state or link is not as it should be, as a table
+// and as JSON; and what it reads from a hello of any version.
 
 #include "doctor/robot.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <functional>
+#include <nlohmann/json.hpp>
 
+#include "doctor/hello.h"
 #include "fake_system.h"
+#include "wire/frame.h"
+#include "wire/messages.h"
 
 namespace tp100::doctor {
 namespace {
@@ -49,6 +55,9 @@ TEST(Robot, ThatIsWellHasNothingToFix) {
   EXPECT_THAT(find(findings, "link").seen, HasSubstr("age 1.50/2.00/3.00/4.00 ms"));
   EXPECT_THAT(find(findings, "link").seen, HasSubstr("round trip 5.00/6.00/7.00/8.00 ms"));
   EXPECT_THAT(find(findings, "start").seen, HasSubstr("waits for Enter"));
+  ProbeResult without_clock = good_probe();
+  without_clock.link->clock_known = false;
+  EXPECT_EQ(find(robot_findings(without_clock), "clock").name, "none");
 }
 
 // Without a hello of this firmware nothing else is known.
@@ -141,10 +150,87 @@ TEST(Robot, EveryDefectIsTheOnlyOneThatIsFound) {
   }
 }
 
-TEST(Robot, WhoseClockIsNotKnownHasNoFindingAboutIt) {
-  ProbeResult probe = good_probe();
-  probe.link->clock_known = false;
-  EXPECT_EQ(find(robot_findings(probe), "clock").name, "none");
+const Findings kFindings = {{Severity::kError, "holder", "held open by cat", "end that program"},
+                            {Severity::kNote, "by-id", "no name", "see tp100d ports"},
+                            ok("disk", "200 MB/s")};
+
+TEST(Report, OfAnExaminationIsATableWithEachFix) {
+  EXPECT_EQ(table(kFindings),
+            "error    holder  held open by cat\n"
+            "                 fix: end that program\n"
+            "note     by-id   no name\n"
+            "                 fix: see tp100d ports\n"
+            "ok       disk    200 MB/s\n"
+            "1 error, 0 warnings, 1 note\n");
+}
+
+TEST(Report, OfAnExaminationIsOneJsonObject) {
+  LinkTest link;
+  link.samples = 200;
+  link.confirmed = 120;
+  link.counters.lost = 1;
+  link.counters.crc_errors = 2;
+  link.counters.cobs_errors = 3;
+  link.counters.duplicated = 4;
+  link.counters.implausible = 5;
+  link.age = {10.0, 20.0, 30.0, 40.0};
+  link.round_trip = {50.0, 60.0, 70.0, 80.0};
+  const std::string text = json(kFindings, "/dev/\xff", link);
+  EXPECT_EQ(text.find('\n'), text.size() - 1);
+  const auto read = nlohmann::json::parse(text);
+  EXPECT_EQ(read["errors"], 1);
+  EXPECT_EQ(read["warnings"], 0);
+  EXPECT_EQ(read["notes"], 1);
+  ASSERT_EQ(read["findings"].size(), 3U);
+  EXPECT_EQ(read["findings"][0], nlohmann::json::parse(R"({"severity":"error","name":"holder",
+      "seen":"held open by cat","fix":"end that program"})"));
+  EXPECT_EQ(read["link"], nlohmann::json::parse(R"({"duration_s":0.0,"samples":200,"lost":1,
+      "crc_errors":2,"cobs_errors":3,"duplicated":4,"implausible":5,"commands_confirmed":120,
+      "age_us":{"p50":10.0,"p90":20.0,"p99":30.0,"max":40.0},
+      "round_trip_us":{"p50":50.0,"p90":60.0,"p99":70.0,"max":80.0},
+      "clock_uncertainty_us":0.0,"clock_drift_ppm":0.0})"));
+  EXPECT_TRUE(nlohmann::json::parse(json({}, "", std::nullopt))["link"].is_null());
+}
+
+/// The payload of a hello.
+std::array<std::uint8_t, wire::Hello::kSize> payload(std::uint16_t protocol, std::uint32_t schema) {
+  wire::Hello hello{};
+  hello.protocol = protocol;
+  hello.firmware[0] = 3;
+  hello.firmware[1] = 20;
+  hello.firmware[2] = 100;
+  hello.schema = schema;
+  hello.board = static_cast<std::uint8_t>(wire::BoardType::kMega2560);
+  hello.boot_nonce = 7;
+  std::array<std::uint8_t, wire::Hello::kSize> bytes{};
+  wire::Writer writer(bytes.data());
+  hello.visit(writer);
+  return bytes;
+}
+
+TEST(HelloReply, NamesBoardFirmwareAndProtocol) {
+  auto bytes = payload(wire::kProtocolVersion, wire::kSchemaHash);
+  EXPECT_EQ(read_hello(bytes.data(), 8).text, "") << "too short";
+  const HelloReply hello = read_hello(bytes.data(), bytes.size());
+  EXPECT_TRUE(hello.ours);
+  EXPECT_EQ(hello.text,
+            "a Mega 2560, firmware 3.20.100, protocol " + std::to_string(wire::kProtocolVersion));
+  bytes[9] = static_cast<std::uint8_t>(wire::BoardType::kFakeRobot);
+  EXPECT_THAT(read_hello(bytes.data(), bytes.size()).text,
+              HasSubstr("robot simulated inside the board"));
+}
+
+TEST(HelloReply, OfAnotherVersionNamesBothAndAsksForFlashing) {
+  const auto other = payload(wire::kProtocolVersion + 1, 0xABCD);
+  // Only the first nine bytes of a hello are guaranteed in every version.
+  for (const std::size_t size : {std::size_t{9}, other.size()}) {
+    const HelloReply hello = read_hello(other.data(), size);
+    EXPECT_FALSE(hello.ours);
+    EXPECT_THAT(hello.text, HasSubstr("firmware 3.20.100"));
+    EXPECT_THAT(hello.text, HasSubstr("schema 0000abcd"));
+    EXPECT_THAT(hello.text, ::testing::EndsWith(
+                                "; flash the board with scripts/flash (installed: tp100-flash)"));
+  }
 }
 
 }  // namespace
