@@ -26,10 +26,6 @@ PARTS = {
              "the median of five passes", [
         ("setup", "set-up", "<7s"), ("steps", "steps", "6d"), ("which", "which", "<22s"), ("caches", "caches", "<6s"),
         ("p50_us", "p50", "7.2f"), ("p99_us", "p99", "7.2f"), ("p999_us", "p99.9", "7.2f"), ("max_us", "max", "8.2f")]),
-    "clock": ("error of the clock sync against the board's own clock [us], virtual time", [
-        ("ppm", "ppm", "6.0f"), ("to_host_ms", "to host every ms", "6d"), ("to_robot_ms", "to robot every ms", "6d"),
-        ("p50_us", "p50", "8.1f"), ("p99_us", "p99", "8.1f"), ("max_us", "max", "8.1f"),
-        ("first_p99_us", "p99 of first 35 s", "8.1f")]),
 }
 
 

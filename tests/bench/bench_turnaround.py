@@ -2,9 +2,9 @@
 
 Usage: bench_turnaround.py FOLDER_OF_PROGRAMS. Waking a program on another processor takes longer than all the work of a
 bridge, and the kernel's placement is random. Therefore three placements are distinguished: "together" (robot and peer
-on one processor), "apart" (on two) and "any" (chosen by the kernel); ratios are taken within each. On a busy machine
-the kernel moves an ordinary program to the processor of the program that wakes it, but not one at SCHED_FIFO: so each
-bridge is also compared with an echo of the same priority ("/own").
+on one processor), "apart" (on two) and "any" (chosen by the kernel); ratios are taken within each. The bridge is
+compared with an echo of its own priority, because on a busy machine the kernel moves an ordinary program to the
+processor of the program that wakes it.
 """
 import collections
 import json
@@ -16,13 +16,7 @@ import tempfile
 
 from bench_table import Busy, Table, percentile, ratio, rounds, seconds
 
-BASE = "bare C echo"
-FIFO = "C echo, FIFO"
-OURS = "tp100d, robot-paced"
-ORDINARY = "tp100d, ordinary"
-# By design, its median is the wait for the loop's next cycle.
-HOST_PACED = "tp100d, host-paced"
-OWN_ECHO = {OURS: FIFO, HOST_PACED: FIFO, FIFO: FIFO}
+BASE = "C echo, FIFO"
 LAST = str(os.cpu_count() - 1)
 # Placement: (processor of the robot, processor of the peer); None: any.
 PLACEMENTS = {"any": (None, None), "together": (LAST, LAST)} | ({"apart": ("0", LAST)} if LAST != "0" else {})
@@ -30,20 +24,19 @@ PLACEMENTS = {"any": (None, None), "together": (LAST, LAST)} | ({"apart": ("0", 
 
 def peers(programs, folder):
     """The peers that answer, as (kind, command)."""
-    def daemon(pacing, *more):
-        config = os.path.join(folder, "-".join((pacing, *more)) + ".toml")
+    def daemon(pacing):
+        config = os.path.join(folder, pacing + ".toml")
         with open(config, "w") as file:
-            file.write("\n".join(("[loop]", f'pacing = "{pacing}"', *more, "")))
+            file.write(f'[loop]\npacing = "{pacing}"\n')
         return ("daemon", [os.path.join(programs, "tp100d"), "run", "--port", "PORT", "--listen", "off",
                            "--config", config])
 
     echo = [os.path.abspath(os.path.join(programs, "turnaround_bench")), "--echo", "PORT"]
     return {
-        BASE: ("echo", echo),
-        FIFO: ("echo", [shutil.which("chrt"), "-f", "80", *echo]),
-        OURS: daemon("robot"),
-        ORDINARY: daemon("robot", "priority = 0"),
-        HOST_PACED: daemon("host"),
+        BASE: ("echo", [shutil.which("chrt"), "-f", "80", *echo]),
+        "tp100d, robot-paced": daemon("robot"),
+        # By design, its median is the wait for the loop's next cycle.
+        "tp100d, host-paced": daemon("host"),
     }
 
 
@@ -77,11 +70,9 @@ def show(table, load, placement, times, lost):
     figures = {name: {f"{key}_us": percentile(of, share) for key, share in
                       (("p50", 0.5), ("p99", 0.99), ("p999", 0.999))} for name, of in times.items() if of}
     for name, of in figures.items():
-        own = figures[OWN_ECHO.get(name, BASE)]
         table.row(load=load, placement=placement, peer=name, count=len(times[name]), unanswered=lost[name], **of,
                   p50_ratio=ratio(of["p50_us"], figures[BASE]["p50_us"]),
-                  p99_ratio=ratio(of["p99_us"], figures[BASE]["p99_us"]),
-                  p50_own_ratio=ratio(of["p50_us"], own["p50_us"]), p99_own_ratio=ratio(of["p99_us"], own["p99_us"]))
+                  p99_ratio=ratio(of["p99_us"], figures[BASE]["p99_us"]))
 
 
 def main():
@@ -90,7 +81,6 @@ def main():
                   [("load", "load", "<4s"), ("placement", "placed", "<8s"), ("peer", "answered by", "<24s"),
                    ("count", "samples", "6d"), ("p50_us", "p50", "9.1f"), ("p99_us", "p99", "9.1f"),
                    ("p999_us", "p99.9", "9.1f"), ("p50_ratio", "/C p50", "8.2f"), ("p99_ratio", "/C p99", "8.2f"),
-                   ("p50_own_ratio", "/own p50", "8.2f"), ("p99_own_ratio", "/own p99", "8.2f"),
                    ("unanswered", "lost", "4d")])
     with tempfile.TemporaryDirectory(prefix="tp100-bench-") as folder:
         candidates = peers(programs, folder)

@@ -5,7 +5,6 @@
 #include <array>
 #include <chrono>
 #include <cstdio>
-#include <string>
 #include <vector>
 
 #include "app/replay.h"
@@ -74,18 +73,16 @@ void bench(bridge::Setup setup) {
   const test::KeptRun run = test::keep_course_3(setup);
   for (const bool cold : {false, true}) {
     const std::vector<Passes> us = times(run, cold);
-    std::vector<double> running, with_camera, every;
+    std::vector<double> running, with_camera;
     for (std::size_t i = 0; i < us.size(); ++i) {
       const StepRecord& record = run.records[i];
       if (record.snapshot.run_state != RunState::kRunning) continue;
       running.push_back(median(us[i]));
-      every.insert(every.end(), us[i].begin(), us[i].end());
       if (!record.inputs.camera.empty()) with_camera.push_back(running.back());
     }
     const char* name = bridge::to_string(setup);
     print(name, "all while it drives", cold, running);
     print(name, "with a camera pose", cold, with_camera);
-    print(name, "every single time", cold, every);
   }
 }
 
