@@ -35,19 +35,14 @@ double idle_s() {
 }
 
 class TestTime : public testing::EmptyTestEventListener {
+  void OnTestEnd(const testing::TestInfo& test) override {
+    name_ = std::string(test.test_suite_name()) + '.' + test.name();
+  }
   void OnTestProgramEnd(const testing::UnitTest& program) override {
     const char* file = std::getenv("TP100_TEST_TIMES");
     if (file == nullptr || *file == 0 || program.test_to_run_count() != 1) return;
-    std::string name;
-    for (int i = 0; i < program.total_test_suite_count(); ++i) {
-      const testing::TestSuite& suite = *program.GetTestSuite(i);
-      for (int k = 0; k < suite.total_test_count(); ++k) {
-        const testing::TestInfo& test = *suite.GetTestInfo(k);
-        if (test.should_run()) name = std::string(suite.name()) + '.' + test.name();
-      }
-    }
     char line[400];
-    const int size = std::snprintf(line, sizeof line, "%s\t%.3f\t%.3f\t%.3f\n", name.c_str(),
+    const int size = std::snprintf(line, sizeof line, "%s\t%.3f\t%.3f\t%.3f\n", name_.c_str(),
                                    1e-3 * double(program.elapsed_time()),
                                    processor_s(RUSAGE_SELF) + processor_s(RUSAGE_CHILDREN),
                                    idle_s() - idle_before_s_);
@@ -59,6 +54,7 @@ class TestTime : public testing::EmptyTestEventListener {
   }
 
   const double idle_before_s_ = idle_s();
+  std::string name_;
 };
 
 [[maybe_unused]] const bool kListens = [] {
