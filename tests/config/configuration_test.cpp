@@ -9,6 +9,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "config/world_settings.h"
 #include "core/arithmetic.h"
 #include "support/paths.h"
 #include "support/refusal.h"
@@ -91,6 +92,24 @@ TEST(Configuration, TheRobotGivesModelAndDriveAndTheConfigurationTheTurningThres
   EXPECT_EQ(parameters.model.wheelbase_m, 0.3);
   EXPECT_EQ(parameters.drive.dead_band, 0.25);
   EXPECT_EQ(parameters.model.turning_threshold_radps, 0.2);
+}
+
+TEST(Configuration, AWorldIsToldWhatIsInForce) {
+  WorldRun run{.parameters = {},
+               .settings = {},
+               .version = "1",
+               .course = "3",
+               .setup = "flat",
+               .surfaces = {{"sand", 0.2}}};
+  run.parameters.owns_pose = true;
+  run.settings.rate_hz = 50.0;
+  const worlds::PeerSettings told = peer_settings(run, 7, true);
+  EXPECT_EQ(told.hello.session, 7U);
+  EXPECT_EQ(told.hello.authority, worlds::Authority::kWorld);
+  EXPECT_EQ(told.hello.rate_hz, 50.0);
+  EXPECT_TRUE(told.hello.lockstep);
+  EXPECT_EQ(told.hello.version + told.hello.course + told.hello.setup, "13flat");
+  EXPECT_EQ(told.surfaces.at(0).second, 0.2);
 }
 
 }  // namespace

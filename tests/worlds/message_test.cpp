@@ -140,7 +140,8 @@ TEST(WorldMessage, OptionalBlocksMayBeMissingAndUnknownFieldsAreIgnored) {
   for (const std::string& text :
        {std::string(R"({"v":1,"type":"world","seq":1,"ack":2})"),
         std::string(R"({"more":[{}],"v":1,"type":"world","seq":1,"ack":2,"ground":null,"x":{}})"),
-        std::string(R"({"v":1,"type":"welcome","session":3})"), kWorld + "\n"})
+        std::string(R"({"v":1,"type":"welcome","session":3})"), kWorld + "\n",
+        changed("0.037", "1.0")})
     EXPECT_EQ(verdict(text), Verdict::kGood) << text;
 }
 
