@@ -1,30 +1,18 @@
 #include <CLI/CLI.hpp>
 #include <csignal>
-#include <cstdint>
 #include <functional>
-#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "sim/campaign/campaign_command.h"
 #include "sim/robot/commands.h"
-#include "sim/study/commands.h"
-#include "sim/study/reproduce.h"
+#include "sim/trials/commands.h"
 #include "text/standard_streams.h"
 
 namespace {
 
 using namespace tp100::sim;
-
-/// Checks a seed: 0 or more. CLI11 alone would accept -7 as a large number.
-std::string why_no_seed(const std::string& text) {
-  const std::string most = std::to_string(std::numeric_limits<std::uint64_t>::max());
-  const bool digits = text.find_first_not_of("0123456789") == std::string::npos;
-  const bool fits = text.size() < most.size() || (text.size() == most.size() && text <= most);
-  if (!text.empty() && digits && fits) return {};
-  return "Value " + text + " not in range 0 to " + most;
-}
 
 void add_seed(CLI::App& app, Options& options) {
   app.add_option("--seed", options.seed, "Seed of this run's noise, 0 or more")
@@ -161,46 +149,6 @@ void add_slope_command(CLI::App& app, Action& action) {
   command->callback([&action] { action = [] { return run_slope(slope); }; });
 }
 
-void add_reproduce_command(CLI::App& app, Action& action) {
-  static ReproduceCommand reproduce;
-  CLI::App* command = app.add_subcommand(
-      "reproduce", "Drive the paper's whole experiment; writes a page and a JSON file of figures");
-  command->add_option("--out", reproduce.out, "Folder for page, JSON and trajectories")
-      ->type_name("FOLDER")
-      ->capture_default_str();
-  command
-      ->add_option("--part", reproduce.part,
-                   "paper (reference robot), state (slopes and steps, camera noise), robots (all "
-                   "others), uneven (floors sampled from the seed), covariance (does it contain "
-                   "the true pose?), constants (which of the model's pay), sampled (robots drawn "
-                   "from stated ranges), held-out (courses that are not bundled), real (measured "
-                   "data of real robots), avr (course 3 on the image), all of these, or random "
-                   "(50 random courses a run)")
-      ->type_name("PART")
-      ->capture_default_str();
-  command
-      ->add_option("--body", reproduce.body,
-                   "ode, or shear: every robot is identified on the other contact law, then driven "
-                   "on courses that are not used for calibration (default: ode)")
-      ->type_name("BODY");
-  command->add_option("--seed", reproduce.seed, "First seed")
-      ->check(why_no_seed)
-      ->type_name("NUMBER")
-      ->capture_default_str();
-  command->add_option("--runs", reproduce.runs, "Seeds per course, each driven in both directions")
-      ->check(CLI::Range(1, 10000))
-      ->type_name("NUMBER")
-      ->capture_default_str();
-  command
-      ->add_option("--sampled", reproduce.sampled,
-                   "Robots to draw from the ranges in sim/study/sampled.h; each is identified "
-                   "first, then drives every course")
-      ->check(CLI::Range(0, 10000))
-      ->type_name("NUMBER")
-      ->capture_default_str();
-  command->callback([&action] { action = [] { return run_reproduce(reproduce); }; });
-}
-
 void add_calibrate_command(CLI::App& app, Action& action) {
   static CalibrateCommand calibrate;
   CLI::App* command = app.add_subcommand(
@@ -225,21 +173,6 @@ void add_calibrate_command(CLI::App& app, Action& action) {
       ->capture_default_str();
   command->add_option("--out", calibrate.out, "Folder for the recordings (CSV)")
       ->type_name("FOLDER");
-  command->add_flag("--auto", calibrate.by_itself,
-                    "Choose the manoeuvres that narrow the intervals most; prints the seconds of "
-                    "driving that they took");
-  command
-      ->add_option("--course", calibrate.area,
-                   "With --auto: course whose fence the manoeuvres stay within")
-      ->type_name("COURSE")
-      ->capture_default_str();
-  command
-      ->add_option("--sampled", calibrate.sampled,
-                   "With --auto: also calibrate this many robots drawn from the ranges in "
-                   "sim/study/sampled.h and, without --robot, all bundled robots")
-      ->check(CLI::Range(0, 10000))
-      ->type_name("NUMBER")
-      ->capture_default_str();
   command->add_flag("--json", calibrate.json, "One JSON object a line instead of tables");
   command->callback([&action] { action = [] { return run_calibrate(calibrate); }; });
 }
@@ -271,12 +204,6 @@ void add_faults_command(CLI::App& app, Action& action) {
   command->add_flag(
       "--drive", faults.drive,
       "Drive with each fault in virtual time; print expected and seen behaviour as a table");
-  command->add_flag(
-      "--encoders", faults.encoders,
-      "Let encoders fail at every speed and place, with three robots; print the worst "
-      "cases until the motors are off as a table");
-  command->add_flag("--firmware-alone", faults.firmware_alone,
-                    "With --encoders: without the daemon's own checks");
   command->add_option("--board", faults.board, "native or avr")
       ->type_name("BOARD")
       ->capture_default_str();
@@ -332,7 +259,6 @@ int run(int argc, char** argv) {
   add_course_command(app, action);
   add_robot_command(app, action);
   add_slope_command(app, action);
-  add_reproduce_command(app, action);
   add_calibrate_command(app, action);
   add_demo_command(app, action);
   add_faults_command(app, action);

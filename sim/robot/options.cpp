@@ -1,5 +1,7 @@
 #include "sim/robot/options.h"
 
+#include <limits>
+
 #include "core/error.h"
 #include "course/bundled_files.h"
 
@@ -43,6 +45,14 @@ void change(course::TextFile& file, const text::NamedValues& values) {
 }
 
 }  // namespace
+
+std::string why_no_seed(const std::string& text) {
+  const std::string most = std::to_string(std::numeric_limits<std::uint64_t>::max());
+  const bool digits = text.find_first_not_of("0123456789") == std::string::npos;
+  const bool fits = text.size() < most.size() || (text.size() == most.size() && text <= most);
+  if (!text.empty() && digits && fits) return {};
+  return "Value " + text + " not in range 0 to " + most;
+}
 
 Loaded load(const Options& options) {
   Loaded loaded;

@@ -28,6 +28,10 @@ struct Options {
   text::NamedValues robot_values{};          ///< override those in the robot's file
 };
 
+/// Why `text` is no seed, 0 or more, in one line; empty if it is one. CLI11 alone would accept -7
+/// as a large number.
+std::string why_no_seed(const std::string& text);
+
 /// Everything loaded. Throws SetupError.
 struct Loaded {
   BoardKind board = BoardKind::kNative;

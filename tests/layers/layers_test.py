@@ -22,7 +22,8 @@ LAYERS = [
     'selftest',
     'live',
     'app sim/robot',
-    'sim/study sim/campaign',
+    'sim/trials sim/campaign',
+    'sim/lab',
 ]
 
 

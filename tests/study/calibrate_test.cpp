@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/arithmetic.h"
-#include "sim/study/commands.h"
-#include "sim/study/constants_study.h"
-#include "sim/study/study.h"
+#include "sim/trials/commands.h"
+#include "sim/lab/constants_study.h"
+#include "sim/lab/study.h"
 
 namespace tp100::sim {
 namespace {

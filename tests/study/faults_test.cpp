@@ -14,8 +14,8 @@
 #include "course/bundled_files.h"
 #include "live/link_monitor.h"
 #include "live/live_events.h"
-#include "sim/study/encoder_study.h"
-#include "sim/study/fault_study.h"
+#include "sim/lab/encoder_study.h"
+#include "sim/trials/fault_study.h"
 #include "support/paths.h"
 
 namespace tp100::sim {

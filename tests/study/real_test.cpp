@@ -4,8 +4,8 @@
 #include <cmath>
 #include <random>
 
-#include "sim/study/real_study.h"
-#include "sim/study/reproduce.h"
+#include "sim/lab/real_study.h"
+#include "sim/lab/reproduce.h"
 
 namespace tp100::sim {
 namespace {

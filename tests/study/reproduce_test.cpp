@@ -1,4 +1,4 @@
-#include "sim/study/reproduce.h"
+#include "sim/lab/reproduce.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -18,9 +18,9 @@
 #include "identify/identify_report.h"
 #include "model/track_model.h"
 #include "sim/robot/options.h"
-#include "sim/study/commands.h"
-#include "sim/study/random_study.h"
-#include "sim/study/sampled.h"
+#include "sim/trials/commands.h"
+#include "sim/lab/random_study.h"
+#include "sim/lab/sampled.h"
 #include "terrain/climbable.h"
 
 namespace tp100::sim {

@@ -10,11 +10,11 @@
 #include "report/metrics.h"
 #include "sim/robot/lockstep.h"
 #include "sim/robot/options.h"
-#include "sim/study/body_turn.h"
-#include "sim/study/commands.h"
-#include "sim/study/covariance_study.h"
-#include "sim/study/reproduce.h"
-#include "sim/study/state_study.h"
+#include "sim/trials/body_turn.h"
+#include "sim/trials/commands.h"
+#include "sim/lab/covariance_study.h"
+#include "sim/lab/reproduce.h"
+#include "sim/lab/state_study.h"
 
 namespace tp100::sim {
 namespace {

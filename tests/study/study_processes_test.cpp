@@ -1,4 +1,4 @@
-#include "sim/study/study_processes.h"
+#include "sim/lab/study_processes.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

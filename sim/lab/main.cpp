@@ -1,0 +1,143 @@
+// tp100-lab: asks whether the model is right. What drives a robot is tp100d and tp100-sim.
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <functional>
+#include <string>
+
+#include "sim/lab/auto_study.h"
+#include "sim/lab/encoder_study.h"
+#include "sim/lab/reproduce.h"
+#include "sim/robot/options.h"
+#include "text/standard_streams.h"
+
+namespace {
+
+using namespace tp100::sim;
+
+/// The requested command.
+using Action = std::function<int()>;
+
+template <class Number>
+void add_seed(CLI::App& app, Number& seed) {
+  app.add_option("--seed", seed, "First seed, 0 or more")
+      ->check(why_no_seed)
+      ->type_name("NUMBER")
+      ->capture_default_str();
+}
+
+void add_board(CLI::App& app, std::string& board) {
+  app.add_option("--board", board, "What runs the firmware: native or avr")
+      ->type_name("BOARD")
+      ->capture_default_str();
+}
+
+void add_reproduce_command(CLI::App& app, Action& action) {
+  static ReproduceCommand reproduce;
+  CLI::App* command = app.add_subcommand(
+      "reproduce", "Drive the paper's whole experiment; writes a page and a JSON file of figures");
+  command->add_option("--out", reproduce.out, "Folder for page, JSON and trajectories")
+      ->type_name("FOLDER")
+      ->capture_default_str();
+  command
+      ->add_option("--part", reproduce.part,
+                   "paper (reference robot), state (slopes and steps, camera noise), robots (all "
+                   "others), uneven (floors sampled from the seed), covariance (does it contain "
+                   "the true pose?), constants (which of the model's pay), sampled (robots sampled "
+                   "from stated ranges), held-out (courses that are not bundled), real (measured "
+                   "data of real robots), avr (course 3 on the image), all of these, or random "
+                   "(50 random courses a run)")
+      ->type_name("PART")
+      ->capture_default_str();
+  command
+      ->add_option("--body", reproduce.body,
+                   "ode, or shear: every robot is identified on the other contact law, then driven "
+                   "on courses that are not used for calibration (default: ode)")
+      ->type_name("BODY");
+  add_seed(*command, reproduce.seed);
+  command->add_option("--runs", reproduce.runs, "Seeds per course, each driven in both directions")
+      ->check(CLI::Range(1, 10000))
+      ->type_name("NUMBER")
+      ->capture_default_str();
+  command
+      ->add_option("--sampled", reproduce.sampled,
+                   "Robots to sample from the ranges in sim/lab/sampled.h; each is identified "
+                   "first, then drives every course")
+      ->check(CLI::Range(0, 10000))
+      ->type_name("NUMBER")
+      ->capture_default_str();
+  command->callback([&action] { action = [] { return run_reproduce(reproduce); }; });
+}
+
+void add_identify_command(CLI::App& app, Action& action) {
+  static AutoCommand identify;
+  CLI::App* command = app.add_subcommand(
+      "identify", "Let emulated robots choose their manoeuvres until they are identified");
+  add_board(*command, identify.options.board);
+  command->add_option("--body", identify.options.body, "ode or shear (default: the robot file's)")
+      ->type_name("BODY");
+  command
+      ->add_option("--floor", identify.options.floor, "even or uneven (default: the robot file's)")
+      ->type_name("FLOOR");
+  command
+      ->add_option("--robot", identify.options.robot,
+                   "Name in config/robots or file (default: end-loaded; with --sampled all)")
+      ->type_name("ROBOT");
+  add_seed(*command, identify.options.seed);
+  command->add_option("--runs", identify.runs, "Identifications with this and the following seeds")
+      ->check(CLI::Range(1, 10000))
+      ->type_name("NUMBER")
+      ->capture_default_str();
+  command
+      ->add_option("--course", identify.area, "Course whose fence the manoeuvres stay within")
+      ->type_name("COURSE")
+      ->capture_default_str();
+  command
+      ->add_option("--sampled", identify.sampled,
+                   "Also this many robots sampled from the ranges in sim/lab/sampled.h")
+      ->check(CLI::Range(0, 10000))
+      ->type_name("NUMBER")
+      ->capture_default_str();
+  command->callback([&action] { action = [] { return run_auto(identify); }; });
+}
+
+void add_encoders_command(CLI::App& app, Action& action) {
+  static Options options;
+  static bool firmware_alone = false;
+  CLI::App* command = app.add_subcommand(
+      "encoders",
+      "Let encoders fail at every speed and place, with three robots; print the worst cases until "
+      "the motors are off as a table");
+  add_board(*command, options.board);
+  command->add_flag("--firmware-alone", firmware_alone, "Without the daemon's own checks");
+  command->callback(
+      [&action] { action = [] { return run_encoders(load(options).board, !firmware_alone); }; });
+}
+
+int run(int argc, char** argv) {
+  CLI::App app{"The laboratory of tp100: studies that ask whether its model is right", "tp100-lab"};
+  app.set_version_flag("--version", TP100_VERSION);
+  app.require_subcommand(1);
+
+  Action action;
+  add_reproduce_command(app, action);
+  add_identify_command(app, action);
+  add_encoders_command(app, action);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& asked) {
+    return app.exit(asked);
+  } catch (const CLI::ParseError& error) {
+    return tp100::text::report_usage_error("tp100-lab", error.what(), argc, argv,
+                                           tp100::text::subcommands_of(app));
+  }
+  return action();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // Report a file at its size limit as an error instead of ending by a signal.
+  std::signal(SIGXFSZ, SIG_IGN);
+  return tp100::text::run_program("tp100-lab", [&] { return run(argc, argv); });
+}

@@ -1,0 +1,121 @@
+#pragma once
+// Subcommands of tp100-sim that try out the emulated robot, each in the source file of its name.
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "course/robot_file.h"
+#include "identify/identify.h"
+#include "model/track_parameters.h"
+#include "sim/robot/options.h"
+#include "sim/trials/effective_motion.h"
+
+namespace tp100::sim {
+
+// tp100-sim calibrate: identification drives of an emulated robot, identification and its accuracy.
+
+/// One calibration: the identified values and the body's real ones.
+struct Calibration {
+  identify::Identification found{};
+  model::TrackParameters truth{};
+  std::vector<CalibrationDrive> drives;
+  std::vector<identify::RecordedDrive> on_slopes;
+
+  /// True if the stated accuracy was met: slip within 0.01, the wheelbases within 2 %.
+  bool accurate() const;
+  /// True if the interval of an identified parameter contains its truth.
+  bool holds(model::TrackParameter parameter) const;
+};
+
+/// Drives of each calibration course: enough to tell what differs from run to run.
+inline constexpr int kDrivesOfAKind = 2;
+
+/// Drives straight ahead, arcs and turns on the spot in both directions under an overhead camera,
+/// as an unidentified robot ([model] at its defaults), and identifies it. Each drive has noise of
+/// its own. Throws SetupError.
+Calibration calibrate(const Loaded& loaded, int repeats, std::uint64_t seed);
+
+/// The unidentified robot: [model] at its defaults.
+course::Robot without_model(course::Robot robot);
+
+/// The drives of calibrate(). Throws SetupError.
+std::vector<CalibrationDrive> calibration_drives(const Loaded& loaded, int repeats,
+                                                 std::uint64_t seed);
+
+/// Calibrates the robot, writes its file `<name>.toml` with the result into `folder` and returns
+/// the robot of that file. Throws SetupError.
+course::Robot calibrated_robot(const Loaded& loaded, int repeats, std::uint64_t seed,
+                               const std::string& folder);
+
+/// One line of JSON: found value, half of the 95 % interval and true value of every parameter, in
+/// the units of robot files; null for what the drives could not identify.
+std::string calibration_json(const std::string& robot, std::uint64_t seed, const identify::Fit& fit,
+                             const model::TrackParameters& truth);
+
+struct CalibrateCommand {
+  Options options{};
+  int repeats = kDrivesOfAKind;  ///< of each drive, each with noise of its own
+  int runs = 1;                  ///< whole calibrations, with this and the following seeds
+  std::string out;               ///< folder for the recordings; empty: none
+  bool json = false;
+};
+
+/// Calibrates and prints the values beside the truth, and how often the intervals contained it.
+/// Returns 0 if every calibration met the stated accuracy, else 1. Throws SetupError.
+int run_calibrate(const CalibrateCommand& command);
+
+// tp100-sim faults: the list of faults for --fault, and their effects.
+
+struct FaultsCommand {
+  bool json = false;
+  bool drive = false;  ///< drive with each fault, print expected beside observed
+  std::string board = "native";
+};
+
+/// Prints the list, or the table of drives. Returns 1 if a drive did not end as expected, else 0.
+/// Throws SetupError.
+int run_faults(const FaultsCommand& command);
+
+// tp100-sim slope: the paper's slope experiment on the emulated body.
+
+/// What was measured on one slope, from the body's exact motion.
+struct SlopeSlip {
+  double slope_rad = 0.0;
+  double left = 0.0, right = 0.0;  ///< 1 - speed of the body over either track / track speed
+  double yaw_rate_radps = 0.0;
+  bool climbed = false;  ///< false: it slid or fell over
+};
+
+/// A slope of the experiment and the paper's values for it; its table has no row for 4 deg.
+struct SlopeRow {
+  double slope_deg;
+  std::optional<double> paper_left, paper_right;
+};
+/// 0, 4 ... 28 deg.
+std::span<const SlopeRow> slope_rows();
+
+/// Speed of the tracks on slopes, where slip is measured. [m/s]
+inline constexpr double kSlopeTrackMps = 0.10;
+
+/// Measures a drive straight up an even slope, both tracks at `track_mps`, for two seconds after
+/// half a second of running in. Pure.
+SlopeSlip measure_slope(const course::EmulatedBody& values, double slope_rad, double track_mps);
+
+/// Drives straight up and down boards of 8 to 28 deg, at the experiment's speed, for identify: both
+/// encoders, and the distance along the board and the turn as a tape and a protractor measure them.
+/// Without boards that the robot does not climb; of the body `ode` only.
+std::vector<identify::RecordedDrive> slope_drives(const course::Robot& robot, std::uint64_t seed);
+
+struct SlopeCommand {
+  std::string robot;  ///< bundled name or file; empty: the reference robot
+  bool json = false;
+};
+
+/// Drives 0, 4 ... 28 deg at kSlopeTrackMps and prints the slip of both tracks beside the paper's
+/// table. Returns 0 if the robot climbed every slope, else 1. Throws SetupError.
+int run_slope(const SlopeCommand& command);
+
+}  // namespace tp100::sim

@@ -1,0 +1,83 @@
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "sim/faults/fault.h"
+#include "sim/robot/options.h"
+#include "sim/trials/commands.h"
+#include "sim/trials/fault_study.h"
+#include "text/format.h"
+
+namespace tp100::sim {
+namespace {
+
+std::string_view words(FaultWord word) {
+  switch (word) {
+    case FaultWord::kDirection:
+      return "to-host|to-robot";
+    case FaultWord::kSide:
+      return "left|right";
+    case FaultWord::kNone:
+      break;
+  }
+  return "";
+}
+
+void print_json(const InjectableFault& row) {
+  nlohmann::ordered_json json{{"name", row.name}, {"group", row.group}, {"what", row.what}};
+  if (!row.number.empty())
+    json["number"] = {
+        {"unit", row.number}, {"default", row.standard}, {"min", row.least}, {"max", row.most}};
+  json["word"] = words(row.word);
+  json["lasts"] = !row.at_once;
+  std::printf("%s\n", json.dump().c_str());
+}
+
+void print_row(const InjectableFault& row) {
+  std::string usage(row.name);
+  if (!row.number.empty()) usage += text::format(":%g", row.standard);
+  if (row.word != FaultWord::kNone) usage += "[:" + std::string(words(row.word)) + "]";
+  std::printf("  %-36s %s%s%.*s%s\n", usage.c_str(), std::string(row.what).c_str(),
+              row.number.empty() ? "" : " [", static_cast<int>(row.number.size()),
+              row.number.data(), row.number.empty() ? "" : "]");
+}
+
+int drive_all(BoardKind board) {
+  std::printf("%s", fault_table_head().c_str());
+  bool good = true;
+  for (const FaultTrial& trial : fault_trials()) {
+    if (trial.chip_only && board != BoardKind::kAvr) continue;
+    const FaultOutcome outcome = try_fault(trial, board);
+    good = good && outcome.as_expected;
+    std::printf("%s", fault_row(trial, board, outcome).c_str());
+    std::fflush(stdout);
+  }
+  return good ? 0 : 1;
+}
+
+}  // namespace
+
+int run_faults(const FaultsCommand& command) {
+  Options options;
+  options.board = command.board;
+  const BoardKind board = load(options).board;
+  if (command.drive) return drive_all(board);
+  if (command.json) {
+    for (const InjectableFault& row : injectable_faults()) print_json(row);
+    return 0;
+  }
+  std::printf(
+      "--fault NAME[:NUMBER][:WORD][@T[+D]], from T s after the port was opened (0) for D s "
+      "(for ever)\n");
+  std::string_view group;
+  for (const InjectableFault& row : injectable_faults()) {
+    if (row.group != group)
+      std::printf("\n%.*s\n", static_cast<int>(row.group.size()), row.group.data());
+    group = row.group;
+    print_row(row);
+  }
+  return 0;
+}
+
+}  // namespace tp100::sim
