@@ -1,5 +1,5 @@
 #pragma once
-// The model on measured data of real robots: `tp100-sim reproduce --part real`. Each form is fitted
+// The model on measured data of real robots: `tp100-lab reproduce --part real`. Each form is fitted
 // to one half of a robot's motions and judged on the other.
 
 #include <string>

@@ -36,7 +36,7 @@ TEST_F(Godot, LostEndsTheRunAndANewOneIsWelcome) {
 // The image rate and the delay of the images depend on the machine and are not judged. The drive is
 // short because rendering takes all the time of the processors.
 TEST_F(Godot, RendersForATp100dThatDrives) {
-  const Finished done = run({source_path("scripts/overhead"), "--json", "--live", "--bin",
+  const Finished done = run({source_path("sim/lab/overhead"), "--json", "--live", "--bin",
                              build_path("bin"), "--course", short_course(folder_, 0.2)});
   ASSERT_LE(done.status, 1) << done.output;
   const std::size_t begin = done.output.find("{\"course\"");
@@ -52,11 +52,11 @@ TEST_F(Godot, RendersForATp100dThatDrives) {
 }
 #endif
 
-/// scripts/experiment on one short run.
+/// sim/lab/experiment on one short run.
 class Experiment : public Godot {
  protected:
   Finished experiment(const std::string& robot = "end-loaded") const {
-    return run({"/usr/bin/env", "TP100_BIN=" + build_path("bin"), source_path("scripts/experiment"),
+    return run({"/usr/bin/env", "TP100_BIN=" + build_path("bin"), source_path("sim/lab/experiment"),
                 folder_.file("out"), "--runs", "1", "--courses", short_course(folder_), "--setups",
                 "flat", "--boards", "native", "--robot", robot, "--no-film"});
   }

@@ -1,4 +1,4 @@
-// Images of an overhead camera, rendered by the engine along a drive: scripts/overhead with the
+// Images of an overhead camera, rendered by the engine along a drive: sim/lab/overhead with the
 // real tp100-camera.
 
 #include <gmock/gmock.h>
@@ -25,7 +25,7 @@ class Overhead : public testing::Test {
   /// The figures of a part of a drive.
   static nlohmann::json film(std::vector<std::string> words) {
     words.insert(words.begin(),
-                 {source_path("scripts/overhead"), "--json", "--bin", build_path("bin")});
+                 {source_path("sim/lab/overhead"), "--json", "--bin", build_path("bin")});
     const Finished done = run(words);
     EXPECT_EQ(done.status, 0) << done.output;
     const std::size_t begin = done.output.find("{\"course\"");

@@ -1,4 +1,4 @@
-"""The overhead camera of scripts/overhead: its mounting, files and settings, and the engine that renders its images."""
+"""The overhead camera of sim/lab/overhead: its mounting, files and settings, and the engine that renders its images."""
 import contextlib
 import math
 import os

@@ -1,9 +1,12 @@
-"""scripts/bench camera: rendered images of an overhead camera. Usage: bench_camera.py FOLDER_OF_PROGRAMS"""
+"""Finds the marker in rendered images of an overhead camera on courses 1-3, with steady light, moving light and a hand; takes
+half an hour. Usage: sim/lab/bench_camera.py FOLDER_OF_PROGRAMS"""
 import json
 import os
 import subprocess
 import sys
 
+sys.dont_write_bytecode = True
+sys.path.append(os.path.join(os.path.dirname(os.path.realpath(__file__)), "../../tests/bench"))
 from bench_table import ROOT, Table
 
 DRIVES = [(course, "flat") for course in ("1-straight", "1-curve", "1-sharp", "2", "3")] + [("3", "terrain")]
@@ -21,7 +24,7 @@ def main():
         ("rate", "images/s", "5.1f"), ("verdict", "", "<6s")])
     for name, words, drives in CONDITIONS:
         for course, setup in drives:
-            done = subprocess.run([os.path.join(ROOT, "scripts/overhead"), "--bin", sys.argv[1], "--course", course, "--setup",
+            done = subprocess.run([os.path.join(ROOT, "sim/lab/overhead"), "--bin", sys.argv[1], "--course", course, "--setup",
                                    setup, "--rate", str(RATE_HZ), "--json", *words], stdout=subprocess.PIPE, text=True)
             if done.returncode not in (0, 1):
                 sys.exit(done.returncode)

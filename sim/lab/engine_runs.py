@@ -17,9 +17,10 @@ import sys
 import tempfile
 import threading
 import time
-import tomllib
 
-ROOT = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
+sys.path.append(os.path.join(os.path.dirname(os.path.realpath(__file__)), "../godot"))
+from engine import PATIENCE_S, ROOT, bundled, engine_environment, fail  # also for those that import this file
+
 # The paper's overhead camera without errors: it gives the robot's true pose.
 EXACT_CAMERA = """rate_hz = 100.0
 delay_ms = 5.0
@@ -30,30 +31,9 @@ noise_deg = 0.0
 bias_m = 0.0
 dropped = 0.0
 """
-PATIENCE_S = 60.0  # longest start of a program
 LONGEST_S = 300.0  # longest run; a course takes at most 60 s
 POINTS = 200       # per path in the page
 BEFORE_OTHERS = ("chrt", "--rr", "1")
-
-
-def fail(text):
-    print(f"{os.path.basename(sys.argv[0])}: {text}", file=sys.stderr)
-    sys.exit(2)
-
-
-def bundled(name, folder):
-    """The TOML file of this name in config/FOLDER, or the file itself."""
-    path = name if name.endswith(".toml") else f"{ROOT}/config/{folder}/{name}.toml"
-    try:
-        with open(path, "rb") as file:
-            return tomllib.load(file)
-    except (OSError, tomllib.TOMLDecodeError) as error:
-        fail(f"{path}: {error}; give a file or a name in config/{folder}")
-
-
-def engine_environment(variable, settings):
-    """The environment with the settings of the engine's project; the engine does not support the locale C."""
-    return os.environ | {variable: json.dumps(settings), "LANG": "en_US.UTF-8", "LC_ALL": "en_US.UTF-8"}
 
 
 class Course:
