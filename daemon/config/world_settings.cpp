@@ -53,12 +53,12 @@ std::span<const Key<bridge::WorldParameters>> world_keys() {
 
 std::span<const Key<WorldSettings>> world_stream_keys() {
   using T = WorldSettings;
-  static const std::array<Key<T>, 11> kKeys = {{
+  static const std::array<Key<T>, 8> kKeys = {{
       {"frame",
        text::enum_choice<T, &T::frame, worlds::kFrameNames>(),
        {},
        "Units, axes and signs of messages and files"},
-      {"rate_hz", &T::rate_hz, {1, 1000}, "Poses per second; also of files and Live Link"},
+      {"rate_hz", &T::rate_hz, {1, 1000}, "Poses per second; also of files"},
       {"address", &T::address, {}, "udp: where the world listens, udp:[ADDRESS:]PORT"},
       {"listen",
        &T::listen,
@@ -77,16 +77,6 @@ std::span<const Key<WorldSettings>> world_stream_keys() {
        {},
        "files: text of orientation_file, with {x}, {y}, {z}, {roll}, {pitch}, {yaw}, {} for a "
        "number to skip; empty: what Unreal prints of a rotator and a vector, or plain numbers"},
-      {"live_link",
-       &T::live_link,
-       {},
-       "Where poses for Unreal's Live Link go, udp:[ADDRESS:]PORT, usually port 54321; empty: "
-       "none"},
-      {"live_link_dialect",
-       text::enum_choice<T, &T::live_link_dialect, worlds::kLiveLinkDialectNames>(),
-       {},
-       "Form of these poses. bones: a list with one bone; transform: one object"},
-      {"live_link_subject", &T::live_link_subject, {}, "Subject of these poses in Live Link"},
   }};
   return kKeys;
 }

@@ -26,9 +26,6 @@ struct WorldSettings {
   std::string encoder_template = "{seq} {t_s} {left} {right}";
   std::string orientation_file = "Orientation.txt";  ///< files: read
   std::string orientation_template;                  ///< empty: Unreal's texts or plain numbers
-  std::string live_link;                             ///< "udp:[HOST:]PORT"; empty: none
-  worlds::LiveLinkDialect live_link_dialect = worlds::LiveLinkDialect::kBones;
-  std::string live_link_subject = "TP100";
 };
 
 // Data of a run for the interfaces to an external world.

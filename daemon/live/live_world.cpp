@@ -5,22 +5,6 @@
 
 namespace tp100::live {
 
-struct LiveWorld::LiveLink {
-  explicit LiveLink(const config::WorldSettings& s)
-      : settings(s), sender(link::parse_udp(s.live_link, "world.live_link")) {}
-
-  void take(const StepRecord& record) {
-    if (record.now_ns < next_ns) return;
-    next_ns = record.now_ns + from_s(1.0 / settings.rate_hz);
-    sender.send(worlds::encode_live_link(settings.live_link_subject, record.snapshot.world,
-                                         settings.live_link_dialect));
-  }
-
-  const config::WorldSettings settings;
-  link::UdpSender sender;
-  HostNs next_ns = 0;
-};
-
 LiveWorld::LiveWorld(boost::asio::io_context& context, const config::WorldRun& run,
                      const config::GiveWorld& give)
     : kind_(bridge::to_string(run.parameters.kind)) {
@@ -34,15 +18,11 @@ LiveWorld::LiveWorld(boost::asio::io_context& context, const config::WorldRun& r
       files_ = std::make_unique<WorldFiles>(run, give);
       break;
   }
-  if (!run.settings.live_link.empty()) live_link_ = std::make_unique<LiveLink>(run.settings);
 }
-
-LiveWorld::~LiveWorld() = default;
 
 void LiveWorld::take(const StepRecord& record) {
   if (port_ != nullptr) port_->take(record);
   if (files_ != nullptr) files_->take(record);
-  if (live_link_ != nullptr) live_link_->take(record);
 }
 
 void LiveWorld::stop() {

@@ -1,5 +1,5 @@
 #pragma once
-// The interfaces of a run to an external world: world/1, text files, Live Link.
+// The interfaces of a run to an external world: world/1 and text files.
 
 #include <memory>
 #include <optional>
@@ -25,7 +25,6 @@ class LiveWorld : public messages::Sink {
   /// Opens the configured interfaces, if any. Throws SetupError.
   LiveWorld(boost::asio::io_context& context, const config::WorldRun& run,
             const config::GiveWorld& give);
-  ~LiveWorld() override;
 
   void take(const StepRecord& record) override;
   void stop();
@@ -36,11 +35,9 @@ class LiveWorld : public messages::Sink {
   WorldFigures figures() const;
 
  private:
-  struct LiveLink;
   std::string kind_;
   std::unique_ptr<WorldPort> port_;
   std::unique_ptr<WorldFiles> files_;
-  std::unique_ptr<LiveLink> live_link_;
 };
 
 }  // namespace tp100::live

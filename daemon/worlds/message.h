@@ -1,6 +1,6 @@
 #pragma once
 // The datagrams of world/1: one JSON object each, specified field by field in WORLD.md. Input is
-// hostile. Allocates: not for the real-time thread. And those of Unreal's Live Link.
+// hostile. Allocates: not for the real-time thread.
 
 #include <array>
 #include <cstddef>
@@ -114,19 +114,5 @@ std::string encode_error(std::string_view text);
 
 /// Decodes a datagram. Unknown fields are ignored.
 Decoded decode_world(std::string_view datagram, Frame frame);
-
-/// Form of poses for Unreal's Live Link: JSON over UDP, in centimetres and Unreal's quaternion.
-enum class LiveLinkDialect {
-  kBones,      ///< {SUBJECT: [{Name: "root", Parent: -1, Location, Rotation, Scale}]}
-  kTransform,  ///< {SUBJECT: {Location, Rotation, Scale}}
-};
-/// Names as in files.
-inline constexpr std::array<EnumName<LiveLinkDialect>, 2> kLiveLinkDialectNames = {{
-    {LiveLinkDialect::kBones, "bones"},
-    {LiveLinkDialect::kTransform, "transform"},
-}};
-
-/// One datagram of Live Link. `subject` is the name shown by Live Link.
-std::string encode_live_link(std::string_view subject, const Pose& pose, LiveLinkDialect dialect);
 
 }  // namespace tp100::worlds
