@@ -70,6 +70,7 @@ void add_run(CLI::App& app, Action& action) {
       ->add_option("--stats", options.stats,
                    "JSON file for the figures of the run, written once a second and at the end")
       ->type_name("FILE");
+  command->footer("Example: tp100d run --port auto --wait --course 1-curve");
   command->callback([&action] { action = [] { return run_run(options); }; });
 }
 
@@ -83,6 +84,7 @@ void add_ports(CLI::App& app, Action& action) {
   command->add_option("--timeout", hello.timeout_s, "How long to wait for it [s]")
       ->check(CLI::Range(0.1, 3600.0))
       ->capture_default_str();
+  command->footer("Example: tp100d ports --hello /dev/ttyACM0");
   command->callback([&action] {
     action = [] { return hello.port.empty() ? run_ports() : doctor::run_hello(hello); };
   });
@@ -111,6 +113,7 @@ void add_doctor(CLI::App& app, Action& action) {
   command
       ->add_option("--robot", options.robot, "Name in config/robots or file (default: end-loaded)")
       ->type_name("ROBOT");
+  command->footer("Example: tp100d doctor --wheels-up");
   command->callback([&action] { action = [] { return run_doctor(options); }; });
 }
 
@@ -118,6 +121,7 @@ void add_check(CLI::App& app, Action& action) {
   static std::vector<std::string> files;
   CLI::App* command = app.add_subcommand("check", "Check configuration, course and robot files");
   command->add_option("FILE", files, "Files of any of these kinds")->type_name("FILE")->required();
+  command->footer("Example: tp100d check config/tp100.toml config/courses/2.toml");
   command->callback([&action] { action = [] { return run_check(files); }; });
 }
 
@@ -142,6 +146,7 @@ void add_replay(CLI::App& app, Action& action) {
                    "paper, extended, odometry or, of a recording, fused (default: the pose that "
                    "steered; of a CSV file model.mode)")
       ->type_name("MODEL");
+  command->footer("Example: tp100d replay runs/RUN");
   command->callback([&action] { action = [] { return run_replay(options); }; });
 }
 
@@ -212,6 +217,8 @@ void add_identify(CLI::App& app, Action& action) {
       ->add_option("--runs-dir", options.guided.folder,
                    "Folder for the recordings of --drive (default: beside --out)")
       ->type_name("FOLDER");
+  command->footer(
+      "Example: tp100d identify --drive --port auto --robot mine.toml --out mine-identified.toml");
   command->callback([&action] { action = [] { return run_identify(options); }; });
 }
 
@@ -225,6 +232,7 @@ void add_recover(CLI::App& app, Action& action) {
   command
       ->add_option("--out", options.out, "File to write (default: beside it, ...-recovered.mcap)")
       ->type_name("FILE");
+  command->footer("Example: tp100d recover runs/RUN");
   command->callback([&action] { action = [] { return run_recover(options); }; });
 }
 
@@ -247,6 +255,7 @@ void add_export(CLI::App& app, Action& action) {
       ->type_name("FOLDER");
   command->add_option("--out", options.out, "Folder to write to (default: beside the recording)")
       ->type_name("FOLDER");
+  command->footer("Example: tp100d export runs/RUN --csv --out figures");
   command->callback([&action] { action = [] { return run_export(options); }; });
 }
 
@@ -261,6 +270,7 @@ void add_report(CLI::App& app, Action& action) {
       ->type_name("FOLDER");
   command->add_flag("--background", options.background,
                     "Run at idle priority; end when the parent process ends");
+  command->footer("Example: tp100d report runs/RUN");
   command->callback([&action] { action = [] { return run_report(options); }; });
 }
 
@@ -274,6 +284,7 @@ void add_compare(CLI::App& app, Action& action) {
       ->type_name("FOLDER");
   command->add_flag("--background", options.background,
                     "Run at idle priority; end when the parent process ends");
+  command->footer("Example: tp100d compare runs/before runs/after --out compared");
   command->callback([&action] { action = [] { return run_compare(options); }; });
 }
 

@@ -31,6 +31,7 @@ class Command:
         self.about = lines[0]
         self.usage = next(line for line in lines if line.startswith("Usage: ")).removeprefix("Usage: ")
         self.positionals, self.options, self.subcommands = [], [], []
+        self.examples = [line.removeprefix("Example: ") for line in lines if line.startswith("Example: ")]
         self._read(lines[lines.index("Usage: " + self.usage) + 1:])
 
     def _read(self, lines):
@@ -91,6 +92,9 @@ def manual(top, subcommands, version):
     for command in subcommands:
         out += [f".SS {roff(command.usage)}", roff(command.about) + "."]
         out += table("", command.positionals + [row for row in command.options if "--help" not in row[0]])
+    examples = [example for command in subcommands or [top] for example in command.examples]
+    if examples:
+        out += [".SH EXAMPLES", ".nf", *map(roff, examples), ".fi"]
     out += table("EXIT STATUS", EXIT_STATUS) + table("FILES", FILES)
     others = [f".BR {roff(name)} (1)" for name in SEE_ALSO if name != top.name]
     return "\n".join(out + [".SH SEE ALSO"] + [line + " ," for line in others[:-1]] + others[-1:]) + "\n"

@@ -105,6 +105,7 @@ void add_course_command(CLI::App& app, Action& action) {
                  "=INTERFACE: network interface")
       ->type_name("INTERFACE");
   command->add_flag("--json", course.json, "One JSON object a line instead of tables");
+  command->footer("Example: tp100-sim course 3 --setup terrain --runs 5");
   command->callback([&action] { action = [] { return run_course(course); }; });
 }
 
@@ -136,6 +137,7 @@ void add_robot_command(CLI::App& app, Action& action) {
       ->add_option("--stats", robot.stats,
                    "Write figures to FILE at the end: samples, longest pause of this machine")
       ->type_name("FILE");
+  command->footer("Example: tp100-sim robot --link /tmp/tp100");
   command->callback([&action] { action = [] { return run_robot(robot); }; });
 }
 
@@ -146,6 +148,7 @@ void add_slope_command(CLI::App& app, Action& action) {
   command->add_option("--robot", slope.robot, "Name in config/robots or file (default: end-loaded)")
       ->type_name("ROBOT");
   command->add_flag("--json", slope.json, "One JSON object instead of a table");
+  command->footer("Example: tp100-sim slope --robot uniform");
   command->callback([&action] { action = [] { return run_slope(slope); }; });
 }
 
@@ -174,6 +177,7 @@ void add_calibrate_command(CLI::App& app, Action& action) {
   command->add_option("--out", calibrate.out, "Folder for the recordings (CSV)")
       ->type_name("FOLDER");
   command->add_flag("--json", calibrate.json, "One JSON object a line instead of tables");
+  command->footer("Example: tp100-sim calibrate --robot worn --out drives");
   command->callback([&action] { action = [] { return run_calibrate(calibrate); }; });
 }
 
@@ -194,6 +198,7 @@ void add_demo_command(CLI::App& app, Action& action) {
   add_seed(*command, demo.options);
   command->add_flag("--headless", demo.headless,
                     "Open no page; end after the run and print the result table");
+  command->footer("Example: tp100-sim demo --course 2");
   command->callback([&action] { action = [] { return run_demo(demo); }; });
 }
 
@@ -207,6 +212,7 @@ void add_faults_command(CLI::App& app, Action& action) {
   command->add_option("--board", faults.board, "native or avr")
       ->type_name("BOARD")
       ->capture_default_str();
+  command->footer("Example: tp100-sim faults --drive");
   command->callback([&action] { action = [] { return run_faults(faults); }; });
 }
 
@@ -238,6 +244,7 @@ void add_campaign_command(CLI::App& app, Action& action) {
           "Drive nothing; print the missing runs in the form of --index, at most N runs a line")
       ->check(CLI::Range(1, 1000000))
       ->type_name("N");
+  command->footer("Example: tp100-sim campaign config/campaigns/course-3.toml --out course-3");
   command->callback([&action] { action = [] { return run_campaign(campaign); }; });
 }
 
@@ -246,6 +253,7 @@ void add_merge_command(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand(
       "merge", "Merge the runs of a campaign into merged.json, runs.csv and a page");
   command->add_option("FOLDER", merge, "The --out of the campaign")->required();
+  command->footer("Example: tp100-sim merge course-3");
   command->callback([&action] { action = [] { return run_merge(merge); }; });
 }
 

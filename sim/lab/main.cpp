@@ -66,6 +66,7 @@ void add_reproduce_command(CLI::App& app, Action& action) {
       ->check(CLI::Range(0, 10000))
       ->type_name("NUMBER")
       ->capture_default_str();
+  command->footer("Example: tp100-lab reproduce --part paper --runs 3");
   command->callback([&action] { action = [] { return run_reproduce(reproduce); }; });
 }
 
@@ -88,8 +89,7 @@ void add_identify_command(CLI::App& app, Action& action) {
       ->check(CLI::Range(1, 10000))
       ->type_name("NUMBER")
       ->capture_default_str();
-  command
-      ->add_option("--course", identify.area, "Course whose fence the manoeuvres stay within")
+  command->add_option("--course", identify.area, "Course whose fence the manoeuvres stay within")
       ->type_name("COURSE")
       ->capture_default_str();
   command
@@ -98,6 +98,7 @@ void add_identify_command(CLI::App& app, Action& action) {
       ->check(CLI::Range(0, 10000))
       ->type_name("NUMBER")
       ->capture_default_str();
+  command->footer("Example: tp100-lab identify --robot worn --runs 5");
   command->callback([&action] { action = [] { return run_auto(identify); }; });
 }
 
@@ -110,6 +111,7 @@ void add_encoders_command(CLI::App& app, Action& action) {
       "the motors are off as a table");
   add_board(*command, options.board);
   command->add_flag("--firmware-alone", firmware_alone, "Without the daemon's own checks");
+  command->footer("Example: tp100-lab encoders --firmware-alone");
   command->callback(
       [&action] { action = [] { return run_encoders(load(options).board, !firmware_alone); }; });
 }
