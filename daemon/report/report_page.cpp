@@ -1,13 +1,14 @@
 #include "report/report_page.h"
 
 #include <cmath>
+#include <filesystem>
 
 #include "core/arithmetic.h"
 #include "report/html_page.h"
 #include "report/page_parts.h"
-#include "report/replay_view.h"
 #include "report/report_figures.h"
 #include "report/run_metrics.h"
+#include "text/file_name.h"
 #include "text/format.h"
 
 namespace tp100::report {
@@ -186,6 +187,15 @@ void add_settings(HtmlPage& page, const RecordedRun& run) {
   page.facts(facts);
 }
 
+// The daemon serves a run's folder as /runs/NAME/.
+void add_replay(HtmlPage& page, const RecordedRun& run) {
+  page.heading("Replay");
+  const std::string name = std::filesystem::path(run.path).parent_path().filename();
+  page.paragraph("The page of tp100d replays this run in the course's world: tab Runs.");
+  page.insert("<p><a href=\"../../#replay=" + text::percent_encoded(name) +
+              "\">Replay it</a>, if that page shows this report.</p>\n");
+}
+
 }  // namespace
 
 std::string report_page(const RecordedRun& run, const std::optional<RunFigures>& judged,
@@ -194,8 +204,7 @@ std::string report_page(const RecordedRun& run, const std::optional<RunFigures>&
   add_verdict(page, run);
   page.facts(summary(run, judged));
   add_errors(page, run, judged);
-  page.heading("Replay");
-  page.insert(replay_view(run));
+  add_replay(page, run);
   add_figures(page, figures);
   add_timing(page, run);
   add_link(page, run);

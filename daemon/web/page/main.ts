@@ -292,6 +292,10 @@ for (const topic of kTopics) {
   });
 }
 
+// A report leads to the replay of its run.
+const wanted = /^#replay=(.+)$/.exec(location.hash)?.[1];
+if (wanted !== undefined) void replay(`/runs/${wanted}/run.mcap`, decodeURIComponent(wanted));
+
 Promise.all([past('/estimate'), past('/slip')]).then(
   ([estimates, slips]) => { live.before(estimates as Estimate[], slips as Slip[]); },
   () => undefined,
