@@ -209,6 +209,12 @@ void add_faults_command(CLI::App& app, Action& action) {
   command->add_flag(
       "--drive", faults.drive,
       "Drive with each fault in virtual time; print expected and seen behaviour as a table");
+  command->add_flag(
+      "--encoders", faults.encoders,
+      "Let encoders fail at every speed and place, with three robots; print the worst "
+      "cases until the motors are off as a table");
+  command->add_flag("--firmware-alone", faults.firmware_alone,
+                    "With --encoders: without the daemon's own checks");
   command->add_option("--board", faults.board, "native or avr")
       ->type_name("BOARD")
       ->capture_default_str();

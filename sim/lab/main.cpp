@@ -2,11 +2,11 @@
 
 #include <CLI/CLI.hpp>
 #include <csignal>
+#include <cstdint>
 #include <functional>
 #include <string>
 
 #include "sim/lab/auto_study.h"
-#include "sim/lab/encoder_study.h"
 #include "sim/lab/reproduce.h"
 #include "sim/robot/options.h"
 #include "text/standard_streams.h"
@@ -18,17 +18,10 @@ using namespace tp100::sim;
 /// The requested command.
 using Action = std::function<int()>;
 
-template <class Number>
-void add_seed(CLI::App& app, Number& seed) {
+void add_seed(CLI::App& app, std::uint64_t& seed) {
   app.add_option("--seed", seed, "First seed, 0 or more")
       ->check(why_no_seed)
       ->type_name("NUMBER")
-      ->capture_default_str();
-}
-
-void add_board(CLI::App& app, std::string& board) {
-  app.add_option("--board", board, "What runs the firmware: native or avr")
-      ->type_name("BOARD")
       ->capture_default_str();
 }
 
@@ -74,7 +67,9 @@ void add_identify_command(CLI::App& app, Action& action) {
   static AutoCommand identify;
   CLI::App* command = app.add_subcommand(
       "identify", "Let emulated robots choose their manoeuvres until they are identified");
-  add_board(*command, identify.options.board);
+  command->add_option("--board", identify.options.board, "What runs the firmware: native or avr")
+      ->type_name("BOARD")
+      ->capture_default_str();
   command->add_option("--body", identify.options.body, "ode or shear (default: the robot file's)")
       ->type_name("BODY");
   command
@@ -102,20 +97,6 @@ void add_identify_command(CLI::App& app, Action& action) {
   command->callback([&action] { action = [] { return run_auto(identify); }; });
 }
 
-void add_encoders_command(CLI::App& app, Action& action) {
-  static Options options;
-  static bool firmware_alone = false;
-  CLI::App* command = app.add_subcommand(
-      "encoders",
-      "Let encoders fail at every speed and place, with three robots; print the worst cases until "
-      "the motors are off as a table");
-  add_board(*command, options.board);
-  command->add_flag("--firmware-alone", firmware_alone, "Without the daemon's own checks");
-  command->footer("Example: tp100-lab encoders --firmware-alone");
-  command->callback(
-      [&action] { action = [] { return run_encoders(load(options).board, !firmware_alone); }; });
-}
-
 int run(int argc, char** argv) {
   CLI::App app{"The laboratory of tp100: studies that ask whether its model is right", "tp100-lab"};
   app.set_version_flag("--version", TP100_VERSION);
@@ -124,7 +105,6 @@ int run(int argc, char** argv) {
   Action action;
   add_reproduce_command(app, action);
   add_identify_command(app, action);
-  add_encoders_command(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked) {

@@ -71,7 +71,9 @@ int run_calibrate(const CalibrateCommand& command);
 
 struct FaultsCommand {
   bool json = false;
-  bool drive = false;  ///< drive with each fault, print expected beside observed
+  bool drive = false;           ///< drive with each fault, print expected beside observed
+  bool encoders = false;        ///< sweep encoder failures over speeds, positions and robots
+  bool firmware_alone = false;  ///< do that sweep without the daemon's own checks
   std::string board = "native";
 };
 

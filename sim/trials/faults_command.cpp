@@ -6,6 +6,7 @@
 #include "sim/faults/fault.h"
 #include "sim/robot/options.h"
 #include "sim/trials/commands.h"
+#include "sim/trials/encoder_study.h"
 #include "sim/trials/fault_study.h"
 #include "text/format.h"
 
@@ -56,6 +57,30 @@ int drive_all(BoardKind board) {
   return good ? 0 : 1;
 }
 
+int sweep_encoders(const FaultsCommand& command, BoardKind board) {
+  EncoderStudy study(!command.firmware_alone);
+  std::printf("%s", encoder_table_head().c_str());
+  bool good = true;
+  for (const EncoderFailure& failure : encoder_failures()) {
+    std::vector<EncoderOutcome> row;
+    for (const double speed_mps : encoder_speeds()) {
+      row.emplace_back();
+      for (const EncoderTrial& trial : encoder_trials(failure, speed_mps, board, true)) {
+        const EncoderOutcome outcome = study.drive(trial);
+        good = good && outcome.good();
+        if (!outcome.good())
+          std::fprintf(stderr, "%s at %.2f m/s, %s, %s: %s\n", std::string(failure.fault).c_str(),
+                       speed_mps, to_string(trial.onset), std::string(trial.robot).c_str(),
+                       outcome.end.c_str());
+        row.back().merge(outcome);
+      }
+    }
+    std::printf("%s", encoder_row(failure, row).c_str());
+    std::fflush(stdout);
+  }
+  return good ? 0 : 1;
+}
+
 }  // namespace
 
 int run_faults(const FaultsCommand& command) {
@@ -63,6 +88,7 @@ int run_faults(const FaultsCommand& command) {
   options.board = command.board;
   const BoardKind board = load(options).board;
   if (command.drive) return drive_all(board);
+  if (command.encoders) return sweep_encoders(command, board);
   if (command.json) {
     for (const InjectableFault& row : injectable_faults()) print_json(row);
     return 0;

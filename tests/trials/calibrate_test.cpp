@@ -1,15 +1,13 @@
+// Identification of an emulated robot beside the exact motion of its body, and that motion on
+// slopes and in turns.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "core/arithmetic.h"
+#include "sim/trials/body_turn.h"
 #include "sim/trials/commands.h"
-#include "sim/lab/constants_study.h"
-#include "sim/lab/study.h"
 
 namespace tp100::sim {
 namespace {
@@ -53,21 +51,30 @@ TEST(SlopeDrives, ASlopeThatIsTooSteepIsLeftOut) {
     EXPECT_LT(*drive.measured.slope_rad, 20.0 * kRadPerDeg);
 }
 
-// Tracks that are evenly loaded turn on the spot with another wheelbase, and a turn costs no
-// distance on the ODE body.
-TEST(NightlyConstants, TheCriterionTellsThoseThatPayFromOthers) {
-  const CourseStudy study = study_constants("uniform", "ode", 5);
-  EXPECT_EQ(largest_criteria({CourseStudy{}, study}).judged.size(), study.judged.size());
-  const auto of = [&](const std::string& what) {
-    for (const Judged& one : study.judged)
-      if (one.what == "criterion " + what) return one.ours.median;
-    return std::nan("");
-  };
-  EXPECT_GT(of("of eqs 1-5"), 1000.0);
-  EXPECT_GT(of("without wheelbase_tight_m"), 1000.0);
-  EXPECT_GT(of("without wheelbase_spin_m"), 1000.0);
-  EXPECT_LT(of("without turn_loss"), 0.0);
-  EXPECT_GT(of("without turn_loss"), -15.0) << "one constant less cannot save more than ln n";
+// By eq 7 a robot on four points with this axle spacing and gauge has 0.2691 m.
+TEST(BodyTurn, EndLoadedTracksTurnWithALongerWheelbaseThanEvenOnes) {
+  Options even;
+  even.robot = "uniform";
+  const std::vector<BodyTurn> ends = measure_turns(load({}).robot.emulated);
+  ASSERT_EQ(ends.size(), 2u);
+  for (const BodyTurn& turn : ends) EXPECT_NEAR(turn.wheelbase_m, 0.274, 0.006);
+  for (const BodyTurn& turn : measure_turns(load(even).robot.emulated))
+    EXPECT_NEAR(turn.wheelbase_m, 0.20, 0.01);
+}
+
+TEST(BodySlope, TheReferenceRobotSlipsAsInThePapersTableAtAnySpeedAsLongAsItHasGrip) {
+  course::EmulatedBody values = load({}).robot.emulated.body;
+  for (const SlopeRow& row : slope_rows()) {
+    if (!row.paper_left) continue;
+    const SlopeSlip slip = measure_slope(values, row.slope_deg * kRadPerDeg, 0.10);
+    EXPECT_TRUE(slip.climbed);
+    EXPECT_NEAR(slip.left, *row.paper_left, 0.02) << row.slope_deg;
+    EXPECT_NEAR(slip.right, *row.paper_right, 0.02) << row.slope_deg;
+    EXPECT_NEAR(measure_slope(values, row.slope_deg * kRadPerDeg, 0.30).left, slip.left, 0.005);
+  }
+  values.friction = 0.45;
+  EXPECT_FALSE(measure_slope(values, 28 * kRadPerDeg, 0.10).climbed);
+  EXPECT_TRUE(measure_slope(values, 20 * kRadPerDeg, 0.10).climbed);
 }
 
 }  // namespace

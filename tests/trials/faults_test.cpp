@@ -14,7 +14,7 @@
 #include "course/bundled_files.h"
 #include "live/link_monitor.h"
 #include "live/live_events.h"
-#include "sim/lab/encoder_study.h"
+#include "sim/trials/encoder_study.h"
 #include "sim/trials/fault_study.h"
 #include "support/paths.h"
 

@@ -93,9 +93,4 @@ std::string encoder_row(const EncoderFailure& failure, std::span<const EncoderOu
 
 std::string encoder_table_head();
 
-/// tp100-lab encoders: drives every trial with three robots and prints the worst of each failure at
-/// each speed as a Markdown table. `host_checks`: as of EncoderStudy. Returns 0 if the motors were
-/// off in time in all, else 1. Throws SetupError.
-int run_encoders(BoardKind board, bool host_checks);
-
 }  // namespace tp100::sim

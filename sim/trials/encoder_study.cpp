@@ -1,9 +1,8 @@
-#include "sim/lab/encoder_study.h"
+#include "sim/trials/encoder_study.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "core/arithmetic.h"
 #include "core/time.h"
@@ -240,30 +239,6 @@ std::string encoder_row(const EncoderFailure& failure, std::span<const EncoderOu
                         worst.end == "completed" ? "completed, " : "", worst.off_after_s,
                         worst.beyond_m * 100.0, worst.beyond_rad * kDegPerRad);
   return row + "\n";
-}
-
-int run_encoders(BoardKind board, bool host_checks) {
-  EncoderStudy study(host_checks);
-  std::printf("%s", encoder_table_head().c_str());
-  bool good = true;
-  for (const EncoderFailure& failure : encoder_failures()) {
-    std::vector<EncoderOutcome> row;
-    for (const double speed_mps : encoder_speeds()) {
-      row.emplace_back();
-      for (const EncoderTrial& trial : encoder_trials(failure, speed_mps, board, true)) {
-        const EncoderOutcome outcome = study.drive(trial);
-        good = good && outcome.good();
-        if (!outcome.good())
-          std::fprintf(stderr, "%s at %.2f m/s, %s, %s: %s\n", std::string(failure.fault).c_str(),
-                       speed_mps, to_string(trial.onset), std::string(trial.robot).c_str(),
-                       outcome.end.c_str());
-        row.back().merge(outcome);
-      }
-    }
-    std::printf("%s", encoder_row(failure, row).c_str());
-    std::fflush(stdout);
-  }
-  return good ? 0 : 1;
 }
 
 }  // namespace tp100::sim

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <limits>
@@ -12,15 +13,16 @@
 #include <string>
 #include <vector>
 
-#include "../support/temporary_folder.h"
 #include "core/error.h"
 #include "course/path.h"
 #include "identify/identify_report.h"
 #include "model/track_model.h"
-#include "sim/robot/options.h"
-#include "sim/trials/commands.h"
+#include "sim/lab/constants_study.h"
 #include "sim/lab/random_study.h"
 #include "sim/lab/sampled.h"
+#include "sim/robot/options.h"
+#include "sim/trials/commands.h"
+#include "support/temporary_folder.h"
 #include "terrain/climbable.h"
 
 namespace tp100::sim {
@@ -369,6 +371,23 @@ TEST(Reproduction, ShowsTheModelAsItIsJudgedRestartedAfterEachPush) {
   EXPECT_THAT(page, HasSubstr("reset to the truth"));
   run.disturbances.clear();
   EXPECT_THAT(reproduction_page(what), testing::Not(HasSubstr("model, restarted")));
+}
+
+// Tracks that are evenly loaded turn on the spot with another wheelbase, and a turn costs no
+// distance on the ODE body.
+TEST(NightlyConstants, TheCriterionTellsThoseThatPayFromOthers) {
+  const CourseStudy study = study_constants("uniform", "ode", 5);
+  EXPECT_EQ(largest_criteria({CourseStudy{}, study}).judged.size(), study.judged.size());
+  const auto of = [&](const std::string& what) {
+    for (const Judged& one : study.judged)
+      if (one.what == "criterion " + what) return one.ours.median;
+    return std::nan("");
+  };
+  EXPECT_GT(of("of eqs 1-5"), 1000.0);
+  EXPECT_GT(of("without wheelbase_tight_m"), 1000.0);
+  EXPECT_GT(of("without wheelbase_spin_m"), 1000.0);
+  EXPECT_LT(of("without turn_loss"), 0.0);
+  EXPECT_GT(of("without turn_loss"), -15.0) << "one constant less cannot save more than ln n";
 }
 
 }  // namespace
