@@ -181,16 +181,5 @@ TEST(WorldMessage, WhatIsNotOfTheFormatOrOutOfRangeIsRefused) {
   EXPECT_EQ(verdict(std::string(600, '[') + std::string(600, ']')), Verdict::kMalformed);
 }
 
-// Unreal's JSON source reads these two.
-TEST(LiveLink, BonesAndATransformAreWhatTheEngineParses) {
-  const Pose pose{.x_m = 0.612, .y_m = 0.034, .z_m = 0.041, .pitch_rad = -0.483, .yaw_rad = 0.024};
-  EXPECT_EQ(encode_live_link("TP100", pose, LiveLinkDialect::kBones),
-            R"({"TP100":[{"Name":"root","Parent":-1,"Location":[61.2,-3.4,4.1],)"
-            R"("Rotation":[-0.00287,-0.239142,-0.011651,0.97091],"Scale":[1,1,1]}]})");
-  EXPECT_EQ(encode_live_link("TP100", pose, LiveLinkDialect::kTransform),
-            R"({"TP100":{"Location":[61.2,-3.4,4.1],)"
-            R"("Rotation":[-0.00287,-0.239142,-0.011651,0.97091],"Scale":[1,1,1]}})");
-}
-
 }  // namespace
 }  // namespace tp100::worlds

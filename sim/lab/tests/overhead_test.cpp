@@ -9,8 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "../support/temporary_folder.h"
-#include "process.h"
+#include "programs/process.h"
 #include "support/paths.h"
 
 namespace tp100::test {
