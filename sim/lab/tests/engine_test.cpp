@@ -1,4 +1,5 @@
-// The engine's project sim/godot in the laboratory's scripts, with programs that drive in real time.
+// The engine's project sim/godot in the laboratory's scripts, with programs that drive in real
+// time.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
