@@ -84,12 +84,6 @@ std::string config_directory() {
   return installed_directory().value_or(fs::path(TP100_SOURCE_DIR) / "config").string();
 }
 
-std::string real_data_directory() {
-  const std::optional<fs::path> installed = installed_directory();
-  return (installed ? *installed / "real" : fs::path(TP100_SOURCE_DIR) / "tests/data/real")
-      .string();
-}
-
 std::vector<std::string> bundled_names(Bundled folder) {
   std::vector<std::string> names;
   std::error_code error;

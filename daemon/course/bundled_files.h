@@ -25,10 +25,6 @@ TextFile read_text_file(const std::string& path);
 /// of the source tree it was built from.
 std::string config_directory();
 
-/// Folder of the measured data of real robots: <prefix>/share/tp100/real of an installed program,
-/// else tests/data/real of the source tree it was built from.
-std::string real_data_directory();
-
 /// Names (file stems) in a folder of the bundled configuration, sorted.
 std::vector<std::string> bundled_names(Bundled folder);
 

@@ -72,7 +72,6 @@ install(FILES ${CMAKE_BINARY_DIR}/firmware/tp100.hex ${CMAKE_BINARY_DIR}/firmwar
   DESTINATION share/tp100)
 install(DIRECTORY config/campaigns config/courses config/robots config/cameras DESTINATION share/tp100)
 install(FILES config/tp100.toml config/lichtblick.json DESTINATION share/tp100)
-install(DIRECTORY tests/data/real DESTINATION share/tp100)
 install(FILES config/systemd/tp100d@.service DESTINATION lib/systemd/system)
 install(FILES config/systemd/tp100.conf DESTINATION lib/sysusers.d)
 install(FILES config/udev/65-tp100.rules DESTINATION lib/udev/rules.d)
@@ -92,7 +91,7 @@ foreach(page README.md config/CONTAINER.md config/SERVICE.md config/TUTORIALS.md
     daemon/record/RECORDINGS.md daemon/report/RESULTS.md daemon/ros2/ROS2.md daemon/server/THREATS.md
     daemon/worlds/WORLD.md
     firmware/FIRST_DRIVE.md firmware/PROTOCOL.md firmware/WIRING.md sim/CI.md sim/campaign/CAMPAIGNS.md
-    sim/faults/FAULTS.md tests/PROOF.md tests/data/real/README.md)
+    sim/faults/FAULTS.md sim/lab/RESULTS.md tests/PROOF.md tests/data/real/README.md)
   cmake_path(GET page PARENT_PATH folder)
   install(FILES ${page} DESTINATION share/doc/tp100/${folder})
 endforeach()

@@ -92,7 +92,7 @@ RealRobot parse_husky(const course::TextFile& file) {
 }
 
 std::vector<RealRobot> read_real_robots() {
-  const std::string folder = course::real_data_directory();
+  const std::string folder = TP100_SOURCE_DIR "/tests/data/real";
   return {parse_maxxii(course::read_text_file(folder + "/maxxii-indoor.csv")),
           parse_husky(course::read_text_file(folder + "/husky-windows.csv"))};
 }

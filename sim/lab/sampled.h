@@ -33,7 +33,7 @@ struct SampledRange {
 };
 
 /// The sampled properties. The limits on unseen robots do not hold for every robot in these ranges:
-/// of sixteen, the model of one exceeds two of them (daemon/report/RESULTS.md). Everything else is
+/// of sixteen, the model of one exceeds two of them (sim/lab/RESULTS.md). Everything else is
 /// as in config/robots/end-loaded.toml.
 ///
 /// They include real tracked robots with published figures: wheelbases of 0.97 gauges (load on the

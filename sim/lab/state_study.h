@@ -1,5 +1,5 @@
 #pragma once
-// Judges the daemon's estimates of slope, obstacle and camera noise: the part of `tp100-sim
+// Judges the daemon's estimates of slope, obstacle and camera noise: the part of `tp100-lab
 // reproduce` about state rather than position.
 
 #include <cstdint>

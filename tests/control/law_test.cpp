@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/arithmetic.h"
+#include "lagging_robot.h"
 #include "support/sequence.h"
 
 namespace tp100::control {
@@ -62,6 +63,69 @@ void expect_turn(const Law& law, const Parameters& parameters, double yaw_kp, Tu
     if (bounded == unbounded - errors.ahead.yaw_rad) ++free;
   }
   EXPECT_GT(free, 500);
+}
+
+TEST_P(EveryLaw, IsMirroredLeftAndRightAndAsksForNothingOnThePath) {
+  const auto law = make_law(parameters(), {});
+  test::Sequence any(4);
+  for (int i = 0; i < 200; ++i) {
+    const PathErrors left = any_errors(any, 1.0);
+    PathErrors right = left;
+    for (double* value :
+         {&right.cross_track_m, &right.heading_rad, &right.yaw_rate_radps, &right.curvature_1pm,
+          &right.crab_rad, &right.ahead.left_m, &right.ahead.yaw_rad, &right.ahead.curvature_1pm})
+      *value = -*value;
+    EXPECT_NEAR(law->steer(left).yaw_rad, -law->steer(right).yaw_rad, 1e-12);
+    EXPECT_NEAR(law->steer(left).yaw_rate_radps, -law->steer(right).yaw_rate_radps, 1e-12);
+  }
+  const LawOutput on_the_path =
+      law->steer({.speed_mps = 0.1, .ahead = {.along_m = law->look_ahead_m(0.1)}});
+  EXPECT_NEAR(on_the_path.yaw_rad, 0.0, 1e-12);
+  EXPECT_NEAR(on_the_path.yaw_rate_radps, 0.0, 1e-12);
+}
+
+TEST_P(EveryLaw, StaysBoundedForAnyErrors) {
+  const auto law = make_law(parameters(), {});
+  test::Sequence any(7);
+  for (int i = 0; i < 3000; ++i) {
+    PathErrors errors = any_errors(any, std::pow(10.0, any.between(-2.0, 8.0)));
+    errors.heading_rad = any.between(-kPi, kPi);
+    errors.yaw_rate_radps *= any.between(0.0, 20.0);
+    errors.speed_mps *= any.chance(0.1) ? 0.0 : any.between(0.0, 20.0);
+    errors.ahead.along_m = law->look_ahead_m(errors.speed_mps);
+    ASSERT_GE(errors.ahead.along_m, 0.0);
+    const LawOutput steering = law->steer(errors);
+    ASSERT_LE(std::abs(steering.yaw_rad + errors.crab_rad - errors.ahead.yaw_rad),
+              Parameters{}.max_approach_rad + 1e-9)
+        << i;
+    ASSERT_TRUE(std::isfinite(steering.yaw_rate_radps)) << i;
+  }
+}
+
+TEST_P(EveryLaw, ConvergesFromAnySideWithoutOvershoot) {
+  const course::Path path(make_course({course::Line{1.5}}));
+  for (const double left_m : {-0.08, -0.02, 0.0, 0.02, 0.08}) {
+    for (const double yaw_deg : {-60.0, -15.0, 0.0, 15.0, 60.0}) {
+      SCOPED_TRACE(testing::Message() << left_m << " m, " << yaw_deg << " deg");
+      Tracker tracker(parameters(), path, {});
+      LaggingRobot robot;
+      robot.pose = {.y_m = left_m, .yaw_rad = yaw_deg * kRadPerDeg};
+      double late_m = 0.0, overshoot_m = 0.0;
+      bool done = false;
+      for (int i = 0; i < 9000 && !done; ++i) {
+        const Target& target = tracker.update(robot.pose, robot.twist, kDt);
+        robot.obey(target);
+        done = target.done;
+        if (target.progress_m > 0.7) late_m = std::max(late_m, std::abs(robot.pose.y_m));
+        overshoot_m = std::max(overshoot_m, std::copysign(1.0, -left_m) * robot.pose.y_m);
+      }
+      EXPECT_TRUE(done);
+      EXPECT_LT(late_m, 0.003);
+      if (yaw_deg == 0.0) {
+        EXPECT_LT(overshoot_m, 0.1 * std::abs(left_m) + 0.001);
+      }
+    }
+  }
 }
 
 TEST_P(EveryLaw, TakesOtherParametersDuringADrive) {

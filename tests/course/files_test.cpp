@@ -209,8 +209,6 @@ TEST(BundledFiles, AreReadWholeWithEveryByte) {
   const TextFile file = read_text_file(folder.file("x.toml"));
   EXPECT_EQ(file.text, text);
   EXPECT_EQ(file_stem(file.path), "x");
-  for (const char* name : {"/maxxii-indoor.csv", "/husky-windows.csv", "/README.md"})
-    EXPECT_FALSE(read_text_file(real_data_directory() + name).text.empty()) << name;
 }
 
 TEST(BundledFiles, WhatIsNoFileIsNamedInOneLine) {

@@ -123,7 +123,8 @@ test('threads of DDS have neither the scheduling nor the processor of the loop',
   }));
   const text = JSON.stringify(threads);
   assert.ok(threads.some(({ name }) => name === 'recv'), text);
-  assert.ok(threads.filter(({ policy }) => policy === '1').length <= 1, text);
+  // The thread that carries out STOP is in real time, too.
+  assert.ok(threads.filter(({ name, policy }) => policy === '1' && name !== 'sockets').length <= 1, text);
   if (cpus().length > 1) assert.equal(threads.filter(({ processors }) => processors === '0').length, 1, text);
 }));
 

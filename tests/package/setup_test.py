@@ -66,7 +66,7 @@ def parts(at):
     machine.replace("cmake", f"""[ "$1" = --preset ] || exit 0
 echo "$0 $*" >> {machine.log}
 touch build/$2/build.ninja build/$2/CMakeCache.txt
-for part in FIRMWARE CAMERA ROS2 TESTS; do
+for part in FIRMWARE CAMERA ROS2 LAB TESTS; do
   # What is not named keeps its value.
   if [[ "$*" == *_$part=OFF* ]]; then value=OFF
   elif [[ "$*" == *_$part=ON* ]] || ! grep -q "_$part:BOOL=OFF" build/$2/CMakeCache.txt; then value=ON
@@ -85,12 +85,12 @@ mv build/$2/cache build/$2/CMakeCache.txt""")
 
     demo = asked("tp100d", "tp100-sim")
     check("libode-dev" in demo and not re.search("libopencv-dev|gcc-avr|libgtest-dev", demo)
-          and all(f"{part}=OFF" in demo for part in ("FIRMWARE", "CAMERA", "ROS2", "TESTS")), f"for the demo: {demo}")
+          and all(f"{part}=OFF" in demo for part in ("FIRMWARE", "CAMERA", "ROS2", "LAB", "TESTS")), f"for the demo: {demo}")
     check("--preset" not in (again := asked("tp100d")), f"configured for nothing: {again}")
     image = asked("tp100d", "tp100_image")
     check("gcc-avr" in image and "FIRMWARE=OFF" not in image and "CAMERA=OFF" in image, f"for the image: {image}")
     camera = asked("tp100-camera")
-    check("libopencv-dev" in camera and "ROS2=OFF" in camera and "TESTS=OFF" in camera and camera.count("=OFF") == 2, f"and the camera: {camera}")
+    check("libopencv-dev" in camera and "ROS2=OFF" in camera and "TESTS=OFF" in camera and camera.count("=OFF") == 3, f"and the camera: {camera}")
     everything = asked()
     check("libgtest-dev" in everything and "=OFF" not in everything, f"for everything: {everything}")
     # A program built by the demo without ROS 2 refuses it and names this command.

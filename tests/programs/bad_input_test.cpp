@@ -48,7 +48,7 @@ TEST_F(BadInput, NumbersThatAreNoneOrOutOfRange) {
       {{"tp100d", "ports"}, "--timeout", "0.1 to 3600"},
       {{"tp100-sim", "course", "3"}, "--seed", "0 to 18446744073709551615"},
       {{"tp100-sim", "course", "3"}, "--runs", "1 to 1000000"},
-      {{"tp100-sim", "reproduce"}, "--sampled", "0 to 10000"},
+      {{"tp100-sim", "calibrate"}, "--repeats", "1 to 100"},
       {{"tp100-sim", "campaign", "x"}, "--todo", "1 to 1000000"},
   };
   for (const auto& option : options)
@@ -61,7 +61,6 @@ TEST_F(BadInput, NamesTheNearestName) {
   expect_refused({"tp100d", "run", "--course", "33"}, "33: no such course; did you mean '3'?");
   expect_refused({"tp100d", "run", "--robot", "wom"}, "wom: no such robot; did you mean 'worn'?");
   expect_refused({"tp100-sim", "robot", "--fault", "dorp"}, "did you mean 'drop'?");
-  expect_refused({"tp100-sim", "reproduce", "--part", "papr"}, "did you mean 'paper'?");
 }
 
 TEST_F(BadInput, FilesThatAreMissingOrNotWhatTheyShouldBe) {

@@ -83,7 +83,7 @@ TEST(Reproduction, HasATrajectoryOfEveryStudyInAnyFolder) {
                                             "3-end-loaded-terrain-no-camera-33-36-s"}));
 }
 
-// The short form of `tp100-sim reproduce --part uneven`.
+// The short form of `tp100-lab reproduce --part uneven`.
 TEST(UnevenFloor, SeedsSpreadTheModelsErrorAndTheCameraKeepsThePose) {
   Trial trial = one_run(load_course("1-straight"));
   trial.runs = 4;
@@ -139,7 +139,7 @@ TEST(SampledRobot, RangesHoldRealRobots) {
             1.8);
 }
 
-// The short form of `tp100-sim reproduce --part sampled`.
+// The short form of `tp100-lab reproduce --part sampled`.
 TEST(SampledRobot, IsPredictedOnceItIsIdentified) {
   Loaded loaded = load({});
   loaded.robot = sampled_robot(loaded.robot, 1);
@@ -149,7 +149,7 @@ TEST(SampledRobot, IsPredictedOnceItIsIdentified) {
   expect_within_limits(study(trial, "1-curve", false));
 }
 
-// The short form of `tp100-sim reproduce --body shear`.
+// The short form of `tp100-lab reproduce --body shear`.
 TEST(ShearStudy, ARobotIsPredictedOnceItIsIdentifiedOnThatBody) {
   const test::TemporaryFolder folder;
   Options options;
@@ -238,7 +238,7 @@ TEST(Study, WithoutACameraForAWhileOnlyThatIsJudged) {
 
 class RandomCourse : public testing::TestWithParam<std::uint64_t> {};
 
-// `tp100-sim reproduce --part random` is the long form.
+// `tp100-lab reproduce --part random` is the long form.
 TEST_P(RandomCourse, IsCompletedAndNoDeviationEscapesItsFigures) {
   const RandomDrive drive = drive_random(GetParam());
   if (!drive.refused.empty()) {
