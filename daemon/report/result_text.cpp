@@ -234,7 +234,7 @@ std::string result_table(const RunResult& run, const RunFigures& figures) {
                  static_cast<unsigned long long>(run.link.lost),
                  static_cast<unsigned long long>(run.link.crc_errors));
   if (std::ranges::any_of(figures.baselines, [](const auto& errors) { return errors.has_value(); }))
-    text += "Forms are simpler models on the same counts and gyro: sim/lab/RESULTS.md.\n";
+    text += "Forms are simpler models on the same counts and gyro: daemon/REFERENCE.md.\n";
   if (!run.disturbances.empty())
     text +=
         "Model and forms are judged between the disturbances and reset to the truth after each,\n"

@@ -1,6 +1,6 @@
 # An overhead camera: renders images of a recorded drive and sends them to tp100-camera, in lockstep with it; or follows
-# a robot that drives now, whose pose it receives, with as many images as it can render. sim/lab/overhead passes the
-# settings as JSON in the environment and judges the detections.
+# a robot that drives now, whose pose it receives, with as many images as it can render. The script that starts it passes
+# the settings as JSON in the environment and judges the detections.
 extends Node
 
 const Frame = preload("res://frame.gd")
@@ -37,7 +37,7 @@ var subframe := -2        # the engine's first two are not used
 func _ready() -> void:
 	var parsed := JSON.parse(OS.get_environment("TP100_OVERHEAD"))
 	if parsed.error != OK or typeof(parsed.result) != TYPE_DICTIONARY:
-		fail("TP100_OVERHEAD: no settings; start this scene with sim/lab/overhead")
+		fail("TP100_OVERHEAD: no settings; a script starts this scene")
 		return
 	settings = parsed.result
 	PhysicsServer.set_active(false)

@@ -78,6 +78,9 @@ TEST_F(RunBesideADisk, StopAndWatchdogDoNotWaitForADiskThatStandsStill) {
                 forget();
                 ASSERT_TRUE(disk_.freeze());
                 viewer.call(server::Service::kRecordStop);
+                // STOP overtakes all requests: this one has arrived once the next is answered.
+                viewer.write_text(R"({"op":"getParameters","parameterNames":[],"id":"after"})");
+                viewer.read_until("\"after\"");
                 stops_in_time(viewer, manager);
                 // The same must hold during another run, whose recording also waits for the disk.
                 forget();

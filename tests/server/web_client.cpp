@@ -231,18 +231,20 @@ bool WebClient::closed() {
 
 std::string WebClient::read_until(const std::string& part) {
   const auto limit = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  std::string others;
   while (std::chrono::steady_clock::now() < limit) {
     drain();
     while (!messages_.empty()) {
       const std::string message = std::move(messages_.front());
       messages_.erase(messages_.begin());
       if (message.find(part) != std::string::npos) return message;
+      if (others.size() < 2000) others += "\n" + message.substr(0, 200);
     }
     if (closed_) break;
     pollfd wait{fd_, POLLIN, 0};
     ::poll(&wait, 1, 100);
   }
-  throw std::runtime_error("nothing came with " + part);
+  throw std::runtime_error("nothing came with " + part + ", but" + others);
 }
 
 std::vector<std::string> WebClient::take() {
