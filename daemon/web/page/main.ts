@@ -293,8 +293,8 @@ for (const topic of kTopics) {
 }
 
 // A report leads to the replay of its run.
-const wanted = /^#replay=(.+)$/.exec(location.hash)?.[1];
-if (wanted !== undefined) void replay(`/runs/${wanted}/run.mcap`, decodeURIComponent(wanted));
+const wanted = new URLSearchParams(location.hash.slice(1)).get('replay');
+if (wanted !== null) void replay(`/runs/${encodeURIComponent(wanted)}/run.mcap`, wanted);
 
 Promise.all([past('/estimate'), past('/slip')]).then(
   ([estimates, slips]) => { live.before(estimates as Estimate[], slips as Slip[]); },

@@ -43,7 +43,8 @@ describe('a recorded run', () => {
     // Its recording ends a second later.
     const last = page.locator('.runs tr[data-run$="-3"]').first();
     await until(async () => (await last.count()) === 1 && (await last.locator('.run-make').isEnabled()), 'it is recorded');
-    expect(await opened(page, last.locator('.run-make'))).toMatch(/\/runs\/[\w-]+-3\/report\.html$/);
+    const report = await opened(page, last.locator('.run-make'));
+    expect(report).toMatch(/\/runs\/[\w-]+-3\/report\.html$/);
     await until(async () => (await last.locator('.run-report').count()) === 1, 'the report stays beside it');
 
     expect(await page.isEnabled('#compare')).toBe(false);
@@ -55,6 +56,20 @@ describe('a recorded run', () => {
     const why = await shows(page, '.runs-message', /report of corrupted is not made: corrupted\/run\.mcap: .*not a recording/);
     expect(why).not.toContain(folder());
     await until(() => row(page, recorded('1-sharp')).locator('.run-make').isEnabled(), 'another one may be made');
+
+    await page.goto(report);
+    await page.getByText('Replay it').click();
+    await until(async () => Number(await page.getAttribute('#scrub', 'max')) > 0.5, 'the page replays the run of the report');
+  });
+
+  it('that an address names wrongly leaves the page as it is, with its STOP', async () => {
+    setting.expected = /404/;
+    const page = await setting.open();
+    await page.goto('about:blank');
+    await page.goto(`${setting.pair.url}#replay=%E0%A4%A`);
+    await shows(page, '.notice', /\S/);
+    await until(() => page.isEnabled('#stop'), 'STOP may be pressed');
+    expect(await page.evaluate(() => document.body.classList.contains('replaying'))).toBe(false);
   });
 
   it('gets a name, a note and tags, which stay, and is downloaded whole', async () => {
@@ -83,7 +98,6 @@ describe('a recorded run', () => {
     await until(() => page.isVisible('.run-form'), 'the form');
     await fits(page, '.runs');
   });
-
 });
 
 interface Moment {
