@@ -147,7 +147,7 @@ std::unique_ptr<server::Server> make_server(const config::RunSetup& run,
   out.runs = [&runs] { return runs.json(); };
   out.page = page_file;
   out.setup = [&setup](std::string_view path) { return setup.content(path); };
-  out.priority = run.configuration.loop.priority > 0 ? 1 : 0;
+  out.real_time = run.configuration.loop.priority > 0;
   out.listener = std::move(listener);
   return std::make_unique<server::Server>(
       std::move(out), messages::Messages(config::run_context_of(run), clock),

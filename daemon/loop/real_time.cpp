@@ -25,7 +25,6 @@ namespace {
 constexpr rlim_t kEnoughLockable = 256U << 20U;
 constexpr std::size_t kStack = 1U << 20U;
 constexpr std::size_t kStackTouched = 64U << 10U;
-constexpr int kWorkerPriority = 1;
 
 // Root needs no such limit, unless the capability was removed.
 std::string by_limit(const std::string& limit, const std::string& capability) {
@@ -101,7 +100,7 @@ bool is_unbound_worker(const std::filesystem::path& process) {
 /// Returns how many unbound workers are raised: none without permission, or in a container that
 /// does not show them.
 int raise_kernel_workers() {
-  const sched_param wanted{.sched_priority = kWorkerPriority};
+  const sched_param wanted{.sched_priority = kBelowTheLoop};
   int raised = 0;
   std::error_code error;
   for (const auto& entry : std::filesystem::directory_iterator("/proc", error)) {
@@ -133,7 +132,7 @@ RealTimeProcess::RealTimeProcess(const ProcessRequest& request) {
   workers_raised_ = request.raise_kernel_workers && raise_kernel_workers() > 0;
   if (workers_raised_)
     privileges_.push_back(
-        {"kernel workers that carry serial data: SCHED_FIFO " + std::to_string(kWorkerPriority),
+        {"kernel workers that carry serial data: SCHED_FIFO " + std::to_string(kBelowTheLoop),
          true,
          {}});
   for (Privilege& privilege : privileges_) resolve(privilege);

@@ -6,6 +6,9 @@
 
 namespace tp100::loop {
 
+/// SCHED_FIFO priority of what a robot waits for besides the loop: before ordinary programs.
+inline constexpr int kBelowTheLoop = 1;
+
 /// One requested privilege.
 struct Privilege {
   std::string what;  ///< e.g. "SCHED_FIFO 80"
@@ -17,10 +20,10 @@ struct Privilege {
 struct ProcessRequest {
   bool lock_memory = true;       ///< threads that begin then have stacks of 1 MB
   bool hold_cpu_latency = true;  ///< keep the processor out of deep sleep: halves the wake-up time
-  /// Schedule the kernel's unbound workers before ordinary programs (SCHED_FIFO 1), if CAP_SYS_NICE
-  /// permits it; a refusal is not reported. They carry the bytes of every tty, also of a pty, to
-  /// its reader: beside a browser they waited for 200 ms and more, which ends a run, and at nice
-  /// -20 still for 90 ms (Linux 6.18).
+  /// Schedule the kernel's unbound workers before ordinary programs (kBelowTheLoop), if
+  /// CAP_SYS_NICE permits it; a refusal is not reported. They carry the bytes of every tty, also of
+  /// a pty, to its reader: beside a browser they waited for 200 ms and more, which ends a run, and
+  /// at nice -20 still for 90 ms (Linux 6.18).
   bool raise_kernel_workers = true;
 };
 

@@ -198,7 +198,8 @@ const std::string& Server::note() const { return state_->sockets->note(); }
 void Server::start() {
   state_->thread = std::thread([this] {
     asio::post(state_->context, [this] { state_->tick(); });
-    run_handlers(state_->context, [this](const std::string& why) { state_->failed(why); });
+    run_handlers(
+        state_->context, [this](const std::string& why) { state_->failed(why); }, [] {});
   });
   ::pthread_setname_np(state_->thread.native_handle(), "server");
   state_->sockets->start();

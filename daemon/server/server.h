@@ -35,8 +35,8 @@ struct ServerSettings {
   RunList runs;             ///< empty: none
   SetupContent setup;       ///< empty: none
   Page page;
-  int priority = 0;   ///< SCHED_FIFO of the sockets' thread; 0: ordinary scheduling
-  Listener listener;  ///< called from the constructor and the worker's thread; must not block
+  bool real_time = false;  ///< the sockets' thread has loop::kBelowTheLoop, if permitted
+  Listener listener;       ///< called from the constructor and the worker's thread; must not block
 };
 
 class Server : public messages::Sink {

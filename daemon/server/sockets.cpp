@@ -117,7 +117,7 @@ void Sockets::start() {
   if (!url_.empty()) announcement_.emplace(own_);
   thread_ = std::thread([this] {
     // Before the other programs of a busy machine, if that is permitted.
-    loop::apply_to_this_thread({.priority = shared_.settings.priority});
+    loop::apply_to_this_thread({.priority = shared_.settings.real_time ? loop::kBelowTheLoop : 0});
     if (acceptor_.is_open()) accept();
     asio::post(context_, [this] { tick(); });
     run_handlers(context_, failed_, [this] { rest(); });

@@ -20,9 +20,8 @@ namespace tp100::server {
 
 /// Runs the handlers of `context` until it is stopped, and `after` after each. Nothing that one
 /// throws ends the program: `failed` gets it, as of a job of record::Worker.
-void run_handlers(
-    boost::asio::io_context& context, const record::Worker::Failed& failed,
-    const std::function<void()>& after = [] {});
+void run_handlers(boost::asio::io_context& context, const record::Worker::Failed& failed,
+                  const std::function<void()>& after);
 
 class Sockets {
  public:
