@@ -7,7 +7,7 @@
 
 #include "app/commands.h"
 #include "doctor/hello.h"
-#include "text/standard_streams.h"
+#include "text/command_line.h"
 
 namespace tp100::app {
 namespace {
@@ -303,14 +303,7 @@ int run(int argc, char** argv) {
   add_export(app, action);
   add_report(app, action);
   add_compare(app, action);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& asked) {
-    return app.exit(asked);
-  } catch (const CLI::ParseError& error) {
-    return text::report_usage_error("tp100d", error.what(), argc, argv, text::subcommands_of(app));
-  }
-  return action();
+  return text::run_command_line(app, argc, argv, action);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include "sim/campaign/campaign_command.h"
 #include "sim/robot/commands.h"
 #include "sim/trials/commands.h"
-#include "text/standard_streams.h"
+#include "text/command_line.h"
 
 namespace {
 
@@ -278,15 +278,7 @@ int run(int argc, char** argv) {
   add_faults_command(app, action);
   add_campaign_command(app, action);
   add_merge_command(app, action);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& asked) {
-    return app.exit(asked);
-  } catch (const CLI::ParseError& error) {
-    return tp100::text::report_usage_error("tp100-sim", error.what(), argc, argv,
-                                           tp100::text::subcommands_of(app));
-  }
-  return action();
+  return tp100::text::run_command_line(app, argc, argv, action);
 }
 
 }  // namespace

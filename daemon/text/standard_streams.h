@@ -18,19 +18,6 @@ struct Subcommand {
   std::vector<std::string> options;
 };
 
-/// The subcommands of a CLI::App. A template, so that only programs that have one need CLI11.
-template <class App>
-std::vector<Subcommand> subcommands_of(const App& app) {
-  std::vector<Subcommand> known;
-  for (const App* command : app.get_subcommands(std::function<bool(const App*)>{})) {
-    known.push_back({command->get_name(), {}});
-    for (const auto* option : command->get_options())
-      for (const std::string& name : option->get_lnames())
-        known.back().options.push_back("--" + name);
-  }
-  return known;
-}
-
 /// Same for a wrong command line, with a pointer to the --help of the subcommand, if it is one of
 /// `known`. If the command line has an unknown subcommand or option, the message names that, with
 /// the one that was probably meant, instead of `what`, which may be any text. Returns 2.

@@ -9,7 +9,7 @@
 #include "sim/lab/auto_study.h"
 #include "sim/lab/reproduce.h"
 #include "sim/robot/options.h"
-#include "text/standard_streams.h"
+#include "text/command_line.h"
 
 namespace {
 
@@ -105,15 +105,7 @@ int run(int argc, char** argv) {
   Action action;
   add_reproduce_command(app, action);
   add_identify_command(app, action);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& asked) {
-    return app.exit(asked);
-  } catch (const CLI::ParseError& error) {
-    return tp100::text::report_usage_error("tp100-lab", error.what(), argc, argv,
-                                           tp100::text::subcommands_of(app));
-  }
-  return action();
+  return tp100::text::run_command_line(app, argc, argv, action);
 }
 
 }  // namespace
