@@ -111,6 +111,7 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", TP100_VERSION);
   Options options;
   add_options(app, options);
+  app.footer("Example: tp100-camera /dev/video0 --view view.toml --send udp:47100");
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked) {
