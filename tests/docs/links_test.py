@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""links_test.py ROOT: every link and path in a page must exist, and every page must be reachable from README.md. Links
-into the laboratory, sim/lab, count only where it is: the project does without it."""
+"""links_test.py ROOT: every link, with the heading that it names, and every path in a page must exist, and every page must
+be reachable from README.md. Links into the laboratory, sim/lab, count only where it is: the project does without it."""
 import pathlib
 import re
 import sys
@@ -9,6 +9,7 @@ LINK = re.compile(r"\[[^\]]*\]\(([^)\s]+)\)")
 # A path with a folder, in a code span, that names a file of the project.
 PATH = re.compile(r"`((?:\.\./|[\w.-]+/)+[\w.-]+\.(?:h|cpp|md|toml|py|ts|js|ino|rules))`")
 BLOCK = re.compile(r"^```.*?^```$", re.M | re.S)
+HEADING = re.compile(r"^#+ (.*)$", re.M)
 FOLDERS = ("daemon", "firmware", "sim", "config", "tests", "scripts", ".github")
 
 
@@ -17,6 +18,12 @@ def pages(root):
     for folder in FOLDERS:
         found += [one for one in (root / folder).rglob("*.md") if "node_modules" not in one.parts]
     return sorted(found)
+
+
+def anchors(page):
+    """The headings of a page, as links name them."""
+    return {re.sub(r"[^\w -]", "", heading.lower()).replace(" ", "-")
+            for heading in HEADING.findall(BLOCK.sub("", page.read_text(encoding="utf-8")))}
 
 
 def main():
@@ -29,12 +36,14 @@ def main():
         text = BLOCK.sub("", page.read_text(encoding="utf-8"))
         targets = leads_to.setdefault(page, set())
         for link in LINK.findall(text):
-            if re.match(r"\w+:|#", link):
+            if re.match(r"\w+:", link):
                 continue
             checked += 1
-            target = (page.parent / link.split("#")[0]).resolve()
+            path, _, heading = link.partition("#")
+            target = (page.parent / path).resolve() if path else page
             targets.add(target)
-            if not target.exists() and not missing(target):
+            there = target.exists() and (not heading or heading in anchors(target))
+            if not there and not missing(target):
                 failures.append(f"{page.relative_to(root)}: no {link}")
         for path in PATH.findall(text):
             checked += 1
