@@ -43,7 +43,7 @@ def make(_build):
         check(library in depends, f"the package does not depend on {library}: {depends}")
     there = run("dpkg-deb", "-c", deb)
     for path in ("bin/tp100d", "bin/tp100-sim", "share/tp100/tp100.hex", "share/man/man1/tp100d.1.gz",
-                 "share/bash-completion/completions/tp100-sim", "share/zsh/vendor-completions/_tp100-flash"):
+                 "share/bash-completion/completions/tp100-sim"):
         check(f" ./usr/{path}\n" in there, f"the package has no /usr/{path}")
 
 

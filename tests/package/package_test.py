@@ -46,11 +46,12 @@ def exposure(_build):
               ROOT + "/config/systemd/tp100d@.service"))
 
 
-def words(shell_script, line):
-    """The completions that bash offers for the last word of `line`."""
-    parts = line.split(" ")
-    script = (f'source "{shell_script}"; COMP_WORDS=({" ".join(repr(p) for p in parts)}); '
-              f'COMP_CWORD={len(parts) - 1}; _{parts[0].replace("-", "_")}; printf "%s\\n" "${{COMPREPLY[@]}}"')
+def completed(scripts, line):
+    """What bash, with the completion of these programs, offers for the last word of `line`."""
+    words = line.split(" ")
+    script = (f'PATH={scripts}/usr/bin:$PATH; source {scripts}/usr/share/bash-completion/completions/{words[0]}; '
+              f'COMP_WORDS=({" ".join(map(repr, words))}); COMP_CWORD={len(words) - 1}; '
+              f'_tp100 {words[0]} {words[-1]!r} {words[-2]}; printf "%s\\n" "${{COMPREPLY[@]}}"')
     return run("bash", "-c", script).split()
 
 
@@ -58,20 +59,16 @@ def completion(build):
     with tempfile.TemporaryDirectory() as at:
         for deb in packages(build).values():
             run("dpkg-deb", "-x", deb, at)
-        scripts = at + "/usr/share/bash-completion/completions/"
-        for line, offered in (("tp100d ", "identify"), ("tp100d re", "replay"), ("tp100d run --set", "--setup"),
-                              ("tp100d run --setup ", "terrain"), ("tp100-sim robot --board a", "avr"),
-                              ("tp100-flash --port a", "auto"), ("tp100-campaign --engine s", "slurm"),
-                              ("tp100d check /etc/pass", "/etc/passwd"), ("tp100-camera --print", "--print-marker")):
-            if not os.path.exists(at + "/usr/bin/" + line.split(" ", maxsplit=1)[0]):
-                continue
-            got = words(scripts + line.split(" ", maxsplit=1)[0], line)
-            check(offered in got, f"bash offers {got} after '{line}', not {offered}")
-        for program in sorted(os.listdir(at + "/usr/bin")):
+        programs = sorted(os.listdir(at + "/usr/bin"))
+        for line, offered in (("tp100d re", ["replay", "recover", "report"]), ("tp100d run --set", ["--setup"]),
+                              ("tp100-sim robot --board a", ["avr"]), ("tp100-flash --port a", ["auto"]),
+                              ("tp100-campaign --engine s", ["slurm"]), ("tp100-camera --tu", ["--tum"])):
+            if line.split(" ", maxsplit=1)[0] in programs:
+                check((got := completed(at, line)) == offered, f"bash offers {got} after '{line}', not {offered}")
+        for program in programs:
             page = gzip.open(f"{at}/usr/share/man/man1/{program}.1.gz", "rt").read()
             check("\n" + program.replace("-", "\\-") + " \\- " in page, f"{program}: no whatis line")
-            need(("zsh", "zsh"))
-            run("zsh", "-n", f"{at}/usr/share/zsh/vendor-completions/_{program}")
+            check(".SH EXAMPLES\n.nf\n" + program.replace("-", "\\-") in page, f"{program}: no example")
 
 
 STEPS = {step.__name__: step for step in (make, lintian, exposure, completion, container, install, setup)}
