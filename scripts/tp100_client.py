@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """A client of tp100d for programs in Python: one file to copy beside yours.
 
 Needs Python 3.9 and websocket-client (Debian: python3-websocket). The daemon's channels and services are described in
@@ -20,18 +19,12 @@ daemon/messages/CHANNELS.md; this file speaks the protocol, knows a few of them 
         run = robot.runs()[0]["run"]                # the newest recording
         robot.note_run(run, name="wet floor", tags="lab wet")
         print(robot.report_run(run))                # the address of its report
-
-As a program:  tp100_client.py [--at HOST:PORT] pose | state | start | stop | wait | drive SPEED YAW_RATE SECONDS
-                   | doctor | runs | name RUN NAME | delete RUN | report RUN | compare RUN RUN
-It ends with status 0, with 1 if the daemon refuses, a run is aborted or doctor finds an error, with 2 if there is no daemon.
 """
-import argparse
 import contextlib
 import json
 import math
 import queue
 import struct
-import sys
 import threading
 import time
 import urllib.request
@@ -338,70 +331,3 @@ class Wheel:
         """Stops and disarms the robot."""
         with contextlib.suppress(Refused):  # another client drives, or the drive has ended
             self._robot.call("drive_release", token=self._token)
-
-
-def stop(robot):
-    acknowledged = robot.stop()
-    print("acknowledged" if acknowledged else "the robot has not acknowledged it yet")
-    return 0 if acknowledged else 1
-
-
-def wait(robot):
-    ended = robot.wait_for_end()
-    print(ended)
-    return 1 if ended == "aborted" else 0
-
-
-def drive(robot, speed_mps, yaw_rate_radps, duration_s):
-    with robot.drive_by_hand() as wheel:
-        wheel.drive(float(speed_mps), float(yaw_rate_radps), float(duration_s))
-
-
-def doctor(robot):
-    findings = robot.examine()
-    for finding in findings:
-        print(finding["severity"], finding["name"], finding["seen"], finding["fix"], sep="\t")
-    return 1 if any(finding["severity"] == "error" for finding in findings) else 0
-
-
-def runs(robot):
-    for run in robot.runs():
-        print(run["run"], run["bytes"], run["name"], run["tags"], sep="\t")
-
-
-COMMANDS = {
-    "pose": lambda robot: print(json.dumps(robot.pose())),
-    "state": lambda robot: print(json.dumps(robot.state())),
-    "start": lambda robot: robot.start(),
-    "stop": stop, "wait": wait, "drive": drive, "doctor": doctor, "runs": runs,
-    "name": lambda robot, run, name: robot.note_run(run, name=name),
-    "delete": lambda robot, run: robot.delete_run(run),
-    "report": lambda robot, run: print(robot.report_run(run)),
-    "compare": lambda robot, run, other: print(robot.compare_runs(run, other)),
-}
-
-
-def main():
-    parser = argparse.ArgumentParser(description="Asks a running tp100d.")
-    parser.add_argument("--at", default="127.0.0.1:8765", metavar="HOST:PORT")
-    parser.add_argument("what", choices=list(COMMANDS))
-    parser.add_argument("arguments", nargs="*", help="drive: speed [m/s], yaw rate [rad/s] and how long [s]; "
-                                                     "name, delete, report, compare: runs as runs lists them")
-    given = parser.parse_args()
-    command = COMMANDS[given.what]
-    wanted = command.__code__.co_varnames[1:command.__code__.co_argcount]
-    if len(given.arguments) != len(wanted):
-        parser.error(f"{given.what} takes {' '.join(wanted) or 'nothing'}")
-    try:
-        with Robot(given.at) as robot:
-            status = command(robot, *given.arguments)
-            return status if isinstance(status, int) else 0
-    except ValueError as error:
-        parser.error(str(error))
-    except (Refused, Lost) as error:
-        print(f"tp100_client: {error}", file=sys.stderr)
-        return 1 if isinstance(error, Refused) else 2
-
-
-if __name__ == "__main__":
-    sys.exit(main())

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""client_test.py BIN: scripts/tp100_client.py against the real programs in BIN, as a program of its user would run it."""
+"""client_test.py BIN: scripts/tp100_client.py against the real programs in BIN, as a program of its user would."""
 import json
 import math
 import os
@@ -16,7 +16,6 @@ sys.dont_write_bytecode = True
 from verdict import check  # noqa: E402
 import tp100_client  # noqa: E402
 
-CLIENT = os.path.join(ROOT, "scripts", "tp100_client.py")
 COURSE = """[[segment]]
 type = "line"
 length_m = 0.5
@@ -97,21 +96,13 @@ def manages(at):
         finished = when("both recordings", lambda: [run for run in robot.runs() if not run["active"]][1:])[-1]["run"]
         check(robot.note_run(finished, name="first", tags="a b")["tags"] == "a b", "a note is taken")
         check(robot.note_run(finished, note="good")["name"] == "first", "what is not named stays")
-        address = says(0, "--at", at, "report", finished).strip()
-        with urllib.request.urlopen(address, timeout=60) as page_of_it:
+        with urllib.request.urlopen(robot.report_run(finished), timeout=60) as page_of_it:
             check(b"</html>" in page_of_it.read(), "the report is a page")
-        check(f"{finished}\t" in says(0, "--at", at, "runs") and "first\ta b" in says(0, "--at", at, "runs"), "are listed")
-        check("no such run" in says(1, "--at", at, "report", "none"), "a refusal is said")
+        check("no such run" in refused(lambda: robot.report_run("none")), "only recorded runs are judged")
         check("name of a run" in refused(lambda: robot.delete_run("../" + finished)), "no path is taken")
         check("no such run" in refused(lambda: robot.identify(["none"])), "only recorded runs are identified")
         robot.delete_run(finished)
         check(finished not in [run["run"] for run in robot.runs()], "is deleted")
-
-
-def says(status, *arguments):
-    ended = subprocess.run([CLIENT, *arguments], capture_output=True, text=True, check=False, timeout=60)
-    check(ended.returncode == status, f"{arguments}: status {ended.returncode}\n{ended.stdout}{ended.stderr}")
-    return ended.stdout + ended.stderr
 
 
 def main():
@@ -128,15 +119,13 @@ def main():
             at = when("the page", lambda: page(stats))
             drives(at)
             manages(at)
-            check("x_m" in json.loads(says(0, "--at", at, "pose")), "prints the pose")
-            check(json.loads(says(0, "--at", at, "state"))["run"] == "aborted", "prints the state")
-            check("ok\tfirmware\t" in says(0, "--at", at, "doctor"), "examines robot and machine")
-            check(says(0, "--at", at, "stop") == "acknowledged\n", "stops")
             watched = tp100_client.Robot(at)
+            check("firmware" in [found["name"] for found in watched.examine() if found["severity"] == "ok"],
+                  "examines robot and machine")
             daemon.send_signal(signal.SIGTERM)
             daemon.wait(30)
             when("the loss", lambda: lost(watched.state))
-            check("no tp100d answers" in says(2, "--at", at, "pose"), "without a daemon it says what to do")
+            check(lost(lambda: tp100_client.Robot(at)), "without a daemon there is no robot")
         except BaseException:
             with open(os.path.join(folder, "daemon.log"), encoding="utf-8") as log:
                 print(log.read())
