@@ -71,12 +71,9 @@ execute_process(COMMAND gzip -9nc INPUT_FILE ${debian}/changelog OUTPUT_FILE ${d
   COMMAND_ERROR_IS_FATAL ANY)
 install(FILES ${debian}/copyright ${documents}/changelog.gz DESTINATION share/doc/tp100)
 # In the folders of the source tree, because they link to each other.
-foreach(page README.md config/CONTAINER.md config/SERVICE.md config/TUTORIALS.md daemon/ARCHITECTURE.md daemon/GLOSSARY.md
-    daemon/REFERENCE.md daemon/camera/CAMERA.md daemon/control/EXTENDING.md daemon/messages/CHANNELS.md
-    daemon/record/RECORDINGS.md daemon/report/RESULTS.md daemon/ros2/ROS2.md daemon/server/THREATS.md
-    daemon/worlds/WORLD.md
-    firmware/FIRST_DRIVE.md firmware/PROTOCOL.md firmware/WIRING.md sim/CI.md sim/campaign/CAMPAIGNS.md
-    sim/faults/FAULTS.md sim/lab/RESULTS.md tests/PROOF.md tests/data/real/README.md)
+file(GLOB pages RELATIVE ${CMAKE_SOURCE_DIR} README.md config/*.md daemon/*.md daemon/*/*.md firmware/*.md sim/*.md
+  sim/*/*.md tests/PROOF.md tests/data/real/README.md)
+foreach(page IN LISTS pages)
   cmake_path(GET page PARENT_PATH folder)
   install(FILES ${page} DESTINATION share/doc/tp100/${folder})
 endforeach()
