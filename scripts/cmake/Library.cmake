@@ -92,7 +92,7 @@ function(tp100_test name)
   list(TRANSFORM TEST_DEPENDS REPLACE / _)
   list(TRANSFORM TEST_DEPENDS PREPEND tp100_)
   add_executable(${name} ${TEST_SOURCES})
-  target_link_libraries(${name} PRIVATE tp100_options tp100_test_options tp100_test_time tp100_test_paths
+  target_link_libraries(${name} PRIVATE tp100_options tp100_test_options tp100_test_paths
     ${TEST_DEPENDS} ${TEST_LIBRARIES} GTest::gmock GTest::gtest_main)
   target_precompile_headers(${name} REUSE_FROM tp100_test_headers)
   # Under an emulator there is no real time, and tests that start programs are run by tests/arm64.

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""scripts/tested.py on ctest runs of a small project: skips, second tries and groups."""
+"""scripts/tested.py on ctest runs of a small project: skips and second tries."""
 import os
 import subprocess
 import sys
@@ -29,15 +29,6 @@ SKIPPED = """skipped, 4 of 5 tests:
 """
 UNKNOWN = " (error: tests/SKIPS does not list this reason)"
 STRICT = "".join(line + (UNKNOWN if line.startswith("  ") else "") + "\n" for line in SKIPPED.splitlines())
-WRONG = "wrong group: {} took {:.1f} s of a processor in 10.0 s; label realtime is for what waits\n"
-# Name, wall-clock, processor and idle seconds.
-TIMES = """Waits.Long\t10.000\t1.000\t5.000
-Computes.Long\t10.000\t9.000\t0.000
-Computes.OnABusyMachine\t10.000\t1.000\t0.900
-Waits.OnABusyMachine\t10.000\t0.000\t0.100
-Short.Any\t0.100\t0.100\t0.100
-Mixed.Long\t10.000\t5.000\t5.000
-"""
 
 
 def retried(count):
@@ -51,10 +42,8 @@ def main():
         build = folder + "/build"
         subprocess.run(["cmake", "-S", folder, "-B", build], stdout=subprocess.DEVNULL, check=True)
 
-        def expect(wanted, status, tests, *options, name="computing", times=""):
-            run = f"{folder}/{name}"
-            with open(run + ".times", "w", encoding="utf-8") as file:
-                file.write(times)
+        def expect(wanted, status, tests, *options):
+            run = f"{folder}/run"
             subprocess.run(["ctest", "--test-dir", build, "--output-junit", run + ".xml", "--output-log", run + ".log",
                             "--parallel", "2", "-R", tests, "--repeat", "until-pass:2"],
                            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
@@ -71,8 +60,6 @@ def main():
         expect("", 0, "passed", "--no-skips")
         expect(retried(3), 0, "flaky[123]")
         expect(retried(4) + "error: more than 3 tests needed a second try\n", 1, "flaky")
-        expect(WRONG.format("Waits.Long", 1), 0, "passed", times=TIMES)
-        expect(WRONG.format("Computes.Long", 9), 1, "passed", name="realtime", times=TIMES)
 
 
 if __name__ == "__main__":
