@@ -223,26 +223,23 @@ FaultOutcome try_fault(const FaultTrial& trial, BoardKind board, messages::Sink*
   return outcome;
 }
 
-std::string fault_table_head() {
-  return "| `--fault` | board | expected | seen |\n|---|---|---|---|\n";
+std::string expected_effect(const FaultTrial& trial) {
+  std::string text(trial.end);
+  text += ", counted as " + std::string(trial.counter);
+  if (trial.off_within_s > 0.0)
+    text += text::format(", motors off within %.2f s", trial.off_within_s);
+  if (trial.again_s > 0.0) text += ", the next start completed";
+  return text;
 }
 
-std::string fault_row(const FaultTrial& trial, BoardKind board, const FaultOutcome& outcome) {
-  const auto words = [&](std::string_view end, bool counter, const char* off, double off_s,
-                         std::string_view again) {
-    std::string row(end);
-    row += (counter ? ", counted as " : ", not counted as ") + std::string(trial.counter);
-    if (trial.off_within_s > 0.0) row += text::format(", motors off %s %.2f s", off, off_s);
-    if (!again.empty()) row += ", the next start " + std::string(again);
-    return row;
-  };
-  std::string seen = words(outcome.end, outcome.counted >= trial.at_least, "after",
-                           outcome.off_after_s, outcome.again);
-  if (outcome.wild > 0) seen += ", commands out of range";
-  return "| `" + std::string(trial.fault) + "` | " + to_string(board) + " | " +
-         words(trial.end, true, "within", trial.off_within_s,
-               trial.again_s > 0.0 ? kCompleted : "") +
-         " | " + seen + " |\n";
+std::string seen_effect(const FaultTrial& trial, const FaultOutcome& outcome) {
+  std::string text = "as expected";
+  if (!outcome.as_expected)
+    text = text::format("%s, %g counted, %u commands out of range, next start: %s",
+                        outcome.end.c_str(), outcome.counted, static_cast<unsigned>(outcome.wild),
+                        outcome.again.c_str());
+  if (trial.off_within_s > 0.0) text += text::format(", off after %.2f s", outcome.off_after_s);
+  return text;
 }
 
 }  // namespace tp100::sim

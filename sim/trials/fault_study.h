@@ -62,9 +62,8 @@ struct FaultOutcome {
 FaultOutcome try_fault(const FaultTrial& trial, BoardKind board, messages::Sink* sink = nullptr,
                        std::uint64_t seed = 1);
 
-/// A row of a Markdown table: fault, expected, observed.
-std::string fault_row(const FaultTrial& trial, BoardKind board, const FaultOutcome& outcome);
-/// The table's head.
-std::string fault_table_head();
+/// What is expected of a fault, and what was observed, as cells of a table.
+std::string expected_effect(const FaultTrial& trial);
+std::string seen_effect(const FaultTrial& trial, const FaultOutcome& outcome);
 
 }  // namespace tp100::sim
