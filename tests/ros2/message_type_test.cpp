@@ -1,7 +1,6 @@
-// The types and the encoding of what goes over ROS 2's topics.
+// The types of what goes over ROS 2's topics; their encoding: tests/npm/ros2_bag_test.mjs.
 #include "ros2/message_type.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <set>
@@ -13,8 +12,6 @@
 
 namespace tp100::ros2 {
 namespace {
-
-using testing::ElementsAreArray;
 
 // As rosidl prints them (`ros2 topic info --verbose` shows them after "RIHS01_"). With another
 // hash, ROS 2 would say that the types differ, and show nothing.
@@ -48,31 +45,6 @@ TEST(MessageType, HashesOfAllTopicsAreThoseOfRos2) {
   std::string text = "\n";
   for (const std::string& type : types) text += type;
   EXPECT_EQ(text, kHashes);
-}
-
-// Numbers are aligned to their size, a text ends with a zero that its length counts, a sequence has
-// its length and an array has not.
-TEST(Cdr, IsWrittenAsItsStandardSays) {
-  Bytes numbers, rest;
-  CdrWriter cdr(numbers);
-  cdr.put(std::uint8_t{1});
-  cdr.put(std::uint32_t{2});
-  cdr.put(true);
-  cdr.put(1.0);
-  EXPECT_THAT(numbers, ElementsAreArray({1, 0, 0, 0, 2, 0, 0,    0,   1, 0, 0, 0, 0, 0, 0, 0,  //
-                                         0, 0, 0, 0, 0, 0, 0xF0, 0x3F}));
-  CdrWriter other(rest);
-  other.put(std::string("map"));
-  other.put(std::vector<std::uint8_t>{7, 8});
-  other.put(std::array<std::uint8_t, 2>{9, 10});
-  other.put(std::vector<double>{});
-  EXPECT_THAT(rest, ElementsAreArray(Bytes{4, 0, 0, 0,  'm', 'a', 'p', 0, 2, 0, 0, 0,  //
-                                           7, 8, 9, 10, 0,   0,   0,   0}));
-  // The alignment counts from the end of the header, which names the encoding.
-  const Bytes bytes = serialized(geometry_msgs::Point{.x = 1.0});
-  ASSERT_EQ(bytes.size(), 4u + 3 * 8u);
-  EXPECT_THAT(Bytes(bytes.begin(), bytes.begin() + 4), ElementsAreArray({0, 1, 0, 0}));
-  EXPECT_EQ(bytes[11], 0x3F);
 }
 
 }  // namespace
