@@ -15,10 +15,6 @@ PARTS = {
               "20 s with random commands in a fence", [
                   ("what", "what", "<62s"), ("count", "count", "5d"), ("p50", "p50", "9.1f"), ("p99", "p99", "9.1f"),
                   ("max", "max", "9.1f"), ("unit", "unit", "<3s")]),
-    "ros2": ("ROS 2's topics: received by Fast DDS, cost, and how long the robot is told to move after its driver is lost", [
-        ("what", "what", "<82s"), ("count", "count", "6d"), ("p50", "p50", "9.3f"), ("p99", "p99", "9.3f"),
-        ("max", "max", "9.3f"), ("unit", "unit", "<5s"), ("lost", "lost", "4d"), ("low", "2.5 %", "7.3f"),
-        ("high", "97.5 %", "7.3f")]),
     "replug": ("a driving robot unplugged again and again; what holds at the end beside what held after ten", [
         ("what", "what", "<43s"), ("count", "cycles", "5d"), ("p50", "p50", "8.2f"), ("p99", "p99", "8.2f"),
         ("max", "max", "8.2f"), ("from", "then", "8.4g"), ("to", "at the end", "8.4g")]),

@@ -33,7 +33,7 @@ test('the robot is told to stop within 250 ms of the last message of a driver th
     const run = await daemon(`${ros2On}\ninterface = "eth0"\n[server]\ncommands = "all"`, ['--wait', '--record', record]);
     const times = [];
     for (const loss of Object.keys(losses))
-      for (const each of await loseDriver(run, loss, 1, { under })) times.push({ loss, ...each });
+      times.push({ loss, ...await loseDriver(run, loss, { under }) });
     run.child.kill('SIGTERM');
     await run.exit;
     (await movedAfter(record, times)).forEach(({ told, moved }, i) => {

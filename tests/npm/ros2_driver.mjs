@@ -106,25 +106,17 @@ export const losses = {
   },
 };
 
-/** Loses a driver `trials` times; returns the times of the last fresh messages, begin and end of each trial [ms]. */
-export async function loseDriver(run, loss, trials, settings) {
-  const times = [];
-  let driver;
-  for (let i = 0; i < trials; ++i) {
-    driver ??= new Driver(run, { ...settings, type: loss === 'frozen stamp' ? twistStamped : twist });
-    await driver.take();
-    const begin = Date.now();
-    let last = await driver.driveFor(400 + Math.random() * 300, 0.05 + Math.random() * 0.1, Math.random() - 0.5);
-    const end = await losses[loss](driver, last) ?? Date.now();
-    // A driver that still runs knows when it sent the last message.
-    if (loss === 'silence') last = Math.max(...driver.peer.found.map(({ written_ns }) => (written_ns ?? 0) / 1e6));
-    times.push({ begin, last, end });
-    if (loss === 'silence') continue;
-    driver.peer.kill();
-    driver = undefined;
-  }
-  driver?.peer.kill();
-  return times;
+/** Loses a driver; returns the time of its last fresh message, and begin and end of the loss [ms]. */
+export async function loseDriver(run, loss, settings) {
+  const driver = new Driver(run, { ...settings, type: loss === 'frozen stamp' ? twistStamped : twist });
+  await driver.take();
+  const begin = Date.now();
+  let last = await driver.driveFor(400 + Math.random() * 300, 0.05 + Math.random() * 0.1, Math.random() - 0.5);
+  const end = await losses[loss](driver, last) ?? Date.now();
+  // A driver that still runs knows when it sent the last message.
+  if (loss === 'silence') last = Math.max(...driver.peer.found.map(({ written_ns }) => (written_ns ?? 0) / 1e6));
+  driver.peer.kill();
+  return { begin, last, end };
 }
 
 /** For each of these times: milliseconds after `last` until which the recording's commands request motion (`told`) and

@@ -75,9 +75,6 @@ export class Peer {
   }
 }
 
-/** The value below which this share of the values lies. */
-export const percentile = (values, share) => [...values].sort((a, b) => a - b)[Math.floor(share * (values.length - 1))];
-
 /** Calls `work` with a command that runs another one on a second host, at the other end of the network eth0. */
 export async function withSecondHost(work) {
   const ip = (...options) => execFileSync('ip', options);

@@ -3,8 +3,8 @@
 // participant, each writer, each message, each match of a topic of its own and each message that it
 // has published. A line "TOPIC=TYPE HEX" on standard input is a message to publish; it ends when
 // standard input does. DOMAIN is a number, @ADDRESS after it an address to be restricted to,
-// >ADDRESS where to announce itself instead of by multicast. A final "quiet" keeps the messages'
-// lines to the end. QOS: R reliable or B best effort, followed by T transient local or V volatile.
+// >ADDRESS where to announce itself instead of by multicast. QOS: R reliable or B best effort,
+// followed by T transient local or V volatile.
 
 #include <fastcdr/Cdr.h>
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
@@ -144,35 +144,19 @@ class Discovery : public fast::DomainParticipantListener {
 
 class Messages : public fast::DataReaderListener {
  public:
-  explicit Messages(bool quiet) : quiet_(quiet) {}
-  void print_kept() const {
-    for (const std::string& line : kept_) print(line);
-  }
   void on_data_available(fast::DataReader* reader) override {
     std::vector<std::uint8_t> bytes;
     fast::SampleInfo info;
     while (reader->take_next_sample(&bytes, &info) == ReturnCode_t::RETCODE_OK) {
       if (!info.valid_data) continue;
-      write("{\"message\":\"" + reader->get_topicdescription()->get_name() +
-            "\",\"sent_ns\":" + std::to_string(info.source_timestamp.to_ns()) +
-            ",\"received_ns\":" + std::to_string(unix_ns()) + ",\"cdr\":\"" +
-            hex(bytes.data(), bytes.size()) + "\"}");
+      print("{\"message\":\"" + reader->get_topicdescription()->get_name() + "\",\"received_ns\":" +
+            std::to_string(unix_ns()) + ",\"cdr\":\"" + hex(bytes.data(), bytes.size()) + "\"}");
     }
   }
   void on_requested_incompatible_qos(fast::DataReader* reader,
                                      const fast::RequestedIncompatibleQosStatus&) override {
     print("{\"incompatible\":\"" + reader->get_topicdescription()->get_name() + "\"}");
   }
-
- private:
-  void write(const std::string& line) {
-    if (!quiet_) return print(line);
-    const std::lock_guard lock(mutex_);
-    kept_.push_back(line);
-  }
-  bool quiet_;
-  std::mutex mutex_;
-  std::vector<std::string> kept_;
 };
 
 class Matches : public fast::DataWriterListener {
@@ -200,7 +184,7 @@ AnyQos with(AnyQos qos, const std::string& wanted) {
 int main(int argc, char** argv) {
   Discovery discovery;
   const std::string domain = argv[1];
-  Messages messages(domain.ends_with("quiet"));
+  Messages messages;
   Matches matches;
   fast::DomainParticipantQos participant_qos = fast::PARTICIPANT_QOS_DEFAULT;
   // Without shared memory, which would leave files behind.
@@ -253,7 +237,6 @@ int main(int argc, char** argv) {
     writers.at(line.substr(0, space))->write(&bytes);
     print("{\"written_ns\":" + std::to_string(unix_ns()) + "}");
   }
-  messages.print_kept();
   participant->delete_contained_entities();
   factory->delete_participant(participant);
   return 0;
