@@ -94,7 +94,7 @@ messages::PublishClock read_clocks() {
 std::optional<server::PageFile> page_file(std::string_view path) {
   const web::File* file = web::find(path);
   if (file == nullptr) return std::nullopt;
-  return server::PageFile{file->mime, file->bytes, file->etag, file->encoding};
+  return server::PageFile{file->mime, file->bytes, file->etag};
 }
 
 runs::ArchiveSettings archive_settings(const config::RecordSettings& settings,

@@ -60,7 +60,6 @@ HttpAnswer page_answer(const PageFile& file, std::string_view none_match) {
     answer.status = 304;
     return answer;
   }
-  if (!file.encoding.empty()) answer.headers.emplace_back("Content-Encoding", file.encoding);
   answer.bytes = file.bytes;
   answer.length = file.bytes.size();
   return answer;

@@ -21,8 +21,7 @@ namespace tp100::server {
 struct PageFile {
   std::string_view mime;
   std::span<const unsigned char> bytes;
-  std::string_view etag;      ///< quotes included
-  std::string_view encoding;  ///< for Content-Encoding; empty: bytes as they are
+  std::string_view etag;  ///< quotes included
 };
 /// Returns the file for the `path` that a browser requests, or nothing.
 using Page = std::function<std::optional<PageFile>(std::string_view path)>;

@@ -11,8 +11,7 @@ namespace tp100::web {
 struct File {
   std::string_view path;  ///< as a browser asks for it: "/cockpit.js"; "/index.html" answers "/"
   std::string_view mime;  ///< for Content-Type
-  std::string_view encoding;  ///< for Content-Encoding: "gzip", or empty for bytes as they are
-  std::string_view etag;      ///< for ETag, quotes included; changes with the content
+  std::string_view etag;  ///< for ETag, quotes included; changes with the content
   std::span<const unsigned char> bytes;  ///< the body as it is sent
 };
 

@@ -28,7 +28,7 @@ class HttpContent : public ::testing::Test {
  protected:
   HttpContent() {
     sources_.page = [](std::string_view path) {
-      return path == "/" ? std::optional(PageFile{"text/html", {kPage, 6}, "\"5a\"", "gzip"})
+      return path == "/" ? std::optional(PageFile{"text/html", {kPage, 6}, "\"5a\""})
                          : std::nullopt;
     };
     sources_.runs_folder = folder_.file("runs");

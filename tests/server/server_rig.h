@@ -34,7 +34,7 @@ class ServerTest : public ::testing::Test {
     settings_.listen = "127.0.0.1:0";
     settings_.page = [](std::string_view path) {
       return path == "/"
-                 ? std::optional(PageFile{"text/html", {kPage, sizeof kPage - 1}, "\"1\"", ""})
+                 ? std::optional(PageFile{"text/html", {kPage, sizeof kPage - 1}, "\"1\""})
                  : std::nullopt;
     };
   }
