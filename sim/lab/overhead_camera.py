@@ -111,7 +111,7 @@ def engine():
     """The command that starts off-screen rendering. The engine's time is the drive's."""
     return ["xvfb-run", "-a", "-s", "-screen 0 64x64x24", "godot3-runner", "--video-driver", "GLES2", "--audio-driver",
             "Dummy", "--resolution", "64x64", "--fixed-fps", "500", "--path", os.path.join(ROOT, "sim/godot"),
-            "res://overhead.tscn"]
+            os.path.join(ROOT, "sim/lab/godot/overhead.tscn")]
 
 
 @contextlib.contextmanager

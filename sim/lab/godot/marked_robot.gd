@@ -1,7 +1,7 @@
 # The robot with a marker for an overhead camera, level above its reference point.
 extends "res://robot_view.gd"
 
-const Plate = preload("res://marker_plate.gd")
+const Plate = preload("marker_plate.gd")
 
 var sheet := {}  # {file, side_m, height_m}
 

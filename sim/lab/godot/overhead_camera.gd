@@ -6,9 +6,9 @@ extends Node
 const Frame = preload("res://frame.gd")
 const Terrain = preload("res://terrain.gd")
 const Floor = preload("res://floor.gd")
-const MarkedRobot = preload("res://marked_robot.gd")
-const Plate = preload("res://marker_plate.gd")
-const PassingHand = preload("res://passing_hand.gd")
+const MarkedRobot = preload("marked_robot.gd")
+const Plate = preload("marker_plate.gd")
+const PassingHand = preload("passing_hand.gd")
 
 const JITTER_PX = [Vector2(-0.125, -0.375), Vector2(0.375, -0.125), Vector2(0.125, 0.375), Vector2(-0.375, 0.125)]
 const PLATE_POINTS := 4  # parts of a side of the marker whose ends are tested for visibility
@@ -195,7 +195,7 @@ func build_sensor() -> void:
 	screen.texture = pinhole.get_texture()
 	screen.texture.flags = Texture.FLAG_FILTER
 	subframes = int(settings.in_exposure + settings.last_row_begins)
-	shader.shader = preload("res://sensor.shader")
+	shader.shader = preload("sensor.shader")
 	for value in [["size_px", sensor.size], ["focal_px", lens.focal_px], ["centre_px", Vector2(lens.cx_px, lens.cy_px)],
 			["k1", lens.k1], ["k2", lens.k2], ["pinhole_px", pinhole.size], ["pinhole_focal_px", settings.pinhole.focal_px],
 			["in_exposure", settings.in_exposure], ["last_row_begins", settings.last_row_begins],
