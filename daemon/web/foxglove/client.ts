@@ -3,7 +3,7 @@
 import * as codec from './codec.ts';
 import { Connection, type Socket } from './connection.ts';
 
-export type Listener = (message: unknown, time_s: number) => void;
+export type Listener = (message: unknown) => void;
 
 export interface ServerInfo {
   sessionId: string;
@@ -16,8 +16,7 @@ export interface ClientEvents {
   /** The services are known. Called before any other request, so that requests made here are sent first. */
   ready(): void;
   closed(retry_ms: number): void;
-  status(level: number, message: string): void;
-  parameters(values: codec.Parameter[]): void;
+  status?(level: number, message: string): void;
 }
 
 interface Call {
@@ -46,7 +45,6 @@ export class Client {
     this.connection = new Connection(
       make,
       {
-        opened: () => undefined,
         closed: (retry_ms) => {
           this.forget();
           events.closed(retry_ms);
@@ -94,8 +92,8 @@ export class Client {
     });
   }
 
-  setParameter(name: string, value: codec.ParameterValue): boolean {
-    return this.connection.send(codec.setParameter(name, value, `set ${name}`));
+  setParameter(name: string, value: number | boolean | string): boolean {
+    return this.connection.send(codec.setParameter(name, value));
   }
 
   retryNow(): void {
@@ -117,11 +115,6 @@ export class Client {
         for (const { id, topic } of message.channels) this.channels.set(topic, id);
         if (this.isReady) this.subscribeNow([...this.listeners.keys()]);
         break;
-      case 'unadvertise':
-        for (const [topic, id] of [...this.channels]) {
-          if (message.channelIds.includes(id)) this.channels.delete(topic);
-        }
-        break;
       case 'advertiseServices':
         for (const { id, name } of message.services) this.services.set(name, id);
         if (this.isReady) break;
@@ -129,19 +122,11 @@ export class Client {
         this.events.ready();
         this.subscribeNow([...this.listeners.keys()]);
         break;
-      case 'unadvertiseServices':
-        for (const [name, id] of [...this.services]) {
-          if (message.serviceIds.includes(id)) this.services.delete(name);
-        }
-        break;
-      case 'parameterValues':
-        this.events.parameters(message.parameters);
-        break;
       case 'serviceCallFailure':
         this.settle(message.callId)?.reject(new Error(message.message));
         break;
       case 'status':
-        this.events.status(message.level, message.message);
+        this.events.status?.(message.level, message.message);
         break;
       case undefined:
         break;
@@ -154,7 +139,7 @@ export class Client {
       const listener = this.subscriptions.get(message.subscriptionId);
       if (listener === undefined) return;
       const content = this.json(message.payload);
-      if (content !== undefined) listener(content, message.time_s);
+      if (content !== undefined) listener(content);
     } else if (message?.op === 'serviceResponse') {
       this.settle(message.callId)?.resolve(this.json(message.payload));
     }

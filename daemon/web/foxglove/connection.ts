@@ -12,7 +12,6 @@ export function openSocket(url: string): Socket {
 }
 
 export interface ConnectionEvents {
-  opened(): void;
   /** The connection ended; it is retried in `retry_ms`. */
   closed(retry_ms: number): void;
   text(frame: string): void;
@@ -84,7 +83,6 @@ export class Connection {
       this.isOpen = true;
       this.silent_ms = 0;
       this.retry_ms = kFirstRetry_ms;
-      this.events.opened();
     };
     socket.onmessage = (event) => {
       const data: unknown = event.data;

@@ -75,8 +75,6 @@ export class StopSender {
       closed: () => {
         if (!this.button.unanswered) this.end();
       },
-      status: () => undefined,
-      parameters: () => undefined,
     });
     return second;
   }

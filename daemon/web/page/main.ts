@@ -109,7 +109,6 @@ const client = new Client(
     status: (level, message) => {
       if (level > 0) notice.say(message, performance.now());
     },
-    parameters: () => undefined,
   },
 );
 

@@ -59,8 +59,6 @@ export class Robot {
         this.received_ms = undefined;
         this.stop.button.disconnected();
       },
-      status: () => undefined,
-      parameters: () => undefined,
     }, now);
     const client = this.client;
     const mine = (): boolean => this.connected;

@@ -74,10 +74,9 @@ function frame(head: number, content: string, fill: (view: DataView) => void): A
 }
 
 /** A message of a subscription. */
-export const message = (subscription: number, content: unknown, time_ns = 0n): ArrayBuffer =>
+export const message = (subscription: number, content: unknown): ArrayBuffer =>
   frame(1, JSON.stringify(content), (view) => {
     view.setUint32(1, subscription, true);
-    view.setBigUint64(5, time_ns, true);
   });
 
 /** The answer to a call. */

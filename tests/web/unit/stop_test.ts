@@ -97,8 +97,6 @@ describe('STOP over a connection that is slow or dead', () => {
       serverInfo: () => undefined,
       ready: () => { sender.ready(); },
       closed: () => { sender.button.disconnected(); },
-      status: () => undefined,
-      parameters: () => undefined,
     }, () => Date.now());
     sender = new StopSender(client, daemon.make, ({ sessionId }) => sessionId === 's');
     daemon.newest.greet();
