@@ -19,7 +19,6 @@ import { Inputs, type KeyChange } from '../drive/inputs.ts';
 import { Client, type ServerInfo } from '../foxglove/client.ts';
 import { openSocket, type Socket } from '../foxglove/connection.ts';
 import { StopSender } from '../foxglove/stop_sender.ts';
-import { AlertChoice } from '../panel/alert_choice.ts';
 import { CameraImagePanel } from '../panel/camera_image.ts';
 import { Controls } from '../panel/controls.ts';
 import { CourseList } from '../panel/course_list.ts';
@@ -217,8 +216,7 @@ const timeline = new Timeline();
 const numbers = new Numbers();
 const plots = new Plots();
 const histogram = new Histogram();
-const alertChoice = new AlertChoice((text) => { notice.say(text, performance.now()); });
-const events = new EventLog(alertChoice.elements);
+const events = new EventLog();
 const runs = new RunList(
   (file, run) => {
     void replay(file.url, run.run);
@@ -279,7 +277,6 @@ for (const topic of kTopics) {
   client.subscribe(topic, (message) => {
     live.receive(topic, message as never);
     signals.receive(topic, message);
-    alertChoice.alerts.received(topic, message, live);
     if (topic === '/state') {
       stop.button.received((message as State).stop);
       consent.received(message as State);

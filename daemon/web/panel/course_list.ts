@@ -89,7 +89,6 @@ export class CourseList {
       const file = this.replaced;
       if (file !== undefined) void this.save(file, true);
     });
-    this.dropFiles();
   }
 
   /** Draws the tab's content; reloads the list from time to time. */
@@ -231,22 +230,6 @@ export class CourseList {
     this.replaced = undefined;
     this.replace.hidden = true;
     setText(this.message, text);
-  }
-
-  private dropFiles(): void {
-    this.element.addEventListener('dragover', (event) => {
-      event.preventDefault();
-      this.element.classList.add('dropping');
-    });
-    this.element.addEventListener('dragleave', () => {
-      this.element.classList.remove('dropping');
-    });
-    this.element.addEventListener('drop', (event) => {
-      event.preventDefault();
-      this.element.classList.remove('dropping');
-      const file = event.dataTransfer?.files[0];
-      if (file !== undefined && !this.upload.disabled) void this.take(file);
-    });
   }
 }
 

@@ -16,13 +16,12 @@ export class EventLog {
   private source: Store | undefined;
   private began_unix_s: number | undefined;
 
-  /** `more`: further elements of the bar. */
-  constructor(more: readonly HTMLElement[] = []) {
+  constructor() {
     ['all events', 'warnings, errors', 'errors'].forEach((text, i) => {
       this.level.append(h('option', { value: String(i) }, text));
     });
     for (const element of [this.level, this.search]) element.addEventListener('input', () => { this.narrow(); });
-    this.element.append(h('div', { class: 'events-bar' }, this.level, this.search, ...more), h('div', { role: 'log' }, this.list), this.none);
+    this.element.append(h('div', { class: 'events-bar' }, this.level, this.search), h('div', { role: 'log' }, this.list), this.none);
   }
 
   /** `began_unix_s`: Unix time of t_s = 0; undefined if not known or if the time is virtual. */

@@ -69,15 +69,6 @@ export class SignalChart {
     this.element.remove();
   }
 
-  /** The drawn diagram, in the pixels of the screen. */
-  get image(): HTMLCanvasElement {
-    return this.plot.ctx.canvas;
-  }
-
-  colour(index: number): string {
-    return colour(colourOf(index));
-  }
-
   private figures(): void {
     const at = this.plot.cursor.idx;
     this.names.forEach((_, i) => {
@@ -107,7 +98,7 @@ export class SignalChart {
         { ...axis, size: 20, gap: 4, space: 60, values: (_, splits) => splits.map((t_s) => `${fixed(t_s, splits.length > 1 && (splits[1] ?? 0) - (splits[0] ?? 0) < 1 ? 2 : 0)} s`) },
         { ...axis, size: 58, gap: 6, space: 24 },
       ],
-      series: [{}, ...this.names.map((_, i) => ({ stroke: () => this.colour(i), width: 1.5, points: { show: false }, spanGaps: true }))],
+      series: [{}, ...this.names.map((_, i) => ({ stroke: () => colour(colourOf(i)), width: 1.5, points: { show: false }, spanGaps: true }))],
       hooks: {
         setCursor: [() => { this.figures(); }],
         setSelect: [

@@ -2,7 +2,6 @@
 import { csv, isSignalTopic, search, Signals, topicOf, unitOf, kSignalHistory_s } from '../state/signals.ts';
 import type { Frame } from '../replay/recording.ts';
 import type { Store } from '../state/store.ts';
-import { colour } from '../scene/palette.ts';
 import { h, setAttribute, setText } from './dom.ts';
 import { SignalChart, type TimeRange } from './signal_chart.ts';
 
@@ -38,10 +37,9 @@ export class SignalPanel {
     const shorter = button('signals-in', '+', 'Shorter time');
     const longer = button('signals-out', '\u2212', 'Longer time');
     const table = button('signals-csv', 'CSV', 'Save the shown values as a table');
-    const image = button('signals-png', 'PNG', 'Save the diagrams as an image');
     this.element.append(
       this.chooser,
-      h('div', { class: 'signal-view' }, h('div', { class: 'signal-tools' }, longer, shorter, this.pauseButton, table, image), this.charts_),
+      h('div', { class: 'signal-view' }, h('div', { class: 'signal-tools' }, longer, shorter, this.pauseButton, table), this.charts_),
     );
     this.search.addEventListener('input', () => { this.showList(); });
     shorter.addEventListener('click', () => { this.scale(0.5); });
@@ -54,7 +52,6 @@ export class SignalPanel {
       this.draw();
     });
     table.addEventListener('click', () => { this.saveTable(); });
-    image.addEventListener('click', () => { this.saveImage(); });
     for (const name of remembered()) this.choose(name);
     // On a phone the diagrams need the space.
     if (this.live.names.length > 0 && innerWidth < 700) this.chooser.removeAttribute('open');
@@ -195,37 +192,6 @@ export class SignalPanel {
       return { name, times: Float64Array.from(inside, (i) => times[i] ?? NaN), values: Float64Array.from(inside, (i) => values[i] ?? NaN) };
     });
     save('signals.csv', new Blob([csv(columns)], { type: 'text/csv' }));
-  }
-
-  private saveImage(): void {
-    const first = this.charts[0]?.image;
-    if (first === undefined) return;
-    const scale = devicePixelRatio;
-    const head = 22 * scale;
-    const canvas = h('canvas');
-    canvas.width = first.width;
-    canvas.height = this.charts.reduce((height, { image }) => height + image.height + head, 0);
-    const context = canvas.getContext('2d');
-    if (context === null) return;
-    context.fillStyle = colour('panel');
-    context.fillRect(0, 0, canvas.width, canvas.height);
-    context.font = `${12 * scale}px B612, sans-serif`;
-    context.textBaseline = 'middle';
-    let y = 0;
-    for (const chart of this.charts) {
-      let x = 8 * scale;
-      chart.names.forEach((name, i) => {
-        const text = `${name}${chart.unit === '' ? '' : ` ${chart.unit}`}`;
-        context.fillStyle = chart.colour(i);
-        context.fillText(text, x, y + head / 2);
-        x += context.measureText(text).width + 16 * scale;
-      });
-      context.drawImage(chart.image, 0, y + head);
-      y += chart.image.height + head;
-    }
-    canvas.toBlob((blob) => {
-      if (blob !== null) save('signals.png', blob);
-    });
   }
 }
 

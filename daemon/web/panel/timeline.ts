@@ -1,31 +1,8 @@
-// Progress along the course as a strip: its obstacles, the robot's position, and about how long the run will still take.
+// Progress along the course as a strip: its obstacles and the robot's position.
 import { clock, fixed } from '../state/format.ts';
-import type { Course, Place, State } from '../state/messages.ts';
+import type { Course, Place } from '../state/messages.ts';
 import type { Store } from '../state/store.ts';
 import { h, setClass, setText } from './dom.ts';
-
-/** The default of control.pivot_rate_radps. */
-const kPivot_radps = 0.6;
-/** Before this time, the robot's pace is not used. */
-const kPace_s = 3;
-
-/** Time from `progress_m` to the end at the course's nominal speed. */
-export function nominal_s(course: Course, progress_m: number): number {
-  const turns = (course.segments ?? []).filter(({ kind, from_m }) => kind === 'pivot' && from_m > progress_m);
-  const turned_rad = turns.reduce((sum, { angle_rad }) => sum + Math.abs(angle_rad), 0);
-  return Math.max(course.length_m - progress_m, 0) / course.speed_mps + turned_rad / kPivot_radps;
-}
-
-/** Nominal time left, scaled by the pace so far; undefined without a run or while it pauses. */
-export function timeLeft_s(state: State | undefined, course: Course | undefined): number | undefined {
-  if (state?.run !== 'running' || course === undefined || !(course.length_m > 0) || !(course.speed_mps > 0)) return undefined;
-  if ((state.pause_left_s ?? 0) > 0) return undefined;
-  const left_s = nominal_s(course, state.progress_m ?? 0);
-  const meant_s = nominal_s(course, 0) - left_s;
-  const took_s = state.run_s ?? 0;
-  const pace = meant_s < kPace_s ? 1 : Math.min(Math.max(took_s / meant_s, 0.7), 2);
-  return left_s * pace;
-}
 
 export class Timeline {
   readonly element = h('section', { class: 'timeline', 'aria-label': 'Progress' });
@@ -34,13 +11,12 @@ export class Timeline {
   private readonly fill = h('i', { class: 'strip-fill' });
   private readonly marks = h('div', { class: 'strip-marks' });
   private readonly time = h('output', { class: 'timeline-time' });
-  private readonly left = h('output', { class: 'timeline-left', title: 'Estimated time left of the run' });
   private readonly progress = h('output', { class: 'timeline-progress' });
   private courseShown = -1;
 
   constructor() {
     this.strip.append(this.fill, this.marks);
-    this.element.append(this.name, this.strip, this.progress, this.left, this.time);
+    this.element.append(this.name, this.strip, this.progress, this.time);
   }
 
   show(store: Store): void {
@@ -57,8 +33,6 @@ export class Timeline {
     const transform = `scaleX(${share.toFixed(4)})`;
     if (this.fill.style.transform !== transform) this.fill.style.transform = transform;
     setText(this.progress, length_m > 0 ? `${fixed(progress_m, 2)} / ${fixed(length_m, 2)} m` : '\u2013');
-    const left_s = timeLeft_s(state, course);
-    setText(this.left, left_s === undefined ? '' : `${clock(Math.ceil(left_s)).replace(/\.\d$/, '')} left`);
     setText(this.time, clock(state?.run_s ?? 0));
     setClass(this.element, 'stale', store.stale('/estimate'));
   }
@@ -89,7 +63,7 @@ export class Timeline {
 }
 
 /** The part of the path within half of `length` of a piece's middle; undefined if the path does not cross it. */
-export function along(course: Course, place: Place, length: number): [number, number] | undefined {
+function along(course: Course, place: Place, length: number): [number, number] | undefined {
   const near = course.path.filter((point) => Math.hypot(point.x_m - place.x_m, point.y_m - place.y_m) <= length / 2);
   const first = near[0];
   const last = near.at(-1);

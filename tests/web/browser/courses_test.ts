@@ -111,14 +111,6 @@ describe('the courses', () => {
     await shows(page, '#course-my-bend .card-about', 'another bend');
     await upload(page, '3.toml', kCourse);
     await shows(page, '.courses-message', 'not one of your own files');
-    const dropped = await page.evaluateHandle((text) => {
-      const transfer = new DataTransfer();
-      transfer.items.add(new File([text], 'dropped.toml'));
-      return transfer;
-    }, kCourse);
-    await until(() => page.isEnabled('#upload'), 'a file may be dropped');
-    await page.dispatchEvent('.courses', 'drop', { dataTransfer: dropped });
-    await page.waitForSelector('#course-dropped');
     await fits(page, '.courses');
 
     await page.click('#course-my-bend .card-choose');

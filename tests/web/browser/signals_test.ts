@@ -61,7 +61,6 @@ describe('signals', () => {
     expect((await times_s(page)).at(-1), 'a paused table ends where it did').toBe(whole.at(-1));
     await page.click('#signals-in');
     expect((await times_s(page)).length).toBeLessThan(whole.length);
-    expect((await saved(page, '#signals-png')).subarray(1, 4).toString()).toBe('PNG');
     await page.click('#signals-pause');
     await shows(page, '#signals-pause', /^Pause$/);
 

@@ -1,8 +1,6 @@
-// Figures as the page shows them: numbers with their units, axes, and the time that is left.
+// Figures as the page shows them: numbers with their units, and axes.
 import { describe, expect, it } from 'vitest';
-import { timeLeft_s } from '../../../daemon/web/panel/timeline.ts';
 import * as format from '../../../daemon/web/state/format.ts';
-import type { Course, State } from '../../../daemon/web/state/messages.ts';
 import { extent, niceRange, niceStep } from '../../../daemon/web/state/scale.ts';
 
 it('figures have a true minus sign, never minus zero, a dash for what is not known, and the unit that fits', () => {
@@ -34,20 +32,4 @@ describe('an axis', () => {
     expect(niceRange(-1.01, 9.2, [0, 5])).toEqual(niceRange(-1, 9.1, [0, 5]));
     expect(extent([new Float64Array([1, NaN, 5]), new Float64Array([NaN, -2])]), 'gaps are left out').toEqual([-2, 5]);
   });
-});
-
-it('the time left is the nominal one at first, with turns on the spot, follows the pace of the run, and is not always known', () => {
-  // 4 m at 0.1 m/s and a turn of 2 s.
-  const course = { length_m: 4, speed_mps: 0.1, segments: [{ kind: 'line', from_m: 0, to_m: 2, angle_rad: 0 }, { kind: 'pivot', from_m: 2, to_m: 2, angle_rad: -1.2 }] } as unknown as Course;
-  const left_s = (more: Partial<State>, on: Course | undefined = course): number | undefined =>
-    timeLeft_s({ run: 'running', progress_m: 0, run_s: 0, ...more } as State, on);
-  expect(left_s({})).toBeCloseTo(42);
-  expect(left_s({ progress_m: 2, run_s: 22 })).toBeCloseTo(20);
-  expect(left_s({ progress_m: 0.29, run_s: 5 }), 'its pace is not known yet').toBeCloseTo(39.1);
-  expect(left_s({ progress_m: 0.31, run_s: 4.65 })).toBeCloseTo(38.9 * 1.5);
-  expect(left_s({ progress_m: 1, run_s: 15 })).toBeCloseTo(32 * 1.5);
-  expect(left_s({ progress_m: 1, run_s: 1000 }), 'after a pause').toBeCloseTo(64);
-  expect(left_s({ progress_m: 5, run_s: 60 })).toBe(0);
-  for (const unknown of [{ run: 'idle' }, { pause_left_s: 3 }] as const) expect(left_s(unknown)).toBeUndefined();
-  expect(left_s({}, { length_m: 0, speed_mps: 0 } as Course)).toBeUndefined();
 });

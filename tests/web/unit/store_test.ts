@@ -1,5 +1,6 @@
 // The data that the views draw: current, old, of this run, and bounded.
 import { beforeEach, expect, it } from 'vitest';
+import { BatteryWatch } from '../../../daemon/web/state/battery.ts';
 import type { Estimate, EstimatedPose, Event, State } from '../../../daemon/web/state/messages.ts';
 import { kColumns, kEvents, Store } from '../../../daemon/web/state/store.ts';
 
@@ -67,4 +68,24 @@ it('what was driven before is part of the path', () => {
   store.receive('/path_history', { entities: [{ id: 'path_history/model/0', lines: [{ points }] }] });
   expect(store.path_histories.model.length).toBe(50);
   expect(store.path_histories.fused.length).toBe(0);
+});
+
+it('the battery is low when it stays near the limit, not when a motor starts', () => {
+  const battery = new BatteryWatch();
+  const looks: [t_s: number, voltage_v: number, low: boolean, why: string][] = [
+    [0, 6.4, false, 'near the limit'],
+    [1.5, 7, false, 'the motor runs'],
+    [2.5, 6.4, false, 'near the limit again'],
+    [4.6, 6.4, true, 'it stayed there for 2 s'],
+    [5, 6.55, true, 'a little more is not enough'],
+    [6, 6.7, false, 'it is charged'],
+    [7, 0.3, false, 'no battery'],
+    [10, 0.3, false, 'no battery for long'],
+  ];
+  for (const [t_s, voltage_v, low, why] of looks) {
+    battery.take(t_s, voltage_v, 6.2);
+    expect(battery.low, why).toBe(low);
+  }
+  for (const limit_v of [undefined, 0]) for (const t_s of [20, 30]) battery.take(t_s, 6.2, limit_v);
+  expect(battery.low, 'no limit is known').toBe(false);
 });
