@@ -68,29 +68,6 @@ function around(centre: number, radius: number, angle: number): Point2 & { outwa
   return { x: centre + radius * Math.cos(angle), y: radius + radius * Math.sin(angle), outward_rad: angle };
 }
 
-/** Triangles of a convex x-z outline (counter-clockwise) extruded along y over +-width/2; normals point outwards. */
-export function prism(outline: readonly Point2[], width: number): Float32Array {
-  const n = outline.length;
-  const triangles: number[] = [];
-  const near = -width / 2;
-  const far = width / 2;
-  const add = (...corners: [i: number, y: number][]): void => {
-    for (const [i, y] of corners) {
-      const point = outline[i % n] ?? { x: 0, y: 0 };
-      triangles.push(point.x, y, point.y);
-    }
-  };
-  for (let i = 0; i < n; i++) {
-    add([i, near], [i + 1, far], [i + 1, near]);
-    add([i, near], [i, far], [i + 1, far]);
-  }
-  for (let i = 1; i < n - 1; i++) {
-    add([0, near], [i, near], [i + 1, near]);
-    add([0, far], [i + 1, far], [i, far]);
-  }
-  return new Float32Array(triangles);
-}
-
 /** World coordinates in a piece's own frame. */
 export function inside(place: Place, x: number, y: number): Point2 {
   const cos = Math.cos(place.heading_rad);

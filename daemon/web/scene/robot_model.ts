@@ -2,7 +2,7 @@
 import {
   BoxGeometry,
   BufferGeometry,
-  DataTexture,
+  CylinderGeometry,
   EdgesGeometry,
   Group,
   InstancedMesh,
@@ -10,23 +10,18 @@ import {
   LineLoop,
   LineSegments,
   Matrix4,
-  Mesh,
   MeshLambertMaterial,
-  NearestFilter,
-  PlaneGeometry,
   Quaternion,
-  SRGBColorSpace,
   Vector3,
 } from 'three';
 import type { EstimatedPose, Pose, RobotShape } from '../state/messages.ts';
 import { onStadium, stadium, stadiumLength } from './geometry.ts';
-import { box, prismGeometry, solid } from './solid.ts';
+import { body, box, prismGeometry, solid } from './solid.ts';
 
 const kRingPoints = 48;
 const kRingLift_m = 0.004;
 
 export const kDefaultShape: RobotShape = {
-  name: '',
   length_m: 0.185,
   width_m: 0.2,
   height_m: 0.06,
@@ -37,8 +32,6 @@ export const kDefaultShape: RobotShape = {
 };
 
 const kCleat_m = 0.012;
-/** ArUco-like: the marker that the overhead camera looks for. */
-const kMarker = ['000000', '011010', '001110', '010010', '011100', '000000'];
 
 export class RobotModel {
   readonly group = new Group();
@@ -59,7 +52,6 @@ export class RobotModel {
       box([-0.02, 0, deck + 0.004], [0.075, 0.05, 0.003], '#0f7f86'), // the Mega
       box([-0.054, 0.012, deck + 0.008], [0.014, 0.012, 0.01], '#aab3bd'), // its USB plug
       box([spacing / 2 + radius * 0.62, 0, deck - 0.008], [0.006, inner * 0.7, 0.006], '#fff3c4'), // lamps: the front
-      marker(shape.height_m),
     );
     this.group.rotation.order = 'ZYX';
   }
@@ -77,8 +69,8 @@ export class RobotModel {
     track.position.y = y;
     this.group.add(track);
     for (const x of [-spacing / 2, spacing / 2]) {
-      const wheel = solid(stadium(0, radius - 0.007, 10), width + 0.002, '#8b96a3');
-      wheel.position.set(x, y, 0.007);
+      const wheel = body(new CylinderGeometry(radius - 0.007, radius - 0.007, width + 0.002, 20), '#8b96a3');
+      wheel.position.set(x, y, radius);
       this.group.add(wheel);
     }
     const count = Math.round(stadiumLength(spacing, radius) / kCleat_m);
@@ -155,24 +147,6 @@ export class GhostModel {
 function place(group: Group, pose: Pose): void {
   group.position.set(pose.x_m, pose.y_m, pose.z_m);
   group.rotation.set(pose.roll_rad, pose.pitch_rad, pose.yaw_rad, 'ZYX');
-}
-
-function marker(height: number): Mesh {
-  const size = kMarker.length + 2;
-  const pixels = new Uint8Array(4 * size * size).fill(255);
-  kMarker.forEach((line, j) => {
-    for (let i = 0; i < line.length; i++) {
-      const at = 4 * ((j + 1) * size + i + 1);
-      if (line[i] === '0') pixels.fill(16, at, at + 3);
-    }
-  });
-  const texture = new DataTexture(pixels, size, size);
-  texture.colorSpace = SRGBColorSpace;
-  texture.magFilter = NearestFilter;
-  texture.needsUpdate = true;
-  const mesh = new Mesh(new PlaneGeometry(0.05, 0.05), new MeshLambertMaterial({ map: texture }));
-  mesh.position.set(0.045, 0, height);
-  return mesh;
 }
 
 const kSideways = new Vector3(0, 1, 0);

@@ -1,27 +1,33 @@
 // Bodies made of prisms, with visible edges so that they are recognised without texture.
 import {
-  BufferAttribute,
-  BufferGeometry,
+  BoxGeometry,
+  type BufferGeometry,
   EdgesGeometry,
+  ExtrudeGeometry,
   LineBasicMaterial,
   Line,
   LineSegments,
+  type Material,
   Mesh,
   MeshLambertMaterial,
   type Object3D,
+  Shape,
+  Vector2,
 } from 'three';
-import { prism, type Point2 } from './geometry.ts';
+import type { Point2 } from './geometry.ts';
 
-/** A prism's geometry with normals of its faces. */
+/** An x-z outline, counter-clockwise, extruded along y over +-width/2. */
 export function prismGeometry(outline: readonly Point2[], width: number): BufferGeometry {
-  const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(prism(outline, width), 3));
-  geometry.computeVertexNormals();
-  return geometry;
+  const shape = new Shape(outline.map(({ x, y }) => new Vector2(x, y)));
+  const geometry = new ExtrudeGeometry(shape, { depth: width, bevelEnabled: false });
+  return geometry.translate(0, 0, -width / 2).rotateX(Math.PI / 2);
 }
 
 export function solid(outline: readonly Point2[], width: number, colour: string, edge?: string): Mesh {
-  const geometry = prismGeometry(outline, width);
+  return body(prismGeometry(outline, width), colour, edge);
+}
+
+export function body(geometry: BufferGeometry, colour: string, edge?: string): Mesh {
   const mesh = new Mesh(geometry, new MeshLambertMaterial({ color: colour }));
   mesh.castShadow = true;
   mesh.receiveShadow = true;
@@ -37,16 +43,7 @@ export function box(
   [length, width, height]: readonly [number, number, number],
   colour: string,
 ): Mesh {
-  const mesh = solid(
-    [
-      { x: -length / 2, y: -height / 2 },
-      { x: length / 2, y: -height / 2 },
-      { x: length / 2, y: height / 2 },
-      { x: -length / 2, y: height / 2 },
-    ],
-    width,
-    colour,
-  );
+  const mesh = body(new BoxGeometry(length, width, height), colour);
   mesh.position.set(x, y, z);
   return mesh;
 }
@@ -56,11 +53,7 @@ export function dispose(object: Object3D): void {
   object.traverse((child) => {
     if (!(child instanceof Mesh || child instanceof Line)) return;
     (child.geometry as BufferGeometry).dispose();
-    const material = child.material as MeshLambertMaterial | MeshLambertMaterial[];
-    for (const one of Array.isArray(material) ? material : [material]) {
-      one.map?.dispose();
-      one.dispose();
-    }
+    (child.material as Material).dispose();
   });
   object.clear();
 }
