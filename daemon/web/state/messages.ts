@@ -1,5 +1,5 @@
-// The daemon's channels as types (daemon/messages/CHANNELS.md). SI units, REP-103 frames. Unknown values are left out;
-// recordings of older versions have null there.
+// What the page reads of the daemon's channels (daemon/messages/CHANNELS.md). SI units, REP-103 frames. Unknown values are
+// left out; recordings of older versions have null there.
 
 export interface Pose {
   x_m: number;
@@ -13,26 +13,21 @@ export interface Pose {
 /** An estimate's pose with its rates and standard deviations, which older recordings have of the fused pose only. */
 export interface EstimatedPose extends Pose {
   vx_mps: number;
-  vy_mps: number;
   yaw_rate_radps: number;
   sd_x_m?: number | null;
   sd_y_m?: number | null;
-  sd_yaw_rad?: number | null;
 }
 
 export type Steering = 'model' | 'odometry' | 'fused';
 
 export interface Estimate {
   t_s: number;
-  step: number;
   age_us?: number | null;
   steering: Steering;
   model: EstimatedPose;
   odometry: EstimatedPose;
   fused: EstimatedPose & { camera_age_us?: number | null };
-  truth?: (Pose & { age_us: number }) | null;
-  reference?: { x_m: number; y_m: number; yaw_rad: number } | null;
-  pitch_source: string;
+  truth?: Pose | null;
   tracks: {
     left_mps: number;
     right_mps: number;
@@ -53,13 +48,9 @@ export interface Slip {
   right: number;
   fused_left: number;
   fused_right: number;
-  gyro_bias_radps: number;
-  slope_rad?: number | null;
 }
 
 export interface Distribution {
-  count: number;
-  mean: number;
   p50: number;
   p99: number;
   p999: number;
@@ -69,7 +60,6 @@ export interface Distribution {
 export type Session = 'closed' | 'listening' | 'hello' | 'parameters' | 'syncing' | 'ready' | 'refused';
 
 export interface Link {
-  t_s: number;
   session: Session;
   quality: 'good' | 'poor' | 'lost';
   port: string;
@@ -89,7 +79,6 @@ export interface Link {
 }
 
 export interface Loop {
-  t_s: number;
   rate_hz: number;
   pacing: string;
   cycles: number;
@@ -101,10 +90,8 @@ export interface Loop {
   write_us: Distribution;
   sample_wire_us: Distribution;
   sample_wait_us: Distribution;
-  sample_age_us: Distribution;
   histogram: { edges_us: number[]; lateness: number[] };
   privileges: Record<string, boolean>;
-  lost_records: number;
 }
 
 export type Run = 'idle' | 'arming' | 'running' | 'finished' | 'aborted' | 'driving';
@@ -122,14 +109,12 @@ export interface Fault {
   name: string;
   cause: string;
   fix: string;
-  from: 'robot' | 'daemon';
 }
 
 export interface StopState {
   count: number;
   latched: boolean;
   by: string;
-  requested_t_s?: number | null;
   status: 'none' | 'pending' | 'acknowledged' | 'not_acknowledged';
   acknowledged_ms?: number | null;
 }
@@ -138,7 +123,6 @@ export interface State {
   t_s: number;
   run: Run;
   session: Session;
-  robot_state?: string | null;
   motors_on: boolean;
   run_s?: number | null;
   progress_m?: number | null;
@@ -146,8 +130,6 @@ export interface State {
   course: string;
   robot: string;
   setup: string;
-  steering: Steering;
-  world: string;
   battery_v?: number | null;
   /** The steering pose; not in recordings of older versions. */
   pose?: { x_m: number; y_m: number; yaw_rad: number };
@@ -155,7 +137,7 @@ export interface State {
   watch?: boolean;
   /** While the run pauses: time until it ends. This and fields about driving by hand: not in older recordings. */
   pause_left_s?: number;
-  can: { start: boolean; drive?: boolean; pause?: boolean; resume?: boolean; hold: boolean; stop: boolean; record: boolean };
+  can: { start: boolean; drive?: boolean; pause?: boolean; resume?: boolean; hold: boolean; record: boolean };
   /** Where the robot is estimated to be, if the last run ended before the end of its course. */
   go_on_from?: { x_m: number; y_m: number; yaw_rad: number };
   why_not_start: string;
@@ -201,7 +183,6 @@ export interface PathPoint {
 }
 
 export interface RobotShape {
-  name: string;
   length_m: number;
   width_m: number;
   height_m: number;
@@ -228,11 +209,10 @@ export interface Course {
   length_m: number;
   start: { x_m: number; y_m: number; yaw_rad: number };
   path: PathPoint[];
-  segments?: { kind: string; from_m: number; to_m: number; angle_rad: number }[];
   ramps: Ramp[];
   blocks: Block[];
   surfaces: Surface[];
-  disturbances: { at_m: number; sideways_m: number; yaw_rad: number; duration_s: number }[];
+  disturbances: { at_m: number }[];
   fence?: Fence | null;
   /** Missing in older recordings. */
   keep_out?: { corners: { x_m: number; y_m: number }[] }[];
@@ -272,22 +252,16 @@ export interface Recording {
   available: boolean;
   active: boolean;
   run: string;
-  file: string;
   elapsed_s: number;
   bytes: number;
-  dropped: number;
   warning: string;
 }
 
 export interface Viewer {
   id: number;
   address: string;
-  agent: string;
-  subscriptions: number;
   sent: number;
   dropped: number;
-  queued: number;
-  connected_s: number;
 }
 
 export interface ClientList {
@@ -295,7 +269,6 @@ export interface ClientList {
   dropped_total: number;
   refused_total: number;
   closed_total: number;
-  queue_limit: number;
 }
 
 /** `/path_history`: line strips of a SceneUpdate. */

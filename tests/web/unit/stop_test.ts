@@ -6,8 +6,8 @@ import type { StopState } from '../../../daemon/web/state/messages.ts';
 import { kPatience_ms, StopButton } from '../../../daemon/web/state/stop.ts';
 import { answer, FakeDaemon } from './fake_daemon.ts';
 
-const kNone: StopState = { count: 0, latched: false, by: '', requested_t_s: null, status: 'none', acknowledged_ms: null };
-const kLatched: StopState = { count: 1, latched: true, by: 'viewer 3', requested_t_s: 1, status: 'acknowledged', acknowledged_ms: 14.2 };
+const kNone: StopState = { count: 0, latched: false, by: '', status: 'none', acknowledged_ms: null };
+const kLatched: StopState = { count: 1, latched: true, by: 'viewer 3', status: 'acknowledged', acknowledged_ms: 14.2 };
 
 let stop: StopButton;
 beforeEach(() => {
