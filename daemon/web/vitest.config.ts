@@ -6,5 +6,5 @@ export default defineConfig({
   cacheDir: 'daemon/web/node_modules/.vite',
   resolve: { preserveSymlinks: true },
   server: { fs: { strict: false } },
-  test: { include: ['tests/web/unit/**/*_test.ts'] },
+  test: { include: ['**/*_test.ts'], testTimeout: 300_000, hookTimeout: 180_000 },
 });
