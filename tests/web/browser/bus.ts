@@ -1,33 +1,23 @@
-// A simple viewer of the daemon that provides the published messages, with which tests compare the page.
+// A viewer of the daemon that provides the published messages, with which tests compare the page.
 import { WebSocket } from 'ws';
-import { parseBinary, parseText, subscribe } from '../../../daemon/web/foxglove/codec.ts';
+import { Client } from '../../../daemon/web/foxglove/client.ts';
+import { kSubprotocols } from '../../../daemon/web/foxglove/codec.ts';
+import type { Socket } from '../../../daemon/web/foxglove/connection.ts';
 import type { Channels, Topic } from '../../../daemon/web/state/messages.ts';
 
 export class Bus {
   readonly received: { [T in Topic]?: Channels[T][] } = {};
-  private readonly socket: WebSocket;
+  private readonly client: Client;
 
   constructor(url: string, topics: Topic[]) {
-    this.socket = new WebSocket(url.replace(/^http/, 'ws'), ['foxglove.sdk.v1']);
-    this.socket.binaryType = 'arraybuffer';
-    const names = new Map<number, Topic>();
-    this.socket.on('message', (data, binary) => {
-      if (!binary) {
-        const message = parseText(Buffer.from(data as ArrayBuffer).toString());
-        if (message?.op !== 'advertise') return;
-        const wanted = message.channels.filter((channel) => topics.includes(channel.topic as Topic));
-        for (const { id, topic } of wanted) names.set(id, topic as Topic);
-        this.socket.send(subscribe(wanted.map(({ id }) => ({ id, channelId: id }))));
-        return;
-      }
-      const message = parseBinary(data as ArrayBuffer);
-      if (message?.op !== 'message') return;
-      const topic = names.get(message.subscriptionId);
-      if (topic === undefined) return;
-      const list = (this.received[topic] ??= []) as unknown[];
-      list.push(JSON.parse(new TextDecoder().decode(message.payload)));
-    });
-    this.socket.on('error', () => undefined);
+    const make = (): Socket => {
+      const socket = new WebSocket(url.replace(/^http/, 'ws'), kSubprotocols);
+      socket.binaryType = 'arraybuffer';
+      socket.on('error', () => undefined);
+      return socket as unknown as Socket;
+    };
+    this.client = new Client(make, { serverInfo: () => undefined, ready: () => undefined, closed: () => undefined });
+    for (const topic of topics) this.client.subscribe(topic, (message) => ((this.received[topic] ??= []) as unknown[]).push(message));
   }
 
   last<T extends Topic>(topic: T): Channels[T] | undefined {
@@ -35,6 +25,6 @@ export class Bus {
   }
 
   close(): void {
-    this.socket.close();
+    this.client.end();
   }
 }

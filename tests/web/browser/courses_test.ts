@@ -216,6 +216,8 @@ describe('a course of one’s own', () => {
     await page.click('#draw-corner');
     await page.waitForSelector('[data-handle="fence-0-4"]');
     expect(await fileText(page)).toMatch(/\[fence\]\ncorners_m = \[\[-0\.3, -0\.8\], \[1\.6, -0\.8\], \[1\.6, 0\.0\], \[1\.6, 0\.8\], \[-0\.3, 0\.8\]\]\n/);
+    await press('[data-handle="fence-0-4"]', 'Delete');
+    await page.waitForSelector('[data-handle="fence-0-4"]', { state: 'detached' });
     expect(await run(page), 'no key has moved the robot').not.toBe('running');
   });
 });

@@ -2,8 +2,7 @@
 import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { CourseText, written } from '../../../daemon/web/draw/course_text.ts';
-import { added, handles, withCorner, withoutCorner } from '../../../daemon/web/draw/draft.ts';
-import { History } from '../../../daemon/web/draw/history.ts';
+import { added, handles } from '../../../daemon/web/draw/draft.ts';
 import { along, arcTo, frames, lineTo, startOf } from '../../../daemon/web/draw/path.ts';
 
 const course3 = readFileSync(new URL('../../../config/courses/3.toml', import.meta.url), 'utf8');
@@ -21,15 +20,6 @@ function difference(a: string, b: string): { lost: string[]; won: string[] } {
 }
 
 describe('the text of a course', () => {
-  it('keeps everything but the value that changes', () => {
-    const text = new CourseText(course3);
-    const ramp = only(text.all('ramp'));
-    const { lost, won } = difference(course3, text.with(ramp, { x_m: 0.55 }));
-    expect(lost).toEqual(["x_m = 0.7                   # the paper's"]);
-    expect(won).toEqual(["x_m = 0.55                   # the paper's"]);
-    expect(text.with(ramp, { x_m: 0.7 })).toBe(course3);
-  });
-
   it('adds a piece behind those of its kind, and removes it without a trace', () => {
     const text = new CourseText(course3);
     for (const table of ['segment', 'block', 'disturbance', 'keep_out'] as const) {
@@ -103,28 +93,5 @@ describe('a draft', () => {
     for (const x of [0.9, 0.3, 0.6]) text = new CourseText(added(text, 'disturbance', { x, y: 0 }).text);
     const at = text.all('disturbance').map((each) => each.values.at_m);
     expect(at).toEqual([0.3, 0.6, 0.9]);
-  });
-
-  it('makes a polygon of a fence, corner by corner', () => {
-    const text = new CourseText(course3);
-    const more = new CourseText(withCorner(text, text.one('fence'), 0));
-    expect(more.text).toContain('corners_m = [[-0.05, -0.9], [0.9, -0.9], [1.85, -0.9], [1.85, 0.1], [-0.05, 0.1]]\n');
-    expect(more.text).not.toContain('min_x_m');
-    const less = new CourseText(withoutCorner(more, more.one('fence'), 1));
-    expect(less.one('fence').values.corners_m).toHaveLength(4);
-  });
-});
-
-describe('the history', () => {
-  it('goes back and on, and forgets what was undone when something else is done', () => {
-    const history = new History();
-    history.restart('a');
-    for (const text of ['b', 'b', 'c']) history.add(text);
-    expect([history.undo(), history.undo(), history.undo()]).toEqual(['b', 'a', 'a']);
-    expect(history.redo()).toBe('b');
-    history.add('d');
-    expect(history.canRedo).toBe(false);
-    expect(history.redo(), 'nothing to go on to').toBe('d');
-    expect(history.undo()).toBe('b');
   });
 });

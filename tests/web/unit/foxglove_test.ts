@@ -58,17 +58,6 @@ describe('a connection', () => {
     connection = new Connection(daemon.make, events, () => Date.now());
   });
 
-  it('passes frames on, and sends only while it is open', () => {
-    expect(connection.send('early')).toBe(false);
-    daemon.newest.open();
-    for (const frame of ['hello', new ArrayBuffer(3)]) daemon.newest.say(frame);
-    expect([events.text, events.binary].map((event) => event.mock.calls.length)).toEqual([1, 1]);
-    expect(connection.send('now')).toBe(true);
-    daemon.newest.die();
-    expect(connection.send('late')).toBe(false);
-    expect(daemon.at(0).sent).toEqual(['now']);
-  });
-
   it('waits longer after each failure, up to a limit, and starts anew after a success or when it is asked to', () => {
     const waits_ms = (): number[] => events.closed.mock.calls.map(([retry_ms]) => retry_ms);
     for (let i = 0; i < 6; i++) {

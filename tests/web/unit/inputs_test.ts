@@ -183,15 +183,6 @@ describe('a gamepad', () => {
     pads = [null, { index, connected, timestamp: now_ms, axes: [0, y], buttons: [{ value: trigger }] } as Pad];
   };
 
-  it('drives by its stick', () => {
-    at(0);
-    inputs.wish();
-    at(-0.9);
-    expect(inputs.wish()).toMatchObject({ forward: 1, source: 'gamepad', at_ms: 1000 });
-    now_ms += 100;
-    expect(inputs.wish()).toMatchObject({ forward: 1, at_ms: 1100 });
-  });
-
   // Otherwise a pad that is out of range or whose battery is empty would drive on.
   it('stands still once its axes and buttons have not changed for the stated time, whatever its time says, until they do', () => {
     const next = random(3);

@@ -28,16 +28,6 @@ it('it begins at the first pose, with the course known and nothing stale, and sh
   expect(player.position_s).toBeCloseTo(10);
 });
 
-it('it shows the same moment from either side', () => {
-  const look = (): unknown => [player.store.pose, player.store.leftTrack_m.toFixed(9), player.store.path_histories.model.length];
-  player.show(4);
-  const there = look();
-  player.show(9);
-  expect(player.store.pose?.x_m).toBeCloseTo(0.9);
-  player.show(4);
-  expect(look()).toEqual(there);
-});
-
 it('it plays at its speed, stops at the end and begins anew', () => {
   player.toggle();
   player.speed = 2;

@@ -38,13 +38,6 @@ describe('chosen signals', () => {
     signals.drop('/slip.left');
     expect(signals.names).toEqual([]);
   });
-
-  it('are bounded', () => {
-    const signals = new Signals(100, 0);
-    signals.choose('/slip.left');
-    for (let t_s = 0; t_s < 1000; t_s++) signals.receive('/slip', slip(t_s));
-    expect(signals.of('/slip.left')?.length).toBe(100);
-  });
 });
 
 it('a table of signals has a row for each time and gaps where there is no value', () => {
