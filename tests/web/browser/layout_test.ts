@@ -1,8 +1,8 @@
 // The page as a whole: its layout on every screen, its themes, the map and the scene, and everything without a mouse.
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
-import { alive, drawn, driveUntil, findings, goOn, kDesktop, kPhone, kSize, picture, resize, rest, rests, run, shows, tooWide, until } from './cockpit.ts';
-import { kOthersEnd, Setting } from './setting.ts';
+import { alive, drawn, driveUntil, findings, goOn, kDesktop, kPhone, kSize, picture, resize, rest, run, shows, tooWide, until } from './cockpit.ts';
+import { Setting } from './setting.ts';
 
 const kTabs = ['events', 'courses', 'runs', 'parameters', 'signals', 'link', 'doctor', 'identify', 'keys'];
 
@@ -44,39 +44,6 @@ const floor = (page: Page): Promise<number> =>
     const { data } = copy.getImageData(0, 0, 1, 1);
     return ((data[0] ?? 0) + (data[1] ?? 0) + (data[2] ?? 0)) / 3;
   });
-
-interface Counted {
-  images?: Set<number>;
-}
-
-/** From now on counts the frames of the page in which the view of the course was drawn. */
-async function countImages(page: Page): Promise<void> {
-  await page.evaluate(() => {
-    const frames = ((window as Counted).images = new Set());
-    const note = (prototype: object, method: string): void => {
-      const calls = prototype as Record<string, (...values: unknown[]) => unknown>;
-      const real = calls[method];
-      calls[method] = function (this: unknown, ...values: unknown[]): unknown {
-        // The time of the timeline is that of the frame.
-        frames.add(Number(document.timeline.currentTime));
-        return real?.apply(this, values);
-      };
-    };
-    // A map copies its ground, a scene draws triangles; diagrams do neither.
-    note(CanvasRenderingContext2D.prototype, 'drawImage');
-    note(WebGL2RenderingContext.prototype, 'drawElements');
-    note(WebGL2RenderingContext.prototype, 'drawArrays');
-  });
-}
-
-const imagesDrawn = (page: Page): Promise<number> => page.evaluate(() => (window as Counted).images?.size ?? NaN);
-
-/** Images during a time. */
-async function imagesIn(page: Page, duration_ms: number): Promise<number> {
-  const before = await imagesDrawn(page);
-  await page.waitForTimeout(duration_ms);
-  return (await imagesDrawn(page)) - before;
-}
 
 /** Presses the tab key until `id` has the focus. */
 async function tabTo(page: Page, id: string): Promise<void> {
@@ -163,37 +130,11 @@ describe('the page', () => {
     await page.reload();
     await alive(page);
     expect(await theme(page)).toBe(other);
-    await bright(other);
-    // The page of all robots has the same.
-    setting.expected = kOthersEnd;
-    await page.goto(`${setting.pair.url}robots.html`);
-    await page.waitForSelector('.card[data-contact="answers"]');
-    expect(await theme(page)).toBe(other);
     // What the system prefers is followed again.
     await page.click('.theme-switch');
     expect(await theme(page)).toBe(before);
     await page.emulateMedia({ colorScheme: other });
     await until(async () => (await theme(page)) === other, 'the system changes');
-  });
-
-  // Otherwise a computer without a graphics card would spend its processors on pictures that nobody sees change.
-  it('draws map and scene 30 times a second at most, and not at all while nothing moves', async () => {
-    const page = await setting.open(kSize, { smooth: true });
-    await alive(page);
-    expect(await pressed(page, 'camera-map'), 'the map comes first').toBe(true);
-    await countImages(page);
-    for (const view of ['map', 'free']) {
-      await page.click(`#camera-${view}`);
-      await alive(page);
-      await driveUntil(page, 'running');
-      await until(async () => (await imagesIn(page, 200)) > 0, 'an image of the moving robot');
-      const began_ms = performance.now();
-      const count = await imagesIn(page, 2000);
-      expect(count, view).toBeLessThanOrEqual((30 * (performance.now() - began_ms)) / 1000 + 2);
-      await page.keyboard.press('h');
-      await until(() => rests(page), 'it holds');
-      await until(async () => (await imagesIn(page, 1500)) === 0, 'no more images', () => imagesDrawn(page));
-    }
   });
 
   it('is used without a mouse and told in words, on a screen 360 px wide', async () => {
@@ -254,12 +195,5 @@ describe('without WebGL', () => {
       const ring = ((await page.getAttribute('.stage canvas', `data-${name}-uncertainty`)) ?? '').split(' ').map(Number);
       expect(ring.length === 2 && ring.every((m) => m > 1e-4 && m < 0.5), `${name} ${ring.join()}`).toBe(true);
     }
-    const colours = (): Promise<number> =>
-      page.evaluate(() => {
-        const canvas = document.querySelector<HTMLCanvasElement>('.stage canvas');
-        const data = canvas?.getContext('2d')?.getImageData(0, 0, canvas.width, canvas.height).data;
-        return new Set(new Uint32Array(data?.buffer ?? new ArrayBuffer(0))).size;
-      });
-    await until(async () => (await colours()) > 20, 'a map with more than its ground', colours);
   });
 });

@@ -18,9 +18,6 @@ export interface Wishes {
   configuration?: string;
 }
 
-/** The page of all robots lists daemons of other tests, too, and these end meanwhile. */
-export const kOthersEnd = /WebSocket connection to .* failed/;
-
 /** The browsers of this file, by their options. */
 const browsers = new Map<string, Promise<Browser>>();
 afterAll(async () => {
