@@ -1,4 +1,4 @@
-# The visible TP100: hull, two moving tracks, Arduino Mega, marker. Origin: the reference point; -z is forward.
+# The visible TP100: hull, two moving tracks, Arduino Mega. Origin: the reference point; -z is forward.
 extends Spatial
 
 const PADS := 38  # of each track
@@ -14,7 +14,6 @@ func build(shape: Dictionary, ghost := Color(0, 0, 0, 0)) -> void:
 	spacing_m = shape.get("axle_spacing_m", 0.133)
 	radius_m = shape.get("wheel_radius_m", 0.026)
 	gauge_m = shape.get("gauge_m", 0.155)
-	var height_m: float = shape.get("height_m", 0.06)
 	var solid = ghost.a == 0.0
 	var inner = gauge_m - 0.05
 	box(Vector3(inner, 0.026, 0.165), Vector3(0, 0.031, 0), Color(0.16, 0.17, 0.19) if solid else ghost)
@@ -30,7 +29,7 @@ func build(shape: Dictionary, ghost := Color(0, 0, 0, 0)) -> void:
 		return
 	roll(0, 0.0)
 	roll(1, 0.0)
-	# The Mega on its spacers, its headers and its USB port; then the marker's mast plate.
+	# The Mega on its spacers, its headers and its USB port, and the batteries.
 	box(Vector3(0.0535, 0.002, 0.1016), Vector3(0.022, 0.048, 0.012), Color(0.0, 0.39, 0.45))
 	for x in [-0.003, 0.046]:
 		box(Vector3(0.004, 0.008, 0.085), Vector3(x, 0.053, 0.014), Color(0.04, 0.04, 0.04))
@@ -38,7 +37,6 @@ func build(shape: Dictionary, ghost := Color(0, 0, 0, 0)) -> void:
 	box(Vector3(0.014, 0.003, 0.014), Vector3(0.022, 0.0505, 0.0), Color(0.05, 0.05, 0.05))
 	for x in [-0.012, -0.032]:
 		box(Vector3(0.018, 0.018, 0.066), Vector3(x, 0.053, 0.03), Color(0.2, 0.35, 0.75))
-	marker(Vector3(0, height_m + 0.002, -0.05))
 
 func paint(instance: MeshInstance, colour: Color) -> void:
 	var material = SpatialMaterial.new()
@@ -69,30 +67,6 @@ func wheel(at: Vector3, colour: Color) -> void:
 	instance.transform = Transform(Basis(Vector3.BACK, PI / 2), at)
 	paint(instance, colour)
 	add_child(instance)
-
-# A square marker as the overhead camera reads it: black border, black and white cells.
-func marker(at: Vector3) -> void:
-	var cells = ["........", ".######.", ".#.##.#.", ".##..##.", ".#.#.##.", ".##.#.#.", ".######.", "........"]
-	var image = Image.new()
-	image.create(8, 8, false, Image.FORMAT_RGB8)
-	image.lock()
-	for y in 8:
-		for x in 8:
-			image.set_pixel(x, y, Color.black if cells[y][x] == "#" else Color.white)
-	image.unlock()
-	var texture = ImageTexture.new()
-	texture.create_from_image(image, 0)
-	var plate = MeshInstance.new()
-	var mesh = PlaneMesh.new()
-	mesh.size = Vector2(0.064, 0.064)
-	plate.mesh = mesh
-	plate.translation = at
-	var material = SpatialMaterial.new()
-	material.albedo_texture = texture
-	plate.material_override = material
-	add_child(plate)
-	box(Vector3(0.064, 0.002, 0.064), at - Vector3(0, 0.0015, 0), Color(0.9, 0.9, 0.9))
-	box(Vector3(0.02, 0.016, 0.02), at - Vector3(0, 0.01, 0), Color(0.3, 0.3, 0.3))
 
 # Moves the tracks by their travel since the last pose of the bridge.
 func drive(message: Dictionary, frame: Reference) -> void:

@@ -5,7 +5,8 @@ const Plate = preload("marker_plate.gd")
 
 var sheet := {}  # {file, side_m, height_m}
 
-func marker(_at: Vector3) -> void:
+func build(shape: Dictionary, ghost := Color(0, 0, 0, 0)) -> void:
+	.build(shape, ghost)
 	var plate = Plate.new()
 	add_child(plate)
 	plate.build(sheet.file, sheet.side_m, sheet.height_m)
