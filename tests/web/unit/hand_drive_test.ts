@@ -115,13 +115,4 @@ describe('the driver', () => {
     expect(ended.at(-1)).toBe('gone');
     expect(driver.drives).toBe(false);
   });
-
-  it('releases its own token', async () => {
-    await driver.take();
-    driver.release();
-    expect(sent.at(-1)).toEqual({ service: 'drive_release', request: { token: 't' } });
-    driver.tick();
-    expect(sent.at(-1)?.service).toBe('drive_release');
-    expect(ended).toEqual(['']);
-  });
 });
