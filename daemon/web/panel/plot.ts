@@ -2,7 +2,7 @@
 import uPlot from 'uplot';
 import { fixed } from '../state/format.ts';
 import { extent, niceRange } from '../state/scale.ts';
-import { kColumns, type Column, type Store } from '../state/store.ts';
+import { column, type Column, type Store } from '../state/store.ts';
 import { colour, type Colour } from '../scene/palette.ts';
 import { h, setClass, setText } from './dom.ts';
 
@@ -30,7 +30,15 @@ export interface PlotOptions {
 
 const kAxis_px = 44;
 const kTimes_px = 20;
-const kFont = '11px B612, sans-serif';
+/** How axes are drawn. Colours as functions, called at every drawing, because the theme may change. */
+export const kAxis: uPlot.Axis = { stroke: () => colour('dim'), font: '11px B612, sans-serif', grid: { stroke: () => colour('axis-grid'), width: 1 }, ticks: { show: false } };
+
+/** A curve in the head line of its diagram. */
+export function keyOf(label: string, name: Colour, values: HTMLElement[], dash?: number[]): HTMLElement {
+  const swatch = h('i', { class: dash ? 'swatch dashed' : 'swatch' });
+  swatch.style.color = `var(--${name})`;
+  return h('span', { class: 'plot-curve' }, swatch, label, ...values);
+}
 
 export class Plot {
   readonly element: HTMLElement;
@@ -47,10 +55,7 @@ export class Plot {
     for (const curve of options.curves) {
       const value = h('span', { class: 'plot-value' });
       this.values.push(value);
-      if (curve.quiet === true) continue;
-      const swatch = h('i', { class: curve.dash ? 'swatch dashed' : 'swatch' });
-      swatch.style.color = `var(--${curve.colour})`;
-      key.append(h('span', { class: 'plot-curve' }, swatch, curve.label, ...(curve.nameOnly === true ? [] : [value])));
+      if (curve.quiet !== true) key.append(keyOf(curve.label, curve.colour, curve.nameOnly === true ? [] : [value], curve.dash));
     }
     this.element = h(
       'section',
@@ -76,10 +81,10 @@ export class Plot {
     this.from_s = Math.max(this.end_s - window_s, 0);
     this.end_s = Math.max(this.end_s, this.from_s + window_s);
     const columns = store.series.since(this.from_s);
-    const pick = (name: Column): Float64Array => columns[kColumns[name]] ?? new Float64Array();
-    const curves = this.options.curves.map((curve) => pick(curve.column));
+    const curves = this.options.curves.map((curve) => column(columns, curve.column));
+    // Not the one that the diagram finds: a gap, NaN, would make it unknown.
     this.range = niceRange(...extent(curves), this.options.soft);
-    this.plot.setData([pick('t_s'), ...curves]);
+    this.plot.setData([column(columns, 't_s'), ...curves]);
     this.figures();
   }
 
@@ -93,8 +98,6 @@ export class Plot {
   }
 
   private uplotOptions(): uPlot.Options {
-    // Colours as functions, called at every drawing, because the theme may change.
-    const grid = { stroke: () => colour('axis-grid'), width: 1 };
     const times = this.options.times === true;
     return {
       width: 300,
@@ -108,22 +111,15 @@ export class Plot {
       },
       axes: [
         {
-          show: true,
+          ...kAxis,
           size: times ? kTimes_px : 0,
-          stroke: () => colour('dim'),
-          font: kFont,
-          grid,
-          ticks: { show: false },
           gap: 4,
           space: 48,
           values: (_, splits) => (times ? splits.map((t_s) => fixed(t_s, 0)) : splits.map(() => '')),
         },
         {
+          ...kAxis,
           size: kAxis_px,
-          stroke: () => colour('dim'),
-          font: kFont,
-          grid,
-          ticks: { show: false },
           gap: 6,
           space: 22,
           values: (_, splits) => splits.map((value) => fixed(value, tickDecimals(splits))),
@@ -138,13 +134,7 @@ export class Plot {
           points: { show: false },
         })),
       ],
-      hooks: {
-        setCursor: [
-          () => {
-            this.figures();
-          },
-        ],
-      },
+      hooks: { setCursor: [() => { this.figures(); }] },
     };
   }
 }

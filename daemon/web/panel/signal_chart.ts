@@ -5,6 +5,7 @@ import { fixed } from '../state/format.ts';
 import { extent, niceRange } from '../state/scale.ts';
 import type { Signals } from '../state/signals.ts';
 import { h, setText } from './dom.ts';
+import { kAxis, keyOf } from './plot.ts';
 
 export interface TimeRange {
   from_s: number;
@@ -12,7 +13,6 @@ export interface TimeRange {
 }
 
 const kColours: readonly Colour[] = ['odometry', 'warn', 'fused', 'bad', 'value', 'run-5', 'run-2', 'run-3'];
-const kFont = '11px B612, sans-serif';
 const kHeight_px = 170;
 
 export class SignalChart {
@@ -31,11 +31,9 @@ export class SignalChart {
   ) {
     const key = h('div', { class: 'plot-key' });
     names.forEach((name, i) => {
-      const swatch = h('i', { class: 'swatch' });
-      swatch.style.color = `var(--${colourOf(i)})`;
       const value = h('span', { class: 'plot-value' });
       this.values.push(value);
-      key.append(h('span', { class: 'plot-curve' }, swatch, name, value));
+      key.append(keyOf(name, colourOf(i), [value]));
     });
     this.element = h('section', { class: 'plot signal-chart', 'aria-label': `${names.join(', ')} ${unit}` }, h('header', {}, key, h('span', { class: 'plot-unit' }, unit)), this.canvas);
     this.plot = new uPlot(this.options(), [[], ...names.map(() => [])], this.canvas);
@@ -55,8 +53,7 @@ export class SignalChart {
       visible.push(values.subarray(0, end));
     }
     const [low, high] = extent(visible);
-    const width = high - low;
-    const flat = !(width > 0) ? Math.max(Math.abs(low) * 0.01, 1e-6) : 0;
+    const flat = high > low ? 0 : Math.max(Math.abs(low) * 0.01, 1e-6);
     this.y = niceRange(low - flat, high + flat, [low - flat, high + flat]);
     const { clientWidth } = this.canvas;
     if (clientWidth > 0 && clientWidth !== this.plot.width) this.plot.setSize({ width: clientWidth, height: kHeight_px });
@@ -83,7 +80,6 @@ export class SignalChart {
   }
 
   private options(): uPlot.Options {
-    const axis = { stroke: () => colour('dim'), font: kFont, grid: { stroke: () => colour('axis-grid'), width: 1 }, ticks: { show: false } };
     return {
       width: 300,
       height: kHeight_px,
@@ -95,8 +91,8 @@ export class SignalChart {
         y: { range: () => this.y },
       },
       axes: [
-        { ...axis, size: 20, gap: 4, space: 60, values: (_, splits) => splits.map((t_s) => `${fixed(t_s, splits.length > 1 && (splits[1] ?? 0) - (splits[0] ?? 0) < 1 ? 2 : 0)} s`) },
-        { ...axis, size: 58, gap: 6, space: 24 },
+        { ...kAxis, size: 20, gap: 4, space: 60, values: (_, splits) => splits.map((t_s) => `${fixed(t_s, splits.length > 1 && (splits[1] ?? 0) - (splits[0] ?? 0) < 1 ? 2 : 0)} s`) },
+        { ...kAxis, size: 58, gap: 6, space: 24 },
       ],
       series: [{}, ...this.names.map((_, i) => ({ stroke: () => colour(colourOf(i)), width: 1.5, points: { show: false }, spanGaps: true }))],
       hooks: {

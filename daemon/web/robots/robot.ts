@@ -3,7 +3,7 @@ import { Client, type ServerInfo } from '../foxglove/client.ts';
 import { openSocket, type Socket } from '../foxglove/connection.ts';
 import { StopSender } from '../foxglove/stop_sender.ts';
 import type { Link, State } from '../state/messages.ts';
-import { kStale_ms } from '../state/store.ts';
+import { kStaleState_ms } from '../state/store.ts';
 
 /** An entry of GET /api/robots. */
 export interface Listed {
@@ -81,7 +81,7 @@ export class Robot {
   get contact(): Contact {
     if (this.other) return 'other';
     const now_ms = this.now();
-    if (this.received_ms !== undefined) return now_ms - this.received_ms > kStale_ms['/state'] ? 'no_answer' : 'answers';
+    if (this.received_ms !== undefined) return now_ms - this.received_ms > kStaleState_ms ? 'no_answer' : 'answers';
     return this.state === undefined && now_ms - this.began_ms < kPatience_ms ? 'connecting' : 'no_answer';
   }
 

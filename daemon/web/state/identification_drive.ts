@@ -2,7 +2,7 @@
 // before and after it. Time is the clock's: the timers of a page that is hidden ring once a second, or once a minute.
 import { kConfirm_ms } from './consent.ts';
 import { onCourse, type State } from './messages.ts';
-import { noteOf, tagsOf, type Measured } from './identify.ts';
+import { tagsOf } from './identify.ts';
 import type { Call } from './service.ts';
 
 /** The gyro's bias comes from the standstill before the drive. */
@@ -36,11 +36,6 @@ async function soon(reach: Reach, limit_ms: number, holds: (state: State | undef
     await reach.sleep(kLook_ms);
   }
   return true;
-}
-
-/** Chooses the course with the set-up `flat`. */
-export async function prepare(reach: Reach, course: string): Promise<void> {
-  await reach.call('choose', { course, setup: 'flat' });
 }
 
 /**
@@ -80,8 +75,4 @@ export async function drive(reach: Reach, course: string, attended: AbortSignal)
 function cause(state: State | undefined): string {
   const causes = (state?.faults ?? []).map((fault) => fault.cause);
   return causes.length === 0 ? '' : `: ${causes.join('; ')}`;
-}
-
-export async function measure(reach: Reach, run: string, measured: Measured): Promise<void> {
-  await reach.call('run_note', { run, note: noteOf(measured) });
 }

@@ -1,6 +1,6 @@
 // All data that the views draw, from the channels of one source: the live daemon or a recording.
 // Its memory is bounded.
-import type { Channels, Estimate, Event, Pose, SceneUpdate, Slip, State, Topic } from './messages.ts';
+import { kNoRights, onCourse, type Channels, type Estimate, type Event, type Pose, type SceneUpdate, type Slip, type State, type Topic } from './messages.ts';
 import { BatteryWatch } from './battery.ts';
 import { Series } from './series.ts';
 import { PathHistory } from './path_history.ts';
@@ -10,29 +10,39 @@ export const kUncertain = ['model', 'odometry', 'fused'] as const;
 export const kEstimates = [...kUncertain, 'truth'] as const;
 export type EstimateName = (typeof kEstimates)[number];
 
-/** Columns of `Store.series`, in the units that the plots show. */
-export const kColumns = {
-  t_s: 0,
-  desired_yaw_deg: 1,
-  model_yaw_deg: 2,
-  odometry_yaw_deg: 3,
-  fused_yaw_deg: 4,
-  truth_yaw_deg: 5,
-  cross_track_mm: 6,
-  heading_error_deg: 7,
-  left_mps: 8,
-  right_mps: 9,
-  left_commanded_mps: 10,
-  right_commanded_mps: 11,
-  slip_left_percent: 12,
-  slip_right_percent: 13,
-  fused_slip_left_percent: 14,
-  fused_slip_right_percent: 15,
-  model_error_mm: 16,
-  odometry_error_mm: 17,
-  fused_error_mm: 18,
-} as const;
+const deg = (value_rad: number | undefined): number => ((value_rad ?? NaN) * 180) / Math.PI;
+const error_mm = ({ truth }: Estimate, pose: Pose): number => (truth ? 1000 * Math.hypot(pose.x_m - truth.x_m, pose.y_m - truth.y_m) : NaN);
+
+/** Columns of `Store.series` by name, in the units that the plots show. */
+const kColumns = {
+  t_s: (estimate) => estimate.t_s,
+  desired_yaw_deg: (estimate) => deg(estimate.desired_yaw_rad),
+  model_yaw_deg: (estimate) => deg(estimate.model.yaw_rad),
+  odometry_yaw_deg: (estimate) => deg(estimate.odometry.yaw_rad),
+  fused_yaw_deg: (estimate) => deg(estimate.fused.yaw_rad),
+  truth_yaw_deg: (estimate) => deg(estimate.truth?.yaw_rad),
+  cross_track_mm: (estimate) => 1000 * estimate.cross_track_m,
+  heading_error_deg: (estimate) => deg(estimate.heading_error_rad),
+  left_mps: ({ tracks }) => tracks.left_mps,
+  right_mps: ({ tracks }) => tracks.right_mps,
+  left_commanded_mps: ({ tracks }) => tracks.left_commanded_mps ?? NaN,
+  right_commanded_mps: ({ tracks }) => tracks.right_commanded_mps ?? NaN,
+  slip_left_percent: (_, slip) => 100 * (slip?.left ?? NaN),
+  slip_right_percent: (_, slip) => 100 * (slip?.right ?? NaN),
+  fused_slip_left_percent: (_, slip) => 100 * (slip?.fused_left ?? NaN),
+  fused_slip_right_percent: (_, slip) => 100 * (slip?.fused_right ?? NaN),
+  model_error_mm: (estimate) => error_mm(estimate, estimate.model),
+  odometry_error_mm: (estimate) => error_mm(estimate, estimate.odometry),
+  fused_error_mm: (estimate) => error_mm(estimate, estimate.fused),
+} satisfies Record<string, (estimate: Estimate, slip: Slip | undefined) => number>;
 export type Column = keyof typeof kColumns;
+
+const row = (estimate: Estimate, slip: Slip | undefined): number[] => Object.values(kColumns).map((of) => of(estimate, slip));
+
+/** One of the columns that Series.since gives. */
+export function column(columns: readonly Float64Array[], name: Column): Float64Array {
+  return columns[Object.keys(kColumns).indexOf(name)] ?? new Float64Array();
+}
 
 export const kHistory_s = 120;
 const kInterval_s = 0.0199; // 50 rows a second
@@ -40,21 +50,15 @@ export const kEvents = 300;
 /** A pose that moves further between two messages belongs to another run, daemon or part of a recording. */
 const kJump_m = 0.5;
 
-/** Above this age a value is grey. */
-export const kStale_ms: Record<Topic, number> = {
+export const kStaleState_ms = 1000;
+/** Above this age a value is grey; without one, never. */
+const kStale_ms: Partial<Record<Topic, number>> = {
   '/estimate': 400,
   '/slip': 600,
-  '/sample': 400,
-  '/command': 400,
   '/link': 1000,
   '/loop': 1500,
-  '/state': 1000,
-  '/course': Infinity,
-  '/event': Infinity,
-  '/parameter': Infinity,
-  '/recording': Infinity,
+  '/state': kStaleState_ms,
   '/client': 3000,
-  '/path_history': Infinity,
   '/camera/image': 2500,
 };
 const kStaleSample_us = 400_000;
@@ -97,7 +101,7 @@ export class Store {
   /** True if the data of `topic` is too old to be used. */
   stale(topic: Topic): boolean {
     const received_ms = this.received_ms[topic];
-    if (received_ms === undefined || this.now() - received_ms > kStale_ms[topic]) return true;
+    if (received_ms === undefined || this.now() - received_ms > (kStale_ms[topic] ?? Infinity)) return true;
     if (topic !== '/estimate' && topic !== '/slip') return false;
     const age_us = this.latest['/estimate']?.age_us;
     return age_us === undefined || age_us === null || age_us > kStaleSample_us;
@@ -181,30 +185,11 @@ export class Store {
   }
 }
 
-function row(estimate: Estimate, slip: Slip | undefined): number[] {
-  const { model, odometry, fused, truth, tracks } = estimate;
-  const deg = (value_rad: number | undefined): number => ((value_rad ?? NaN) * 180) / Math.PI;
-  const error_mm = (pose: Pose): number =>
-    truth ? 1000 * Math.hypot(pose.x_m - truth.x_m, pose.y_m - truth.y_m) : NaN;
-  return [
-    estimate.t_s,
-    deg(estimate.desired_yaw_rad),
-    deg(model.yaw_rad),
-    deg(odometry.yaw_rad),
-    deg(fused.yaw_rad),
-    deg(truth?.yaw_rad),
-    1000 * estimate.cross_track_m,
-    deg(estimate.heading_error_rad),
-    tracks.left_mps,
-    tracks.right_mps,
-    tracks.left_commanded_mps ?? NaN,
-    tracks.right_commanded_mps ?? NaN,
-    100 * (slip?.left ?? NaN),
-    100 * (slip?.right ?? NaN),
-    100 * (slip?.fused_left ?? NaN),
-    100 * (slip?.fused_right ?? NaN),
-    error_mm(model),
-    error_mm(odometry),
-    error_mm(fused),
-  ];
+/** Why this page may change nothing now; empty: it may. */
+export function whyNot(store: Store, connected: boolean, mayCommand: boolean): string {
+  if (!connected || store.stale('/state')) return 'No connection to tp100d.';
+  if (!mayCommand) return `${kNoRights}.`;
+  const run = store.get('/state')?.run;
+  if (run === 'driving') return 'The robot is driven by hand; release it first.';
+  return onCourse(run) ? 'A run is under way; stop it first.' : '';
 }
