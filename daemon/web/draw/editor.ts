@@ -1,16 +1,16 @@
 // The editor of a course: its points over the map, its values and its text in the drawer; the daemon checks changes.
-import { h, setAttribute, setClass, setText } from '../panel/dom.ts';
+import { button, h, Message, setAttribute, setClass, setText } from '../panel/dom.ts';
 import type { Bounds, Point2 } from '../scene/geometry.ts';
 import { kDefaultShape } from '../scene/robot_model.ts';
 import type { Course, RobotShape } from '../state/messages.ts';
-import { nameOf, type CourseCheck, type SetupCall } from '../state/setup.ts';
+import { nameOf, type CourseCheck } from '../state/setup.ts';
 import { CourseText, type Piece, type Value } from './course_text.ts';
 import { added, beyond, draftCourse, find, handles, kEmptyCourse, withCorner, withoutCorner, type Handle, type Selected, type Tool } from './draft.ts';
 import { fields, signature } from './fields.ts';
 import { History } from './history.ts';
 import { frameOf, zoomed } from './framing.ts';
 import { DrawStage } from './stage.ts';
-import { reason } from '../state/service.ts';
+import { reason, type Call } from '../state/service.ts';
 
 const kCheckAfter_ms = 150;
 const kTools: [tool: Tool, title: string][] = [
@@ -37,15 +37,24 @@ export class CourseEditor {
   readonly stage: DrawStage;
   private readonly name = h('input', { type: 'text', name: 'course-name', 'aria-label': 'Name of the course', maxlength: '64' });
   private readonly text = h('textarea', { rows: '14', spellcheck: 'false', 'aria-label': 'Text of the course file' });
-  private readonly verdict = h('p', { class: 'draw-verdict', role: 'status' });
+  private readonly verdict = new Message('draw-verdict');
   private readonly fieldsBox = h('div');
-  private readonly replaceButton = button('draw-replace', 'Replace it');
-  private readonly undoButton = button('draw-undo', 'Undo');
-  private readonly redoButton = button('draw-redo', 'Redo');
-  private readonly deleteButton = button('draw-delete', 'Delete');
-  private readonly cornerButton = button('draw-corner', 'Add corner');
-  private readonly closeButton = button('draw-close', 'Close');
-  private readonly saves = [button('draw-save', 'Save'), button('draw-use', 'Save and choose')];
+  private readonly replaceButton = deed('draw-replace', 'Replace it', () => void this.save(true));
+  private readonly undoButton = deed('draw-undo', 'Undo', () => { this.take(this.history.undo()); });
+  private readonly redoButton = deed('draw-redo', 'Redo', () => { this.take(this.history.redo()); });
+  private readonly deleteButton = deed('draw-delete', 'Delete', () => { this.remove(); });
+  private readonly cornerButton = deed('draw-corner', 'Add corner', () => { this.addCorner(); });
+  private readonly closeButton = deed('draw-close', 'Close', () => {
+    const lost = this.course.text !== this.saved || this.text.value !== this.course.text;
+    if (lost && this.closeButton.textContent === 'Close') setText(this.closeButton, 'Discard the changes');
+    else this.close();
+  });
+  private readonly saves = [['draw-save', 'Save'], ['draw-use', 'Save and choose']].map(([id = '', text = '']) =>
+    deed(id, text, () => {
+      this.chooses = id === 'draw-use';
+      void this.save(false);
+    }),
+  );
   private readonly tools = new Map<Tool, HTMLButtonElement>();
   private readonly history = new History();
   private course = new CourseText('');
@@ -64,7 +73,7 @@ export class CourseEditor {
 
   constructor(
     private readonly map: DrawMap,
-    private readonly ask: (call: SetupCall) => Promise<unknown>,
+    private readonly call: Call,
     private readonly robot: () => RobotShape | undefined,
     /** Called when drawing begins or ends. */
     private readonly opens: (on: boolean) => void,
@@ -141,36 +150,16 @@ export class CourseEditor {
   private build(): void {
     const bar = h('div', { class: 'draw-bar', role: 'toolbar', 'aria-label': 'Draw' });
     for (const [tool, title] of kTools) {
-      const element = button(`draw-${tool}`, title);
-      setAttribute(element, 'aria-pressed', 'false');
-      // Pressed by key: the piece is added beyond the end of the path.
-      element.addEventListener('click', (event) => {
+      const element = deed(`draw-${tool}`, title, (event) => {
+        // Pressed by key: the piece is added beyond the end of the path.
         if (event.detail === 0) this.add(tool, beyond(this.course));
         else this.pick(this.tool === tool ? undefined : tool);
       });
+      setAttribute(element, 'aria-pressed', 'false');
       this.tools.set(tool, element);
       bar.append(element);
     }
-    const fit = button('draw-fit', 'Fit');
-    bar.append(this.cornerButton, this.deleteButton, this.undoButton, this.redoButton, fit);
-    fit.addEventListener('click', () => { this.fit(); });
-    this.undoButton.addEventListener('click', () => { this.take(this.history.undo()); });
-    this.redoButton.addEventListener('click', () => { this.take(this.history.redo()); });
-    this.deleteButton.addEventListener('click', () => { this.remove(); });
-    this.cornerButton.addEventListener('click', () => {
-      const piece = this.selected && find(this.course, this.selected);
-      const corner = this.corner;
-      if (piece !== undefined && corner !== undefined) this.edit(() => withCorner(this.course, piece, corner), true);
-    });
-    this.saves.forEach((save, i) => {
-      save.addEventListener('click', () => { this.chooses = i === 1; void this.save(false); });
-    });
-    this.replaceButton.addEventListener('click', () => { void this.save(true); });
-    this.closeButton.addEventListener('click', () => {
-      const lost = this.course.text !== this.saved || this.text.value !== this.course.text;
-      if (lost && this.closeButton.textContent === 'Close') setText(this.closeButton, 'Discard the changes');
-      else this.close();
-    });
+    bar.append(this.cornerButton, this.deleteButton, this.undoButton, this.redoButton, deed('draw-fit', 'Fit', () => { this.fit(); }));
     this.closeButton.addEventListener('blur', () => { setText(this.closeButton, 'Close'); });
     this.text.addEventListener('input', () => { this.take(this.text.value, false); });
     this.text.addEventListener('change', () => { this.history.add(this.text.value); });
@@ -178,7 +167,7 @@ export class CourseEditor {
     this.stage.element.addEventListener('keydown', (event) => { this.key(event); });
     this.element.append(
       bar,
-      h('div', { class: 'draw-answer' }, this.verdict, this.replaceButton),
+      h('div', { class: 'draw-answer' }, this.verdict.element, this.replaceButton),
       h('div', { class: 'draw-file' }, h('label', {}, 'name ', this.name), ...this.saves, this.closeButton),
       this.fieldsBox,
       h('details', {}, h('summary', {}, 'Text of the file'), this.text),
@@ -219,6 +208,12 @@ export class CourseEditor {
     this.selected = handle.piece;
     const corner = /^(fence|keep_out)-\d+-(\d+)$/.exec(handle.id);
     this.corner = corner === null ? undefined : Number(corner[2]);
+  }
+
+  private addCorner(): void {
+    const piece = this.selected && find(this.course, this.selected);
+    const corner = this.corner;
+    if (piece !== undefined && corner !== undefined) this.edit(() => withCorner(this.course, piece, corner), true);
   }
 
   private remove(): void {
@@ -280,7 +275,7 @@ export class CourseEditor {
     this.checking = true;
     this.checkAt_ms = Infinity;
     try {
-      const answer = (await this.ask({ name: 'file_check', request: { kind: 'course', name: nameOf(this.name.value) || 'course', text: this.text.value } })) as CourseCheck;
+      const answer = (await this.call('file_check', { kind: 'course', name: nameOf(this.name.value) || 'course', text: this.text.value })) as CourseCheck;
       const place = answer.line === undefined ? '' : `line ${answer.line}, column ${answer.column ?? 1}: `;
       const figures = `${answer.length_m?.toFixed(2) ?? ''} m, about ${answer.duration_s?.toFixed(0) ?? '?'} s`;
       if (answer.error !== '') this.say(place + answer.error, true);
@@ -297,12 +292,12 @@ export class CourseEditor {
     const name = this.name.value;
     const text = this.text.value;
     try {
-      await this.ask({ name: 'file_save', request: { kind: 'course', name, text, replace: replace || name === this.opened } });
+      await this.call('file_save', { kind: 'course', name, text, replace: replace || name === this.opened });
       this.opened = name;
       this.saved = text;
       this.say(`${name} is saved.`);
       if (!this.chooses) return;
-      await this.ask({ name: 'choose', request: { course: name } });
+      await this.call('choose', { course: name });
       this.close();
     } catch (error: unknown) {
       const why = reason(error);
@@ -313,13 +308,10 @@ export class CourseEditor {
 
   private say(text: string, bad = false): void {
     this.replaceButton.hidden = true;
-    setText(this.verdict, text);
-    setClass(this.verdict, 'bad', bad);
+    this.verdict.say(text, bad);
   }
 }
 
 const rounded = ({ x, y }: Point2): Point2 => ({ x: Math.round(x * 1000) / 1000, y: Math.round(y * 1000) / 1000 });
 
-function button(id: string, text: string): HTMLButtonElement {
-  return h('button', { type: 'button', id, class: 'control' }, text);
-}
+const deed = (id: string, text: string, press: (event: MouseEvent) => void): HTMLButtonElement => button({ id, class: 'control' }, text, press);

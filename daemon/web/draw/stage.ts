@@ -1,5 +1,5 @@
 // The handles of a draft over the map: moved with mouse, pen or finger, and with the arrow keys.
-import { setAttribute, setClass } from '../panel/dom.ts';
+import { setAttribute, setClass, svg } from '../panel/dom.ts';
 import type { Point2 } from '../scene/geometry.ts';
 import type { Handle, Selected } from './draft.ts';
 
@@ -7,7 +7,6 @@ import type { Handle, Selected } from './draft.ts';
 const kReach_px = 18;
 const kNudge_m = 0.01;
 const kFarNudge_m = 0.1;
-const kSvg = 'http://www.w3.org/2000/svg';
 const kArrows: Record<string, Point2> = {
   ArrowLeft: { x: -1, y: 0 },
   ArrowRight: { x: 1, y: 0 },
@@ -27,7 +26,7 @@ export interface StageActions {
 }
 
 export class DrawStage {
-  readonly element = document.createElementNS(kSvg, 'svg');
+  readonly element = svg('svg', { class: 'draw-stage', role: 'group', 'aria-label': 'Points of the course' });
   private readonly knobs = new Map<string, SVGGElement>();
   private handles: readonly Handle[] = [];
   private dragged: { id: string; pointer: number } | undefined;
@@ -38,9 +37,6 @@ export class DrawStage {
     private readonly world: (at: Point2) => Point2 | undefined,
     private readonly actions: StageActions,
   ) {
-    this.element.classList.add('draw-stage');
-    this.element.setAttribute('role', 'group');
-    this.element.setAttribute('aria-label', 'Points of the course');
     this.element.style.display = 'none';
     this.element.addEventListener('pointerdown', (event) => {
       this.down(event);
@@ -99,17 +95,8 @@ export class DrawStage {
 
   private make(handle: Handle): SVGGElement {
     const { id } = handle;
-    const knob = document.createElementNS(kSvg, 'g');
-    knob.classList.add('knob');
-    knob.dataset.handle = id;
-    setAttribute(knob, 'tabindex', '0');
-    setAttribute(knob, 'role', 'button');
-    for (const [radius, name] of [[kReach_px, 'knob-reach'], [6, 'knob-dot']] as const) {
-      const circle = document.createElementNS(kSvg, 'circle');
-      circle.setAttribute('r', String(radius));
-      circle.classList.add(name);
-      knob.append(circle);
-    }
+    const knob = svg('g', { class: 'knob', 'data-handle': id, tabindex: '0', role: 'button' });
+    knob.append(svg('circle', { class: 'knob-reach', r: String(kReach_px) }), svg('circle', { class: 'knob-dot', r: '6' }));
     knob.addEventListener('focus', () => {
       const now = this.handle(id);
       if (now !== undefined) this.actions.select(now);

@@ -50,7 +50,6 @@ import { loadRecording } from '../replay/recording.ts';
 import { Consent } from '../state/consent.ts';
 import type { Estimate, Slip, State, Topic } from '../state/messages.ts';
 import { past, reason, type Call } from '../state/service.ts';
-import type { SetupCall } from '../state/setup.ts';
 import { kHistory_s, Store } from '../state/store.ts';
 import { listen } from './keys.ts';
 import { everyFrame } from './schedule.ts';
@@ -217,26 +216,15 @@ const numbers = new Numbers();
 const plots = new Plots();
 const histogram = new Histogram();
 const events = new EventLog();
-const runs = new RunList(
-  (file, run) => {
-    void replay(file.url, run.run);
-  },
-  (call) => client.call(call.name, call.request),
-);
+const runs = new RunList((file, run) => void replay(file.url, run.run), call);
 const transport = new Transport(backToLive);
-const parameters = new ParameterPanel(
-  (name, value) => {
-    client.setParameter(name, value);
-  },
-  call,
-);
+const parameters = new ParameterPanel((name, value) => { client.setParameter(name, value); }, call);
 const signals = new SignalPanel(past);
 const links = new LinkTable();
 const doctor = new DoctorPanel(call, consent);
 const identify = new IdentifyPanel(call, consent);
-const ask = (call: SetupCall): Promise<unknown> => client.call(call.name, call.request);
-const editor = new CourseEditor(viewport, ask, () => live.get('/course')?.robot, drawCourse);
-const courses = new CourseList(ask, drawPlace, editor);
+const editor = new CourseEditor(viewport, call, () => live.get('/course')?.robot, drawCourse);
+const courses = new CourseList(call, drawPlace, editor);
 const coursesPage = h('div', {}, courses.element, editor.element);
 const placing = new PlaceDrawing(
   (at) => viewport.world(at),

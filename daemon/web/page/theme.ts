@@ -1,5 +1,5 @@
 // The theme, dark or light: the system's preference, or the last choice in this browser.
-import { h, icon, setAttribute } from '../panel/dom.ts';
+import { button, icon, setAttribute } from '../panel/dom.ts';
 import { colour, forgetColours } from '../scene/palette.ts';
 
 type Theme = 'dark' | 'light';
@@ -42,20 +42,19 @@ apply(kept() ?? preferred());
 
 /** A button that switches to the other theme. `changed`: redraws what is drawn by scripts. */
 export function themeSwitch(changed: () => void): HTMLElement {
-  const button = h('button', { type: 'button', class: 'theme-switch', title: 'Light or dark page', 'aria-label': 'Light page' }, icon('theme'));
+  const element = button({ class: 'theme-switch', title: 'Light or dark page', 'aria-label': 'Light page' }, icon('theme'), () => {
+    const theme = current() === 'light' ? 'dark' : 'light';
+    keep(theme);
+    use(theme);
+  });
   const use = (theme: Theme): void => {
     if (theme !== current()) {
       apply(theme);
       changed();
     }
-    setAttribute(button, 'aria-pressed', String(theme === 'light'));
+    setAttribute(element, 'aria-pressed', String(theme === 'light'));
   };
-  button.addEventListener('click', () => {
-    const theme = current() === 'light' ? 'dark' : 'light';
-    keep(theme);
-    use(theme);
-  });
   kPreference.addEventListener('change', () => { use(kept() ?? preferred()); });
   use(kept() ?? preferred());
-  return button;
+  return element;
 }

@@ -1,6 +1,6 @@
 // The camera image beside the view of the course: the newest one taken before the time shown.
 import type { Store } from '../state/store.ts';
-import { h, setAttribute, setClass, setText } from './dom.ts';
+import { button, h, setAttribute, setClass, setText } from './dom.ts';
 
 /** Above this age an image is grey. */
 const kOld_s = 2;
@@ -9,19 +9,18 @@ export class CameraImagePanel {
   readonly element = h('figure', { class: 'camera-image' });
   private readonly image = h('img', { alt: 'Image of the camera', decoding: 'sync' });
   private readonly age = h('span', { class: 'camera-age' });
-  private readonly hide = h('button', { type: 'button', id: 'camera-image-toggle', 'aria-expanded': 'true' }, 'hide');
+  private readonly hide = button({ id: 'camera-image-toggle', 'aria-expanded': 'true' }, 'hide', () => {
+    this.open = !this.open;
+    setAttribute(this.hide, 'aria-expanded', String(this.open));
+    setText(this.hide, this.open ? 'hide' : 'show');
+    this.received = -1;
+  });
   private received = -1;
   private open = true;
 
   constructor() {
     this.element.append(this.image, h('figcaption', {}, 'camera', this.age, this.hide));
     this.element.hidden = true;
-    this.hide.addEventListener('click', () => {
-      this.open = !this.open;
-      setAttribute(this.hide, 'aria-expanded', String(this.open));
-      setText(this.hide, this.open ? 'hide' : 'show');
-      this.received = -1;
-    });
   }
 
   /** `began_unix_s`: the Unix time of t_s = 0. */

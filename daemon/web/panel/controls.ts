@@ -6,14 +6,16 @@ import { kNoRights, type State } from '../state/messages.ts';
 import type { Store } from '../state/store.ts';
 import { reason, type Call } from '../state/service.ts';
 import { StartQuestion } from './start_question.ts';
-import { h, icon, setAttribute, setClass, setText } from './dom.ts';
+import { button, h, icon, setAttribute, setClass, setText } from './dom.ts';
 
 export class Controls {
   readonly element = h('div', { class: 'controls', role: 'group', 'aria-label': 'Run' });
-  private readonly start = button('start', 'play', 'Start', 'r');
-  private readonly pause = button('pause', 'pause', 'Pause', 'p');
-  private readonly hold = button('hold', 'square', 'Hold', 'h');
-  private readonly record = button('record', 'record', 'Record', '');
+  private readonly start = control('start', 'play', 'Start', 'r', () => { this.pressStart(); });
+  private readonly pause = control('pause', 'pause', 'Pause', 'p', () => { this.pressPause(); });
+  private readonly hold = control('hold', 'square', 'Hold', 'h', () => { this.pressHold(); });
+  private readonly record = control('record', 'record', 'Record', '', () => {
+    this.send(this.call(this.recording ? 'record_stop' : 'record_start', {}));
+  });
   private readonly question: StartQuestion;
   private readonly starts: Confirmation;
   private readonly continues: Confirmation;
@@ -27,24 +29,10 @@ export class Controls {
     private readonly failed: (why: string) => void,
     now: () => number = () => performance.now(),
   ) {
-    this.question = new StartQuestion(consent, (from) => {
-      this.send(consent.move('start', { from }));
-    });
+    this.question = new StartQuestion(consent, (from) => { this.send(consent.move('start', { from })); });
     this.starts = new Confirmation(consent, now);
     this.continues = new Confirmation(consent, now);
     this.element.append(this.start.button, this.hold.button, this.record.button, this.pause.button, this.question.element);
-    this.start.button.addEventListener('click', () => {
-      this.pressStart();
-    });
-    this.pause.button.addEventListener('click', () => {
-      this.pressPause();
-    });
-    this.hold.button.addEventListener('click', () => {
-      this.pressHold();
-    });
-    this.record.button.addEventListener('click', () => {
-      this.send(this.call(this.recording ? 'record_stop' : 'record_start', {}));
-    });
   }
 
   /** Starts, or continues a paused run. */
@@ -111,12 +99,10 @@ export class Controls {
   }
 }
 
-function button(id: string, symbol: Parameters<typeof icon>[0], text: string, shortcut: string): {
-  button: HTMLButtonElement;
-  label: HTMLElement;
-} {
-  const label = h('span', { class: 'button-label' }, text);
-  const element = h('button', { type: 'button', id, class: 'control' }, icon(symbol), label);
-  if (shortcut !== '') element.setAttribute('aria-keyshortcuts', shortcut);
+/** A button of the bar, and its text. */
+export function control(id: string, symbol: Parameters<typeof icon>[0], text: string, shortcut: string, press: () => void): { button: HTMLButtonElement; label: HTMLElement } {
+  const label = h('span', {}, text);
+  const element = button({ id, class: 'control', ...(shortcut === '' ? {} : { 'aria-keyshortcuts': shortcut }) }, icon(symbol), press);
+  element.append(label);
   return { button: element, label };
 }

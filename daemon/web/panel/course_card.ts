@@ -1,32 +1,27 @@
 // A course as a card: its outline with obstacles, its figures and its actions.
 import { footprint } from '../scene/geometry.ts';
 import { facts, type CourseEntry, type Piece } from '../state/setup.ts';
-import { confirmed, h } from './dom.ts';
+import { button, deleteButton, h, svg } from './dom.ts';
 
 const kMargin_m = 0.12;
 
 export interface CardActions {
-  choose(course: CourseEntry): void;
-  remove(course: CourseEntry): void;
+  choose: () => void;
+  remove: () => void;
   /** Opens its file in the editor. */
-  edit(course: CourseEntry): void;
+  edit: () => void;
 }
 
 export function courseCard(course: CourseEntry, actions: CardActions): HTMLElement {
-  const choose = h('button', { type: 'button', class: 'control card-choose' }, course.in_force ? 'In use' : 'Choose');
-  choose.dataset.fixed = String(course.in_force || course.why_not !== '');
-  choose.setAttribute('aria-label', `Choose course ${course.name}`);
-  choose.addEventListener('click', () => {
-    actions.choose(course);
-  });
-  const edit = h('button', { type: 'button', class: 'link card-edit', 'aria-label': `Edit course ${course.name}` }, 'edit');
-  edit.dataset.fixed = 'false';
-  edit.addEventListener('click', () => {
-    actions.edit(course);
-  });
-  const buttons = h('div', { class: 'card-buttons' }, choose, edit);
+  const fixed = { 'data-fixed': String(course.in_force || course.why_not !== '') };
+  const buttons = h(
+    'div',
+    { class: 'card-buttons' },
+    button({ class: 'control card-choose', 'aria-label': `Choose course ${course.name}`, ...fixed }, course.in_force ? 'In use' : 'Choose', actions.choose),
+    button({ class: 'link card-edit', 'aria-label': `Edit course ${course.name}` }, 'edit', actions.edit),
+  );
   if (course.from !== 'given') buttons.append(h('a', { href: `/courses/${course.name}.toml`, download: '' }, 'file'));
-  if (course.from === 'own') buttons.append(deleteButton(course, actions));
+  if (course.from === 'own') buttons.append(deleteButton({ class: 'link card-delete', 'data-fixed': String(course.in_force) }, actions.remove));
   const card = h(
     'li',
     { class: 'card', id: `course-${course.name}` },
@@ -45,16 +40,6 @@ export function courseCard(course: CourseEntry, actions: CardActions): HTMLEleme
   return card;
 }
 
-/** A button that asks for confirmation before it deletes. */
-function deleteButton(course: CourseEntry, actions: CardActions): HTMLElement {
-  const button = h('button', { type: 'button', class: 'link card-delete' }, 'delete');
-  button.dataset.fixed = String(course.in_force);
-  confirmed(button, 'really delete', () => {
-    actions.remove(course);
-  });
-  return button;
-}
-
 /** The outline in a fixed frame, x to the right, y up. */
 function thumbnail(course: CourseEntry): SVGSVGElement {
   const image = svg('svg', { class: 'card-outline', role: 'img', 'aria-label': `Outline of course ${course.name}` });
@@ -63,7 +48,8 @@ function thumbnail(course: CourseEntry): SVGSVGElement {
   const pieces = (list: Piece[] | undefined): { x: number; y: number }[][] =>
     (list ?? []).map((piece) => footprint(piece, piece.length_m, piece.width_m));
   const obstacles = [...pieces(course.ramps), ...pieces(course.blocks)];
-  const all = [...outline.map(({ x_m, y_m }) => ({ x: x_m, y: y_m })), ...obstacles.flat()];
+  const line = outline.map(({ x_m, y_m }) => ({ x: x_m, y: y_m }));
+  const all = [...line, ...obstacles.flat()];
   const [xs, ys] = [all.map(({ x }) => x), all.map(({ y }) => y)];
   const [left, top] = [Math.min(...xs) - kMargin_m, Math.max(...ys) + kMargin_m];
   const width = Math.max(...xs) + kMargin_m - left;
@@ -75,7 +61,6 @@ function thumbnail(course: CourseEntry): SVGSVGElement {
   };
   fill(pieces(course.surfaces), 'var(--surface)');
   fill(obstacles, 'var(--obstacle)');
-  const line = outline.map(({ x_m, y_m }) => ({ x: x_m, y: y_m }));
   image.append(
     svg('polyline', {
       points: points(line),
@@ -92,10 +77,4 @@ function thumbnail(course: CourseEntry): SVGSVGElement {
     image.append(svg('circle', { cx: String(start.x_m), cy: String(-start.y_m), r: String(size), fill: 'var(--fused)' }));
   }
   return image;
-}
-
-function svg<K extends keyof SVGElementTagNameMap>(tag: K, attributes: Record<string, string>): SVGElementTagNameMap[K] {
-  const element = document.createElementNS('http://www.w3.org/2000/svg', tag);
-  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
-  return element;
 }

@@ -1,11 +1,10 @@
 // Choice of course, robot, set-up and the robot's pose, while no run is under way.
-import { kNoRights, onCourse, type State } from '../state/messages.ts';
-import { kindOf, kMaxText, nameOf, type CourseEntry, type FileKind, type RobotEntry, type SetupCall, type SetupList } from '../state/setup.ts';
-import type { Store } from '../state/store.ts';
+import { kindOf, kMaxText, nameOf, type CourseEntry, type FileKind, type RobotEntry, type SetupList } from '../state/setup.ts';
+import { whyNot, type Store } from '../state/store.ts';
 import type { CourseEditor } from '../draw/editor.ts';
 import { courseCard } from './course_card.ts';
-import { h, setAttribute, setText } from './dom.ts';
-import { reason } from '../state/service.ts';
+import { button, h, Message, setAttribute, setText } from './dom.ts';
+import { fetched, reason, type Call } from '../state/service.ts';
 
 const kRefresh_ms = 5000;
 const kAboutSetups: Record<string, string> = {
@@ -16,20 +15,24 @@ const kAboutSetups: Record<string, string> = {
 const kFloor =
   'The real floor does not change with the course: with set-up terrain its ramps and blocks must stand there. An emulated robot keeps the floor and the disturbances that it was started with.';
 
-export type Ask = (call: SetupCall) => Promise<unknown>;
-
 export class CourseList {
   readonly element = h('div', { class: 'courses', tabindex: '0' });
   private readonly robots = h('select', { id: 'choose-robot', 'aria-label': 'Robot' });
   private readonly setups = h('select', { id: 'choose-setup', 'aria-label': 'Set-up' });
-  private readonly placeStart = h('button', { type: 'button', class: 'control', id: 'place-start' }, 'Place at start');
-  private readonly placeMap = h('button', { type: 'button', class: 'control', id: 'place-map', 'aria-pressed': 'false' }, 'Place on the map');
-  private readonly upload = h('button', { type: 'button', class: 'control', id: 'upload' }, 'Upload');
-  private readonly drawNew = h('button', { type: 'button', class: 'control', id: 'draw-new' }, 'Draw a course');
+  private readonly placeStart = button({ class: 'control', id: 'place-start' }, 'Place at start', () => void this.change('place', { at: 'start' }));
+  private readonly placeMap = button({ class: 'control', id: 'place-map', 'aria-pressed': 'false' }, 'Place on the map', () => {
+    this.drawPlace(this.placeMap.getAttribute('aria-pressed') !== 'true');
+  });
+  private readonly upload = button({ class: 'control', id: 'upload' }, 'Upload', () => { this.file.click(); });
+  private readonly drawNew = button({ class: 'control', id: 'draw-new' }, 'Draw a course', () => {
+    this.editor.openNew(this.list?.courses.map(({ name }) => name) ?? []);
+  });
   private readonly file = h('input', { type: 'file', accept: '.toml', 'aria-label': 'Course or robot file', hidden: '' });
   private readonly why = h('p', { class: 'courses-why', role: 'status' });
-  private readonly message = h('p', { class: 'courses-message', role: 'alert' });
-  private readonly replace = h('button', { type: 'button', class: 'control', id: 'upload-replace', hidden: '' }, 'Replace it');
+  private readonly message = new Message('courses-message');
+  private readonly replace = button({ class: 'control', id: 'upload-replace', hidden: '' }, 'Replace it', () => {
+    if (this.replaced !== undefined) void this.save(this.replaced, true);
+  });
   private readonly cards = h('ol', { class: 'cards' });
   private list: SetupList | undefined;
   private shown = '';
@@ -39,7 +42,7 @@ export class CourseList {
   private replaced: { kind: FileKind; name: string; text: string } | undefined;
 
   constructor(
-    private readonly ask: Ask,
+    private readonly call: Call,
     /** Shows the map and begins drawing of a pose on it, or ends it. */
     private readonly drawPlace: (on: boolean) => void,
     private readonly editor: CourseEditor,
@@ -58,43 +61,27 @@ export class CourseList {
         this.file,
       ),
       this.why,
-      h('div', { class: 'courses-answer' }, this.message, this.replace),
+      h('div', { class: 'courses-answer' }, this.message.element, this.replace),
       this.cards,
       h('p', { class: 'courses-floor' }, kFloor),
     );
     this.robots.addEventListener('change', () => {
-      void this.change({ name: 'choose', request: { robot: this.robots.value } });
+      void this.change('choose', { robot: this.robots.value });
     });
     this.setups.addEventListener('change', () => {
-      void this.change({ name: 'choose', request: { setup: this.setups.value } });
-    });
-    this.placeStart.addEventListener('click', () => {
-      void this.change({ name: 'place', request: { at: 'start' } });
-    });
-    this.placeMap.addEventListener('click', () => {
-      this.drawPlace(this.placeMap.getAttribute('aria-pressed') !== 'true');
-    });
-    this.upload.addEventListener('click', () => {
-      this.file.click();
-    });
-    this.drawNew.addEventListener('click', () => {
-      this.editor.openNew(this.list?.courses.map(({ name }) => name) ?? []);
+      void this.change('choose', { setup: this.setups.value });
     });
     this.file.addEventListener('change', () => {
       const file = this.file.files?.[0];
       if (file !== undefined) void this.take(file);
       this.file.value = '';
     });
-    this.replace.addEventListener('click', () => {
-      const file = this.replaced;
-      if (file !== undefined) void this.save(file, true);
-    });
   }
 
   /** Draws the tab's content; reloads the list from time to time. */
   show(store: Store, connected: boolean, mayCommand: boolean): void {
     const state = store.get('/state');
-    const why = whyNot(state, connected && !store.stale('/state'), mayCommand);
+    const why = whyNot(store, connected, mayCommand);
     this.mayChange = why === '' && !this.asking;
     setText(this.why, why);
     this.enable();
@@ -114,7 +101,7 @@ export class CourseList {
   /** A pose was drawn on the map, or drawing has ended without one. */
   placed(pose: { x_m: number; y_m: number; yaw_rad: number } | undefined): void {
     setAttribute(this.placeMap, 'aria-pressed', 'false');
-    if (pose !== undefined) void this.change({ name: 'place', request: pose });
+    if (pose !== undefined) void this.change('place', pose);
   }
 
   drawing(on: boolean): void {
@@ -134,9 +121,7 @@ export class CourseList {
 
   private async load(): Promise<void> {
     try {
-      const response = await fetch('/api/setup', { cache: 'no-store' });
-      if (!response.ok) throw new Error(response.statusText);
-      const text = await response.text();
+      const text = await fetched('/api/setup');
       if (text === this.shown) return;
       this.shown = text;
       this.list = JSON.parse(text) as SetupList;
@@ -160,40 +145,33 @@ export class CourseList {
     this.setups.value = list.setup;
     const rank = (course: CourseEntry): number => Number(course.identifies === true) - Number(course.from !== 'bundled');
     const courses = [...list.courses].sort((a, b) => rank(a) - rank(b));
-    const actions = {
-      edit: (course: CourseEntry): void => {
-        void this.edit(course);
-      },
-      choose: ({ name }: CourseEntry): void => {
-        void this.change({ name: 'choose', request: { course: name } });
-      },
-      remove: ({ name }: CourseEntry): void => {
-        void this.change({ name: 'file_delete', request: { kind: 'course', name } });
-      },
-    };
-    this.cards.replaceChildren(...courses.map((course) => courseCard(course, actions)));
+    const card = (course: CourseEntry): HTMLElement =>
+      courseCard(course, {
+        edit: () => void this.edit(course),
+        choose: () => void this.change('choose', { course: course.name }),
+        remove: () => void this.change('file_delete', { kind: 'course', name: course.name }),
+      });
+    this.cards.replaceChildren(...courses.map(card));
     this.enable();
   }
 
   private async edit({ name, from }: CourseEntry): Promise<void> {
     try {
-      const response = await fetch(`/courses/${name}.toml`, { cache: 'no-store' });
-      if (!response.ok) throw new Error(`${name} cannot be read: ${response.statusText}`);
       const own = from === 'own';
-      this.editor.open(own ? name : `${name}-mine`, await response.text(), own);
+      this.editor.open(own ? name : `${name}-mine`, await fetched(`/courses/${name}.toml`), own);
     } catch (error: unknown) {
       this.say(reason(error));
     }
   }
 
   /** Asks the daemon for a change; true: done. */
-  private async change(call: SetupCall): Promise<boolean> {
+  private async change(service: string, request: object): Promise<boolean> {
     this.asking = true;
     this.mayChange = false;
     this.say('');
     this.enable();
     try {
-      await this.ask(call);
+      await this.call(service, request);
       return true;
     } catch (error: unknown) {
       this.say(reason(error));
@@ -223,20 +201,12 @@ export class CourseList {
       this.replace.hidden = false;
       return;
     }
-    if (await this.change({ name: 'file_save', request: { ...file, replace } })) this.say(`${file.name} is saved.`);
+    if (await this.change('file_save', { ...file, replace })) this.say(`${file.name} is saved.`);
   }
 
   private say(text: string): void {
     this.replaced = undefined;
     this.replace.hidden = true;
-    setText(this.message, text);
+    this.message.say(text);
   }
-}
-
-function whyNot(state: State | undefined, fresh: boolean, mayCommand: boolean): string {
-  if (!fresh || state === undefined) return 'No connection to tp100d.';
-  if (!mayCommand) return `${kNoRights}.`;
-  if (onCourse(state.run)) return 'A run is under way: nothing can be changed.';
-  if (state.run === 'driving') return 'The robot is driven by hand: release it first.';
-  return '';
 }

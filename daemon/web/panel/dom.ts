@@ -14,6 +14,33 @@ export function h<K extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
+/** A button that does something with each press. */
+export function button(attributes: Record<string, string>, content: Child, press: (event: MouseEvent) => void): HTMLButtonElement {
+  const element = h('button', { type: 'button', ...attributes }, content);
+  element.addEventListener('click', press);
+  return element;
+}
+
+export function svg<K extends keyof SVGElementTagNameMap>(tag: K, attributes: Record<string, string> = {}): SVGElementTagNameMap[K] {
+  const element = document.createElementNS('http://www.w3.org/2000/svg', tag);
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+  return element;
+}
+
+/** A line that tells what was done, or why not. */
+export class Message {
+  readonly element: HTMLElement;
+
+  constructor(name: string, text = '') {
+    this.element = h('p', { class: `message ${name}`, role: 'status' }, text);
+  }
+
+  say(text: string, bad = false): void {
+    setText(this.element, text);
+    setClass(this.element, 'bad', bad);
+  }
+}
+
 /** Sets the text; touches the page only if it differs. */
 export function setText(element: Element, text: string): void {
   if (element.textContent !== text) element.textContent = text;
@@ -27,28 +54,21 @@ export function setAttribute(element: Element, name: string, value: string): voi
   if (element.getAttribute(name) !== value) element.setAttribute(name, value);
 }
 
-/** Makes a button ask for confirmation: the first press changes its text, the second acts. */
-export function confirmed(button: HTMLButtonElement, question: string, act: () => void): void {
-  const text = button.textContent;
-  button.addEventListener('click', () => {
-    if (button.textContent === text) setText(button, question);
+/** A button that asks before it deletes: the first press changes its text, the second acts. */
+export function deleteButton(attributes: Record<string, string>, act: () => void): HTMLButtonElement {
+  const element = button(attributes, 'delete', () => {
+    if (element.textContent === 'delete') setText(element, 'really delete');
     else act();
   });
-  button.addEventListener('blur', () => {
-    setText(button, text);
-  });
+  element.addEventListener('blur', () => { setText(element, 'delete'); });
+  return element;
 }
 
 /** One of a fixed set of symbols, as drawings because fonts lack them. */
 export function icon(name: keyof typeof kIcons): SVGSVGElement {
-  const svg = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
-  svg.setAttribute('viewBox', '0 0 16 16');
-  svg.setAttribute('aria-hidden', 'true');
-  svg.classList.add('icon');
-  const path = document.createElementNS('http://www.w3.org/2000/svg', 'path');
-  path.setAttribute('d', kIcons[name]);
-  svg.append(path);
-  return svg;
+  const image = svg('svg', { class: 'icon', viewBox: '0 0 16 16', 'aria-hidden': 'true' });
+  image.append(svg('path', { d: kIcons[name] }));
+  return image;
 }
 
 const kIcons = {

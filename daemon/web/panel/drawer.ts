@@ -1,5 +1,5 @@
 // Tabs below the view, with the usual keys: arrows select a tab, the selected one is shown.
-import { h, setAttribute, setText } from './dom.ts';
+import { button, h, setAttribute, setText } from './dom.ts';
 
 export interface Page {
   id: string;
@@ -18,10 +18,7 @@ export class Drawer {
   constructor(private readonly pages: Page[], ...tools: HTMLElement[]) {
     const list = h('div', { class: 'tabs', role: 'tablist' });
     this.tabs = pages.map((page, i) => {
-      const tab = h('button', { type: 'button', role: 'tab', id: `tab-${page.id}`, 'aria-controls': `page-${page.id}` }, page.title);
-      tab.addEventListener('click', () => {
-        this.choose(i);
-      });
+      const tab = button({ role: 'tab', id: `tab-${page.id}`, 'aria-controls': `page-${page.id}` }, page.title, () => { this.choose(i); });
       tab.addEventListener('keydown', (event) => {
         const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
         if (step === undefined) return;
@@ -31,8 +28,7 @@ export class Drawer {
       return tab;
     });
     list.append(...this.tabs);
-    const size = h('button', { type: 'button', id: 'drawer-size', 'aria-pressed': 'false', title: 'More room for these pages' }, 'larger');
-    size.addEventListener('click', () => {
+    const size = button({ id: 'drawer-size', 'aria-pressed': 'false', title: 'More room for these pages' }, 'larger', () => {
       const large = document.body.classList.toggle('large-drawer');
       setAttribute(size, 'aria-pressed', String(large));
       setText(size, large ? 'smaller' : 'larger');

@@ -6,22 +6,23 @@ import { Confirmation, type Consent } from '../state/consent.ts';
 import { degrees, fixed } from '../state/format.ts';
 import { kNoRights, type State } from '../state/messages.ts';
 import type { Store } from '../state/store.ts';
-import { h, icon, setAttribute, setClass, setText } from './dom.ts';
+import { control } from './controls.ts';
+import { button, h, setAttribute, setClass, setText } from './dom.ts';
 
 const kSources = { none: 'no control held', keys: 'keys', stick: 'stick', gamepad: 'gamepad' };
 
 export class DrivePanel {
-  readonly button = h('button', { type: 'button', id: 'drive', class: 'control', 'aria-keyshortcuts': 'm' });
+  private readonly control = control('drive', 'wheel', 'Drive', 'm', () => { this.press(); });
+  readonly button = this.control.button;
   readonly element = h('section', { class: 'drive-panel', 'aria-label': 'Driving by hand', hidden: '' });
-  private readonly label = h('span', { class: 'button-label' }, 'Drive');
   private readonly stick: Stick;
   private readonly source = h('p', { class: 'drive-source', role: 'status' });
-  private readonly facts = h('dl', { class: 'drive-facts' });
-  private readonly values = new Map<string, HTMLElement>();
+  private readonly speed = h('dd', { id: 'drive-speed' });
+  private readonly turn = h('dd', { id: 'drive-turn' });
   private readonly share = h('input', { type: 'range', id: 'drive-share', min: '10', max: '100', step: '5', value: '50', 'aria-label': 'Greatest speed' });
   private readonly shareText = h('output', { for: 'drive-share' });
   private readonly asked = h('p', { class: 'drive-asked', role: 'status' });
-  private readonly release = h('button', { type: 'button', class: 'control', id: 'drive-release' }, 'Release');
+  private readonly release = button({ class: 'control', id: 'drive-release' }, 'Release', () => { this.driver.release(); });
   private readonly confirmation: Confirmation;
   private needsConfirmation = true;
 
@@ -36,28 +37,16 @@ export class DrivePanel {
       inputs.touch(at);
       driver.tick();
     });
-    this.button.append(icon('wheel'), this.label);
-    this.button.addEventListener('click', () => {
-      this.press();
-    });
-    this.release.addEventListener('click', () => {
-      driver.release();
-    });
     this.share.addEventListener('input', () => {
       driver.share = this.share.valueAsNumber / 100;
     });
-    for (const [id, name] of [['speed', 'speed'], ['turn', 'turn']] as const) {
-      const value = h('dd', { id: `drive-${id}` });
-      this.values.set(id, value);
-      this.facts.append(h('dt', {}, name), value);
-    }
     this.element.append(
       this.stick.element,
       h(
         'div',
         { class: 'drive-text' },
         this.source,
-        this.facts,
+        h('dl', { class: 'drive-facts' }, h('dt', {}, 'speed'), this.speed, h('dt', {}, 'turn'), this.turn),
         h('label', { class: 'drive-limit', for: 'drive-share' }, 'at most ', this.shareText),
         this.share,
         this.asked,
@@ -103,7 +92,7 @@ export class DrivePanel {
     this.button.hidden = state?.can.pause === true;
     const confirm = this.confirmation.show();
     setClass(this.button, 'confirm', confirm);
-    setText(this.label, confirm ? 'Press again' : other ? 'Ask' : 'Drive');
+    setText(this.control.label, confirm ? 'Press again' : other ? 'Ask' : 'Drive');
     const why = !mayCommand ? kNoRights : (state?.why_not_drive ?? '');
     const title = other ? `${why}: ask for the wheel` : why;
     setAttribute(this.button, 'title', title === '' ? 'Drive by hand (m)' : title);
@@ -126,11 +115,8 @@ export class DrivePanel {
             : kSources[wish?.source ?? 'none'];
     setText(this.source, source);
     const { speed_mps, yaw_rate_radps } = this.driver.limits;
-    const speed = `${fixed(pose?.vx_mps, 3)} m/s, commanded ${fixed(estimate?.desired_speed_mps, 3)}`;
-    const turn = `${degrees(pose?.yaw_rate_radps, 0)}\u00b0/s, wanted ${degrees((wish?.left ?? 0) * this.driver.share * yaw_rate_radps, 0)}`;
-    const [speedValue, turnValue] = [this.values.get('speed'), this.values.get('turn')];
-    if (speedValue) setText(speedValue, speed);
-    if (turnValue) setText(turnValue, turn);
+    setText(this.speed, `${fixed(pose?.vx_mps, 3)} m/s, commanded ${fixed(estimate?.desired_speed_mps, 3)}`);
+    setText(this.turn, `${degrees(pose?.yaw_rate_radps, 0)}\u00b0/s, wanted ${degrees((wish?.left ?? 0) * this.driver.share * yaw_rate_radps, 0)}`);
     const most = this.driver.share * speed_mps;
     setText(this.shareText, `${fixed(most, 2)} of ${fixed(speed_mps, 2)} m/s, ${degrees(this.driver.share * yaw_rate_radps, 0)}\u00b0/s`);
     const by = state?.driver?.asked_by ?? '';

@@ -21,7 +21,7 @@ export class EventLog {
       this.level.append(h('option', { value: String(i) }, text));
     });
     for (const element of [this.level, this.search]) element.addEventListener('input', () => { this.narrow(); });
-    this.element.append(h('div', { class: 'events-bar' }, this.level, this.search), h('div', { role: 'log' }, this.list), this.none);
+    this.element.append(h('div', { class: 'tab-bar' }, this.level, this.search), h('div', { role: 'log' }, this.list), this.none);
   }
 
   /** `began_unix_s`: Unix time of t_s = 0; undefined if not known or if the time is virtual. */

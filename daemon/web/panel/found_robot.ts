@@ -2,15 +2,15 @@
 import { degrees, fixed } from '../state/format.ts';
 import { decimals, fileName, type Errors, type FoundParameter, type Identified, type AddedSlip } from '../state/identify.ts';
 import { nameOf, type SetupList } from '../state/setup.ts';
-import { h, setText } from './dom.ts';
+import { button, h, setText, type Message } from './dom.ts';
 import { reason, type Call } from '../state/service.ts';
 
 export class FoundRobot {
   readonly element = h('section', { class: 'identify-found', 'aria-label': 'What was identified', hidden: '' });
   private readonly name = h('input', { type: 'text', id: 'identify-name', maxlength: '64', 'aria-label': 'Name of the new robot file' });
-  private readonly save = h('button', { type: 'button', class: 'control', id: 'identify-save' }, 'Save');
-  private readonly use = h('button', { type: 'button', class: 'control', id: 'identify-use', hidden: '' }, 'Use it for the next run');
-  private readonly always = h('button', { type: 'button', class: 'control', id: 'identify-always', hidden: '' }, 'Use it at every start');
+  private readonly save = button({ class: 'control', id: 'identify-save' }, 'Save', () => void this.attempt(() => this.write()));
+  private readonly use = button({ class: 'control', id: 'identify-use', hidden: '' }, 'Use it for the next run', () => void this.attempt(() => this.choose()));
+  private readonly always = button({ class: 'control', id: 'identify-always', hidden: '' }, 'Use it at every start', () => void this.attempt(() => this.configure()));
   private readonly kept = h('p', { class: 'identify-kept' });
   private text = '';
   private saved = '';
@@ -19,12 +19,9 @@ export class FoundRobot {
 
   constructor(
     private readonly call: Call,
-    private readonly say: (text: string, bad?: boolean) => void,
+    private readonly message: Message,
   ) {
     this.name.addEventListener('input', () => { this.named(); });
-    this.save.addEventListener('click', () => void this.write());
-    this.use.addEventListener('click', () => void this.choose());
-    this.always.addEventListener('click', () => void this.configure());
   }
 
   enable(may: boolean): void {
@@ -47,7 +44,7 @@ export class FoundRobot {
       h('p', { class: 'identify-errors' }, errors('Errors with the file in use', found.errors_before)),
       h('p', { class: 'identify-errors' }, errors('Errors with the new file', found.errors_after)),
       h('ul', { class: 'identify-warnings' }, ...found.warnings.map((line) => h('li', {}, line))),
-      h('div', { class: 'identify-buttons' }, h('label', {}, 'save as ', this.name, ' .toml '), this.save, this.use, this.always),
+      h('div', { class: 'buttons' }, h('label', {}, 'save as ', this.name, ' .toml '), this.save, this.use, this.always),
       this.kept,
     );
     this.element.hidden = false;
@@ -67,36 +64,32 @@ export class FoundRobot {
     this.enable(this.may);
   }
 
-  private async write(): Promise<void> {
-    const name = this.name.value;
+  private async attempt(work: () => Promise<string>): Promise<void> {
     try {
-      await this.call('file_save', { kind: 'robot', name, text: this.text, replace: this.robot() !== undefined });
-      this.saved = name;
-      this.use.hidden = this.always.hidden = false;
-      this.say(`${name}.toml is saved, but not in use: tp100d keeps its present robot, also after a restart, until you choose another one.`);
+      this.message.say(await work());
     } catch (error: unknown) {
-      this.say(reason(error), true);
+      this.message.say(reason(error), true);
     }
   }
 
-  private async choose(): Promise<void> {
-    try {
-      await this.call('choose', { robot: this.saved });
-      this.say(`${this.saved} is in use until tp100d ends.`);
-    } catch (error: unknown) {
-      this.say(reason(error), true);
-    }
+  private async write(): Promise<string> {
+    const name = this.name.value;
+    await this.call('file_save', { kind: 'robot', name, text: this.text, replace: this.robot() !== undefined });
+    this.saved = name;
+    this.use.hidden = this.always.hidden = false;
+    return `${name}.toml is saved, but not in use: tp100d keeps its present robot, also after a restart, until you choose another one.`;
+  }
+
+  private async choose(): Promise<string> {
+    await this.call('choose', { robot: this.saved });
+    return `${this.saved} is in use until tp100d ends.`;
   }
 
   /** Chooses the saved robot now, and in the configuration file for the next start. */
-  private async configure(): Promise<void> {
-    try {
-      await this.call('choose', { robot: this.saved });
-      const { file } = (await this.call('parameters_save', { robot: this.saved })) as { file: string };
-      this.say(`${this.saved} is in use, and from ${file} at every start; an option --robot would have priority.`);
-    } catch (error: unknown) {
-      this.say(reason(error), true);
-    }
+  private async configure(): Promise<string> {
+    await this.choose();
+    const { file } = (await this.call('parameters_save', { robot: this.saved })) as { file: string };
+    return `${this.saved} is in use, and from ${file} at every start; an option --robot would have priority.`;
   }
 }
 

@@ -1,21 +1,22 @@
 // The Identify tab: drives the calibration courses one by one, evaluates the recordings, and saves the robot file.
 import type { Consent } from '../state/consent.ts';
-import { drive, measure, prepare, type Reach } from '../state/identification_drive.ts';
-import { calibrationCourses, drivesOf, measuredIn, measuredTable, space, type Identified, type Measured } from '../state/identify.ts';
+import { drive, type Reach } from '../state/identification_drive.ts';
+import { calibrationCourses, drivesOf, measuredIn, measuredTable, noteOf, space, type Identified, type Measured } from '../state/identify.ts';
 import type { RunEntry, RunsList } from '../state/runs.ts';
 import { facts, type CourseEntry, type SetupList } from '../state/setup.ts';
-import type { Store } from '../state/store.ts';
-import { h, setClass, setText } from './dom.ts';
+import { whyNot, type Store } from '../state/store.ts';
+import { button, h, Message, setText } from './dom.ts';
 import { FoundRobot } from './found_robot.ts';
-import { reason, type Call } from '../state/service.ts';
-import { asksForMotion, kNoRights } from '../state/messages.ts';
+import { fetched, reason, type Call } from '../state/service.ts';
 
 const kRefresh_ms = 5000;
 
 export class IdentifyPanel {
   readonly element = h('div', { class: 'identify', tabindex: '0' });
-  private readonly evaluate = h('button', { type: 'button', class: 'control', id: 'identify-evaluate' }, 'Evaluate');
-  private readonly message = h('p', { class: 'identify-message', role: 'status' }, 'Drive the courses on a flat floor, evaluate the drives, and save the resulting robot file.');
+  private readonly evaluate = button({ class: 'control', id: 'identify-evaluate' }, 'Evaluate', () => {
+    void this.act('Evaluating the drives \u2026', () => this.identify());
+  });
+  private readonly message = new Message('identify-message', 'Drive the courses on a flat floor, evaluate the drives, and save the resulting robot file.');
   private readonly why = h('p', { class: 'identify-why', role: 'status' });
   private readonly question = h('section', { class: 'identify-question', role: 'dialog', 'aria-label': 'Before the drive', hidden: '' });
   private readonly list = h('ol', { class: 'identify-courses' });
@@ -46,7 +47,7 @@ export class IdentifyPanel {
       state: () => this.store?.get('/state'),
       now,
       sleep: (ms) => new Promise((resolve) => setTimeout(resolve, ms)),
-      say: (text) => { this.say(text); },
+      say: (text) => { this.message.say(text); },
       ask: (text) => this.confirm(text, 'Drive', 'identify-drive-now'),
     };
     consent.subscribe((why) => { this.giveUp(why); });
@@ -54,17 +55,15 @@ export class IdentifyPanel {
     document.addEventListener('visibilitychange', () => {
       if (document.visibilityState !== 'visible') this.giveUp('The page was left');
     });
-    this.found = new FoundRobot(call, (text, bad) => { this.say(text, bad); });
-    this.element.append(h('div', { class: 'identify-bar' }, this.evaluate, this.message), this.why, this.question, this.found.element, this.list);
-    this.evaluate.addEventListener('click', () => {
-      void this.act('Evaluating the drives \u2026', () => this.identify());
-    });
+    this.found = new FoundRobot(call, this.message);
+    this.element.append(h('div', { class: 'tab-bar' }, this.evaluate, this.message.element), this.why, this.question, this.found.element, this.list);
   }
 
   /** Draws the tab's content; reloads the lists from time to time. */
   show(store: Store, connected: boolean, mayCommand: boolean): void {
     this.store = store;
-    const why = this.whyNot(connected && !store.stale('/state'), mayCommand);
+    const records = store.get('/recording')?.available !== false;
+    const why = records ? whyNot(store, connected, mayCommand) : 'Drives are recorded: start tp100d with --record DIR and --stay.';
     this.mayDrive = why === '';
     setText(this.why, this.busy ? '' : why);
     this.mayAsk = connected && mayCommand;
@@ -72,14 +71,6 @@ export class IdentifyPanel {
     if (this.now() < this.next_ms || !connected) return;
     this.next_ms = this.now() + kRefresh_ms;
     void this.load();
-  }
-
-  private whyNot(connected: boolean, mayCommand: boolean): string {
-    if (!connected) return 'No connection to tp100d.';
-    if (!mayCommand) return `${kNoRights}.`;
-    if (this.store?.get('/recording')?.available === false) return 'Drives are recorded: start tp100d with --record DIR and --stay.';
-    const run = this.store?.get('/state')?.run;
-    return asksForMotion(run) ? 'A run is under way; stop it first.' : '';
   }
 
   private enable(): void {
@@ -109,20 +100,16 @@ export class IdentifyPanel {
   private load(): Promise<void> {
     return this.inOrder(async () => {
       try {
-        const [setup, runs] = await Promise.all(['/api/setup', '/api/runs'].map(async (path) => {
-          const response = await fetch(path, { cache: 'no-store' });
-          if (!response.ok) throw new Error(response.statusText);
-          return response.text();
-        }));
-        this.setup = JSON.parse(setup ?? '') as SetupList;
-        this.runs = (JSON.parse(runs ?? '') as RunsList).runs;
+        const [setup, runs] = await Promise.all([fetched('/api/setup'), fetched('/api/runs')]);
+        this.setup = JSON.parse(setup) as SetupList;
+        this.runs = (JSON.parse(runs) as RunsList).runs;
         // Do not redraw while a measurement is being typed.
         if (`${setup}${runs}` === this.shown || (document.activeElement?.closest('.identify-measured') ?? null) !== null) return;
         this.shown = `${setup}${runs}`;
         this.list.replaceChildren(...calibrationCourses(this.setup).map((course) => this.course(course)));
       } catch {
         this.shown = '';
-        this.say('The lists of courses and runs are not available now.', true);
+        this.message.say('The lists of courses and runs are not available now.', true);
       }
     });
   }
@@ -131,24 +118,22 @@ export class IdentifyPanel {
   private keep(run: string, measured: Measured): Promise<void> {
     return this.inOrder(async () => {
       try {
-        await measure(this.reach, run, measured);
+        await this.call('run_note', { run, note: noteOf(measured) });
       } catch (error: unknown) {
-        this.say(reason(error), true);
+        this.message.say(reason(error), true);
       }
     });
   }
 
   private course(course: CourseEntry): HTMLElement {
-    const button = h('button', { type: 'button', class: 'control identify-drive', 'aria-label': `Drive ${course.name}` }, 'Drive \u2026');
-    button.disabled = true;
-    button.dataset.fixed = String(course.why_not !== '');
-    button.addEventListener('click', () => {
+    const attributes = { class: 'control identify-drive', 'aria-label': `Drive ${course.name}`, disabled: '', 'data-fixed': String(course.why_not !== '') };
+    const drive = button(attributes, 'Drive \u2026', () => {
       void this.act(`${course.name} \u2026`, () => this.ask(course));
     });
     const drives = drivesOf(this.runs, course.name, this.robot);
     const about = h('div', { class: 'identify-about' }, h('h3', {}, course.name), h('p', {}, `${facts(course)}, ${space(course)}`));
     if (course.why_not !== '') about.append(h('p', { class: 'identify-bad' }, course.why_not));
-    return h('li', { 'data-course': course.name, 'data-driven': String(drives.length) }, about, button, h('ul', {}, ...drives.map((run) => this.drive(run))));
+    return h('li', { 'data-course': course.name, 'data-driven': String(drives.length) }, about, drive, h('ul', {}, ...drives.map((run) => this.drive(run))));
   }
 
   private drive(run: RunEntry): HTMLElement {
@@ -180,7 +165,7 @@ export class IdentifyPanel {
 
   /** Chooses the course and asks whether the robot stands at its start. Nothing moves before the answer. */
   private async ask(course: CourseEntry): Promise<string> {
-    await prepare(this.reach, course.name);
+    await this.call('choose', { course: course.name, setup: 'flat' });
     this.attended = new AbortController();
     const text = `Put the robot on a flat floor with ${space(course)} free. It will drive ${facts(course)}. Mark where it stands, unless a camera sees it.`;
     const placed = await this.confirm(text, 'It stands there', 'identify-start');
@@ -193,7 +178,7 @@ export class IdentifyPanel {
   private async confirm(text: string, answer: string, id: string): Promise<number | undefined> {
     const yes = h('button', { type: 'button', class: 'control', id }, answer);
     const no = h('button', { type: 'button', class: 'control', id: 'identify-cancel' }, 'Cancel');
-    this.question.replaceChildren(h('p', {}, text), h('div', { class: 'identify-buttons' }, no, yes));
+    this.question.replaceChildren(h('p', {}, text), h('div', { class: 'buttons' }, no, yes));
     this.question.hidden = false;
     no.focus();
     const { signal } = this.attended;
@@ -225,20 +210,15 @@ export class IdentifyPanel {
     if (this.busy) return;
     this.busy = true;
     this.enable();
-    this.say(begin);
+    this.message.say(begin);
     try {
-      this.say(await work());
+      this.message.say(await work());
     } catch (error: unknown) {
-      this.say(reason(error), true);
+      this.message.say(reason(error), true);
     } finally {
       // Show the result before the next action is enabled.
       await this.load();
       this.busy = false;
     }
-  }
-
-  private say(text: string, bad = false): void {
-    setText(this.message, text);
-    setClass(this.message, 'bad', bad);
   }
 }

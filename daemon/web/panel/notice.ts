@@ -1,7 +1,7 @@
 // Below the view: the most severe current problem with its remedy, and all others on request.
 import { fixed } from '../state/format.ts';
 import type { Store } from '../state/store.ts';
-import { h, icon, setAttribute, setText } from './dom.ts';
+import { button, h, icon, setAttribute, setText } from './dom.ts';
 
 const kAnswer_ms = 6000;
 
@@ -14,8 +14,15 @@ interface Problem {
 export class Notice {
   readonly element = h('div', { class: 'notice', role: 'status', 'data-level': 'none' });
   private readonly list = h('ul', { id: 'notice-list' });
-  private readonly more = h('button', { type: 'button', id: 'notice-more', 'aria-controls': 'notice-list', 'aria-expanded': 'false' });
-  private readonly close = h('button', { type: 'button', id: 'notice-close', 'aria-label': 'Close this notice' }, icon('close'));
+  private readonly more = button({ id: 'notice-more', 'aria-controls': 'notice-list', 'aria-expanded': 'false' }, '', () => {
+    this.open = !this.open;
+    this.render();
+  });
+  private readonly close = button({ id: 'notice-close', 'aria-label': 'Close this notice' }, icon('close'), () => {
+    this.closed = text(this.all);
+    this.answerUntil_ms = 0;
+    this.render();
+  });
   private answer = '';
   private answerUntil_ms = 0;
   private all: Problem[] = [];
@@ -26,15 +33,6 @@ export class Notice {
 
   constructor() {
     this.element.append(this.list, this.more, this.close);
-    this.more.addEventListener('click', () => {
-      this.open = !this.open;
-      this.render();
-    });
-    this.close.addEventListener('click', () => {
-      this.closed = text(this.all);
-      this.answerUntil_ms = 0;
-      this.render();
-    });
   }
 
   /** The daemon's answer to a request of this page; shown for a few seconds. */

@@ -1,18 +1,19 @@
 // The Parameters tab: search, the list, and saving to the configuration file after showing the difference.
 import { ParameterEdits, type Difference, type SaveAnswer, type Value } from '../state/parameters.ts';
 import type { Store } from '../state/store.ts';
-import { h, setText } from './dom.ts';
+import { button, h, Message, setText } from './dom.ts';
 import { ParameterTable, type SetParameter } from './parameter_table.ts';
-import { reason } from '../state/service.ts';
-
-/** Calls a service of the daemon. */
-type Call = (service: 'parameters_save' | 'parameters_restore', request: Record<string, Value>) => Promise<unknown>;
+import { reason, type Call } from '../state/service.ts';
 
 export class ParameterPanel {
   readonly element = h('div', { class: 'parameters', tabindex: '0' });
-  private readonly save = h('button', { type: 'button', class: 'control', id: 'parameters-save' }, 'Save \u2026');
-  private readonly restore = h('button', { type: 'button', class: 'control', id: 'parameters-restore', hidden: '' }, 'Undo the last save \u2026');
-  private readonly message = h('p', { class: 'parameters-message', role: 'status' });
+  private readonly save = button({ class: 'control', id: 'parameters-save' }, 'Save \u2026', () => {
+    void this.ask('parameters_save', this.edits.wanted(this.all));
+  });
+  private readonly restore = button({ class: 'control', id: 'parameters-restore', hidden: '' }, 'Undo the last save \u2026', () => {
+    void this.ask('parameters_restore', {});
+  });
+  private readonly message = new Message('parameters-message');
   private readonly question = h('section', { class: 'parameters-question', id: 'parameters-question', 'aria-label': 'Difference', hidden: '' });
   private readonly edits = new ParameterEdits();
   private readonly table: ParameterTable;
@@ -25,19 +26,11 @@ export class ParameterPanel {
     set: SetParameter,
     private readonly call: Call,
   ) {
-    this.table = new ParameterTable(this.edits, set, () => {
-      this.count();
-    });
+    this.table = new ParameterTable(this.edits, set, () => { this.count(); });
     this.element.append(
-      h('div', { class: 'parameters-bar' }, h('div', { class: 'parameters-tools' }, this.table.filter, this.save, this.restore), this.message, this.question),
+      h('div', { class: 'tab-bar' }, this.table.filter, this.save, this.restore, this.message.element, this.question),
       this.table.element,
     );
-    this.save.addEventListener('click', () => {
-      void this.ask('parameters_save', this.edits.wanted(this.all));
-    });
-    this.restore.addEventListener('click', () => {
-      void this.ask('parameters_restore', {});
-    });
   }
 
   show(store: Store, connected: boolean, mayCommand: boolean): void {
@@ -70,7 +63,7 @@ export class ParameterPanel {
       this.restore.hidden = !answer.may_restore;
       this.table.refresh();
     } catch (error: unknown) {
-      this.say(error);
+      this.message.say(reason(error), true);
     }
   }
 
@@ -79,20 +72,15 @@ export class ParameterPanel {
     const answer = await this.request(service, { ...values, check: true });
     if (answer === undefined) return;
     if (answer.differences.length === 0) {
-      this.say(`${answer.file} has these values already.`);
+      this.message.say(`${answer.file} has these values already.`);
       return;
     }
     const restoring = service === 'parameters_restore';
     const chosen = new Map(answer.differences.map(({ name }) => [name, true]));
-    const yes = h('button', { type: 'button', class: 'control', id: 'parameters-write' }, restoring ? 'Undo it' : `Write ${answer.file}`);
-    const no = h('button', { type: 'button', class: 'control', id: 'parameters-cancel' }, 'Cancel');
-    yes.addEventListener('click', () => {
-      const kept = Object.fromEntries(Object.entries(values).filter(([name]) => chosen.get(name) === true));
-      void this.write(service, kept);
+    const yes = button({ class: 'control', id: 'parameters-write' }, restoring ? 'Undo it' : `Write ${answer.file}`, () => {
+      void this.write(service, Object.fromEntries(Object.entries(values).filter(([name]) => chosen.get(name) === true)));
     });
-    no.addEventListener('click', () => {
-      this.question.hidden = true;
-    });
+    const no = button({ class: 'control', id: 'parameters-cancel' }, 'Cancel', () => { this.question.hidden = true; });
     const row = (each: Difference): HTMLElement => this.difference(each, restoring ? undefined : (on) => {
       chosen.set(each.name, on);
       yes.disabled = ![...chosen.values()].includes(true);
@@ -100,9 +88,9 @@ export class ParameterPanel {
     this.question.replaceChildren(
       h('p', {}, restoring ? `${answer.file} will get its previous values:` : `${answer.file} will change:`),
       h('ul', {}, ...answer.differences.map(row)),
-      h('div', { class: 'parameters-tools' }, yes, no),
+      h('div', { class: 'buttons' }, yes, no),
     );
-    this.say('');
+    this.message.say('');
     this.question.hidden = false;
     yes.focus();
   }
@@ -124,7 +112,7 @@ export class ParameterPanel {
     this.question.hidden = true;
     for (const name of Object.keys(values)) this.edits.drop(name);
     const later = answer.differences.some(({ name }) => this.all.find((each) => each.name === name)?.live !== true || service === 'parameters_restore');
-    this.say(`${answer.file} is saved${later ? '; the running daemon keeps its values until it is started again' : ''}.`);
+    this.message.say(`${answer.file} is saved${later ? '; the running daemon keeps its values until it is started again' : ''}.`);
     await this.compare();
     this.count();
   }
@@ -136,15 +124,11 @@ export class ParameterPanel {
       return (await this.call(service, values)) as SaveAnswer;
     } catch (error: unknown) {
       this.question.hidden = true;
-      this.say(error);
+      this.message.say(reason(error), true);
       return undefined;
     } finally {
       this.busy = false;
       this.count();
     }
-  }
-
-  private say(what: unknown): void {
-    setText(this.message, reason(what));
   }
 }

@@ -3,12 +3,12 @@
 import type { Parameter } from '../state/messages.ts';
 import { grouped, limits, matches, type ParameterEdits, read, shown, type Value } from '../state/parameters.ts';
 import type { Store } from '../state/store.ts';
-import { h } from './dom.ts';
+import { button, h } from './dom.ts';
 
 export type SetParameter = (name: string, value: Value) => void;
 
 export class ParameterTable {
-  readonly element = h('div', { class: 'parameter-list' });
+  readonly element = h('div', { class: 'parts parameter-list' });
   readonly filter = h('input', { type: 'search', placeholder: 'search', 'aria-label': 'Search parameters' });
   private readonly none = h('p', { class: 'empty', hidden: '' }, 'No parameter matches.');
   private shown = -1;
@@ -89,13 +89,11 @@ export class ParameterTable {
   }
 
   private back(parameter: Parameter): HTMLElement {
-    const button = h('button', { type: 'button', class: 'link', 'aria-label': `Discard the change of ${parameter.name}` }, `back to ${shown(parameter.value)}`);
-    button.addEventListener('click', () => {
+    return button({ class: 'link', 'aria-label': `Discard the change of ${parameter.name}` }, `back to ${shown(parameter.value)}`, () => {
       this.edits.drop(parameter.name);
       this.refresh();
       this.edited();
     });
-    return button;
   }
 
   private take(parameter: Parameter, value: Value): void {

@@ -1,6 +1,6 @@
 // Drawing of a pose on the map: press where the robot is, drag in the direction in which it points.
 import type { Point2 } from '../scene/geometry.ts';
-import { h, setAttribute } from './dom.ts';
+import { h, setAttribute, svg } from './dom.ts';
 
 /** A shorter drag gives no direction. */
 const kShortest_px = 12;
@@ -13,7 +13,7 @@ export interface DrawnPose {
 
 export class PlaceDrawing {
   readonly element = h('div', { class: 'placing', hidden: '' });
-  private readonly arrow = document.createElementNS('http://www.w3.org/2000/svg', 'line');
+  private readonly arrow = svg('line');
   private from: Point2 | undefined;
 
   constructor(
@@ -24,7 +24,7 @@ export class PlaceDrawing {
     /** Called at the end, without a pose if the map is no longer shown. */
     private readonly done: (pose: DrawnPose | undefined) => void,
   ) {
-    const image = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
+    const image = svg('svg');
     image.append(this.arrow);
     this.element.append(image);
     this.element.addEventListener('pointerdown', (event) => {

@@ -1,14 +1,12 @@
 // The daemon's recorded runs: to name, report, compare, replay and delete.
 import { bytes } from '../state/format.ts';
-import { titleOf, type RunCall, type RunEntry, type RunFile, type RunsList } from '../state/runs.ts';
-import { h, setClass, setText } from './dom.ts';
+import { titleOf, type RunEntry, type RunFile, type RunNote, type RunsList } from '../state/runs.ts';
+import { button, h, Message, setText } from './dom.ts';
 import { noteForm, runRow, type RunActions } from './run_row.ts';
-import { reason } from '../state/service.ts';
+import { fetched, reason, type Call } from '../state/service.ts';
 
 const kRefresh_ms = 5000;
 const kCompared = 2;
-
-export type AskRun = (call: RunCall) => Promise<unknown>;
 
 export class RunList {
   readonly element = h('div', { class: 'runs', tabindex: '0' });
@@ -16,10 +14,15 @@ export class RunList {
   private readonly empty = h('p', { class: 'empty' });
   private readonly table: HTMLElement;
   private readonly room = h('span', { class: 'runs-room' });
-  private readonly compareButton = h('button', { type: 'button', class: 'control', id: 'compare' }, 'Compare');
+  private readonly compareButton = button({ class: 'control', id: 'compare' }, 'Compare', () => {
+    // In the order of the list: the newest is compared with the one before.
+    const [run, other] = (this.list?.runs ?? []).filter(({ run }) => this.chosen.has(run));
+    if (run !== undefined && other !== undefined)
+      void this.make(`the comparison of ${titleOf(run)} with ${titleOf(other)}`, 'run_compare', { run: run.run, with: other.run });
+  });
   /** What the daemon is making for another page. */
   private readonly busy = h('span', { class: 'runs-room' });
-  private readonly message = h('p', { class: 'runs-message', role: 'status' });
+  private readonly message = new Message('runs-message');
   private readonly rows = new Map<string, { text: string; element: HTMLTableRowElement }>();
   private readonly chosen = new Set<string>();
   private readonly actions: RunActions;
@@ -34,30 +37,18 @@ export class RunList {
 
   constructor(
     replay: (file: RunFile, run: RunEntry) => void,
-    private readonly ask: AskRun,
+    private readonly call: Call,
     private readonly now: () => number = () => performance.now(),
   ) {
     const head = ['', 'run', 'recorded', 'size', ''].map((title) => h('th', { scope: 'col' }, title));
     this.table = h('table', {}, h('thead', {}, h('tr', {}, ...head)), this.body);
-    this.element.append(h('div', { class: 'runs-bar' }, this.room, this.compareButton, this.busy, this.message), this.table, this.empty);
+    this.element.append(h('div', { class: 'tab-bar' }, this.room, this.compareButton, this.busy, this.message.element), this.table, this.empty);
     this.table.hidden = true;
-    this.compareButton.addEventListener('click', () => {
-      // In the order of the list: the newest is compared with the one before.
-      const [run, other] = (this.list?.runs ?? []).filter(({ run }) => this.chosen.has(run));
-      if (run !== undefined && other !== undefined)
-        void this.make(`the comparison of ${titleOf(run)} with ${titleOf(other)}`, { name: 'run_compare', request: { run: run.run, with: other.run } });
-    });
     this.actions = {
       replay,
-      report: (run) => {
-        void this.make(`the report of ${titleOf(run)}`, { name: 'run_report', request: { run: run.run } });
-      },
-      edit: ({ run }) => {
-        this.edit(run);
-      },
-      remove: ({ run }) => {
-        void this.change({ name: 'run_delete', request: { run } });
-      },
+      report: (run) => void this.make(`the report of ${titleOf(run)}`, 'run_report', { run: run.run }),
+      edit: ({ run }) => { this.edit(run); },
+      remove: ({ run }) => void this.change('run_delete', { run }),
       choose: ({ run }, on) => {
         if (on) this.chosen.add(run);
         else this.chosen.delete(run);
@@ -71,7 +62,7 @@ export class RunList {
     this.mayCommand = mayCommand;
     this.replayed = replayed;
     this.enable();
-    if (this.making !== undefined) setText(this.message, `Making ${this.making.what} \u2026 ${((this.now() - this.making.since_ms) / 1000).toFixed(0)} s`);
+    if (this.making !== undefined) this.message.say(`Making ${this.making.what} \u2026 ${((this.now() - this.making.since_ms) / 1000).toFixed(0)} s`);
     if (this.now() < this.next_ms) return;
     this.next_ms = this.now() + kRefresh_ms;
     void this.load();
@@ -95,9 +86,7 @@ export class RunList {
 
   private async load(): Promise<void> {
     try {
-      const response = await fetch('/api/runs', { cache: 'no-store' });
-      if (!response.ok) throw new Error(response.statusText);
-      const text = await response.text();
+      const text = await fetched('/api/runs');
       if (text === this.shown) return;
       this.shown = text;
       this.build((this.list = JSON.parse(text) as RunsList));
@@ -145,18 +134,10 @@ export class RunList {
     const run = this.list?.runs.find((each) => each.run === name);
     const old = this.rows.get(name)?.element;
     if (run === undefined || old === undefined) return;
-    const end = (): void => {
-      this.endEdit();
+    const save = async (note: RunNote): Promise<void> => {
+      if (await this.change('run_note', note)) this.endEdit();
     };
-    const element = noteForm(
-      run,
-      (note) => {
-        void this.change({ name: 'run_note', request: note }).then((done) => {
-          if (done) this.endEdit();
-        });
-      },
-      end,
-    );
+    const element = noteForm(run, (note) => void save(note), () => { this.endEdit(); });
     old.replaceWith(element);
     this.editing = name;
     this.rows.set(name, { text: '', element });
@@ -180,13 +161,13 @@ export class RunList {
   }
 
   /** Asks the daemon; true: done. */
-  private async change(call: RunCall): Promise<boolean> {
-    this.say('');
+  private async change(service: string, request: object): Promise<boolean> {
+    this.message.say('');
     try {
-      await this.ask(call);
+      await this.call(service, request);
       return true;
     } catch (error: unknown) {
-      this.fail(error);
+      this.message.say(reason(error), true);
       return false;
     } finally {
       this.reload();
@@ -194,32 +175,24 @@ export class RunList {
   }
 
   /** Lets the daemon make a page and opens it in a new tab; if the browser does not permit that, shows a link. */
-  private async make(what: string, call: RunCall): Promise<void> {
+  private async make(what: string, service: string, request: object): Promise<void> {
     this.making = { what, since_ms: this.now() };
-    this.say('');
+    this.message.say('');
     this.enable();
     try {
-      const { url } = (await this.ask(call)) as { url: string };
+      const { url } = (await this.call(service, request)) as { url: string };
       const link = h('a', { href: url, target: '_blank', rel: 'noopener', id: 'made' }, `Open ${what}`);
       this.making = undefined;
-      this.message.replaceChildren(link);
+      this.message.element.replaceChildren(link);
       window.open(url, '_blank', 'noopener');
     } catch (error: unknown) {
       this.making = undefined;
-      this.fail(error, `${what} is not made: `);
+      this.message.say(`${what} is not made: ${reason(error)}`, true);
     } finally {
       this.reload();
     }
   }
 
-  private fail(error: unknown, what = ''): void {
-    this.say(what + reason(error), true);
-  }
-
-  private say(text: string, bad = false): void {
-    setText(this.message, text);
-    setClass(this.message, 'bad', bad);
-  }
 }
 
 /** For example "12 runs, 340 MB of at most 1000 MB; 20 GB free". */

@@ -1,7 +1,7 @@
 // One run of the list, with its actions.
 import { bytes } from '../state/format.ts';
 import { reportOf, titleOf, type RunEntry, type RunFile, type RunNote } from '../state/runs.ts';
-import { confirmed, h } from './dom.ts';
+import { button, deleteButton, h } from './dom.ts';
 
 export interface RunActions {
   replay(file: RunFile, run: RunEntry): void;
@@ -46,13 +46,8 @@ function about(run: RunEntry): HTMLElement[] {
   return all;
 }
 
-/** A button that commands the daemon; disabled if this page may not command, or always if `fixed`. */
-function deed(text: string, label: string, fixed: boolean, act: () => void): HTMLButtonElement {
-  const button = h('button', { type: 'button', class: 'link run-deed', 'aria-label': label }, text);
-  button.dataset.fixed = String(fixed);
-  button.addEventListener('click', act);
-  return button;
-}
+/** Of a button that commands the daemon; disabled if this page may not command, or always if `fixed`. */
+const deed = (name: string, label: string, fixed: boolean): Record<string, string> => ({ class: `link run-deed ${name}`, 'aria-label': label, 'data-fixed': String(fixed) });
 
 function deeds(run: RunEntry, actions: RunActions): HTMLElement[] {
   const title = titleOf(run);
@@ -60,35 +55,17 @@ function deeds(run: RunEntry, actions: RunActions): HTMLElement[] {
   const report = reportOf(run);
   const all: HTMLElement[] = [];
   if (report !== undefined) all.push(h('a', { class: 'run-report', href: report.url, target: '_blank', rel: 'noopener', 'aria-label': `Report of ${title}` }, 'report'));
-  else if (recording !== undefined) {
-    const make = deed('make report', `Make the report of ${title}`, run.active, () => {
-      actions.report(run);
-    });
-    make.classList.add('run-make');
-    all.push(make);
-  }
-  if (recording !== undefined) {
-    const open = h('button', { type: 'button', class: 'link', 'aria-label': `Replay ${title}` }, 'replay');
-    open.addEventListener('click', () => {
-      actions.replay(recording, run);
-    });
-    all.push(open);
-  }
+  else if (recording !== undefined) all.push(button(deed('run-make', `Make the report of ${title}`, run.active), 'make report', () => { actions.report(run); }));
+  if (recording !== undefined) all.push(button({ class: 'link', 'aria-label': `Replay ${title}` }, 'replay', () => { actions.replay(recording, run); }));
   for (const { name, url } of run.files) {
     const other = kComparison.exec(name)?.[1];
     if (other !== undefined) all.push(h('a', { href: url, target: '_blank', rel: 'noopener', title: `with ${other}` }, 'comparison'));
   }
-  all.push(
-    deed('edit', `Name and note of ${title}`, false, () => {
-      actions.edit(run);
-    }),
-  );
-  const remove = h('button', { type: 'button', class: 'link run-deed run-delete', 'aria-label': `Delete ${title}` }, 'delete');
-  remove.dataset.fixed = String(run.active || recording === undefined);
-  confirmed(remove, 'really delete', () => {
-    actions.remove(run);
-  });
-  return [...all, remove];
+  return [
+    ...all,
+    button(deed('run-edit', `Name and note of ${title}`, false), 'edit', () => { actions.edit(run); }),
+    deleteButton(deed('run-delete', `Delete ${title}`, run.active || recording === undefined), () => { actions.remove(run); }),
+  ];
 }
 
 /** Links to download every file, and all in one archive. */
@@ -109,8 +86,6 @@ export function noteForm(run: RunEntry, save: (note: RunNote) => void, cancel: (
   const note = h('textarea', { name: 'run-note', rows: '2', maxlength: '2000', 'aria-label': 'Note' }, run.note);
   const keep = h('input', { type: 'checkbox', name: 'run-keep' });
   keep.checked = run.keep;
-  const back = h('button', { type: 'button', class: 'control' }, 'Cancel');
-  back.addEventListener('click', cancel);
   const form = h(
     'form',
     { class: 'run-form', 'aria-label': `Name and note of ${titleOf(run)}` },
@@ -119,7 +94,7 @@ export function noteForm(run: RunEntry, save: (note: RunNote) => void, cancel: (
     h('label', {}, keep, ' keep'),
     note,
     h('button', { type: 'submit', class: 'control run-save' }, 'Save'),
-    back,
+    button({ class: 'control' }, 'Cancel', cancel),
   );
   form.addEventListener('submit', (event) => {
     event.preventDefault();

@@ -2,7 +2,7 @@
 import { csv, isSignalTopic, search, Signals, topicOf, unitOf, kSignalHistory_s } from '../state/signals.ts';
 import type { Frame } from '../replay/recording.ts';
 import type { Store } from '../state/store.ts';
-import { h, setAttribute, setText } from './dom.ts';
+import { button, h, setAttribute, setText } from './dom.ts';
 import { SignalChart, type TimeRange } from './signal_chart.ts';
 
 const kRemembered = 'tp100.signals';
@@ -22,7 +22,7 @@ export class SignalPanel {
   private readonly list = h('ul', { class: 'signal-list' });
   private readonly chosen = h('summary', {});
   private readonly chooser = h('details', { class: 'signal-chooser', open: '' }, this.chosen, this.search, this.list);
-  private readonly pauseButton = button('signals-pause', 'Pause', 'Pause or continue');
+  private readonly pauseButton = tool('signals-pause', 'Pause', 'Pause or continue', () => { this.pause(); });
   private readonly charts_ = h('div', { class: 'signal-charts' });
   private readonly live = new Signals();
   private signals = this.live;
@@ -34,24 +34,16 @@ export class SignalPanel {
   private frames: readonly Frame[] | undefined;
 
   constructor(private readonly past: Past) {
-    const shorter = button('signals-in', '+', 'Shorter time');
-    const longer = button('signals-out', '\u2212', 'Longer time');
-    const table = button('signals-csv', 'CSV', 'Save the shown values as a table');
-    this.element.append(
-      this.chooser,
-      h('div', { class: 'signal-view' }, h('div', { class: 'signal-tools' }, longer, shorter, this.pauseButton, table), this.charts_),
+    const tools = h(
+      'div',
+      { class: 'signal-tools' },
+      tool('signals-out', '\u2212', 'Longer time', () => { this.scale(2); }),
+      tool('signals-in', '+', 'Shorter time', () => { this.scale(0.5); }),
+      this.pauseButton,
+      tool('signals-csv', 'CSV', 'Save the shown values as a table', () => { this.saveTable(); }),
     );
+    this.element.append(this.chooser, h('div', { class: 'signal-view' }, tools, this.charts_));
     this.search.addEventListener('input', () => { this.showList(); });
-    shorter.addEventListener('click', () => { this.scale(0.5); });
-    longer.addEventListener('click', () => { this.scale(2); });
-    this.pauseButton.addEventListener('click', () => {
-      const { from_s, to_s } = this.range;
-      // Later data is not shown.
-      const end_s = this.now_s > from_s ? Math.min(to_s, this.now_s) : to_s;
-      this.fixed = this.fixed === undefined ? { from_s, to_s: end_s } : undefined;
-      this.draw();
-    });
-    table.addEventListener('click', () => { this.saveTable(); });
     for (const name of remembered()) this.choose(name);
     // On a phone the diagrams need the space.
     if (this.live.names.length > 0 && innerWidth < 700) this.chooser.removeAttribute('open');
@@ -98,6 +90,14 @@ export class SignalPanel {
     // If all signals began less than a window ago, the window begins with the first.
     const from_s = Math.max(to_s - this.window_s, Math.min(to_s, ...firsts));
     return { from_s, to_s: Math.max(to_s, from_s + this.window_s) };
+  }
+
+  private pause(): void {
+    const { from_s, to_s } = this.range;
+    // Later data is not shown.
+    const end_s = this.now_s > from_s ? Math.min(to_s, this.now_s) : to_s;
+    this.fixed = this.fixed === undefined ? { from_s, to_s: end_s } : undefined;
+    this.draw();
   }
 
   private scale(factor: number): void {
@@ -191,19 +191,13 @@ export class SignalPanel {
       const inside = [...times.keys()].filter((i) => (times[i] ?? NaN) >= from_s && (times[i] ?? NaN) <= to_s);
       return { name, times: Float64Array.from(inside, (i) => times[i] ?? NaN), values: Float64Array.from(inside, (i) => values[i] ?? NaN) };
     });
-    save('signals.csv', new Blob([csv(columns)], { type: 'text/csv' }));
+    const url = URL.createObjectURL(new Blob([csv(columns)], { type: 'text/csv' }));
+    h('a', { href: url, download: 'signals.csv' }).click();
+    setTimeout(() => { URL.revokeObjectURL(url); }, 10_000);
   }
 }
 
-function button(id: string, text: string, title: string): HTMLButtonElement {
-  return h('button', { type: 'button', class: 'control', id, title }, text);
-}
-
-function save(name: string, content: Blob): void {
-  const url = URL.createObjectURL(content);
-  h('a', { href: url, download: name }).click();
-  setTimeout(() => { URL.revokeObjectURL(url); }, 10_000);
-}
+const tool = (id: string, text: string, title: string, press: () => void): HTMLButtonElement => button({ class: 'control', id, title }, text, press);
 
 function remembered(): string[] {
   try {

@@ -3,7 +3,7 @@
 import { degrees, fixed } from '../state/format.ts';
 import type { Consent } from '../state/consent.ts';
 import type { State } from '../state/messages.ts';
-import { h, setAttribute, setText } from './dom.ts';
+import { button, h, setAttribute, setText } from './dom.ts';
 
 export type Place = 'start' | 'here';
 
@@ -15,23 +15,13 @@ export class StartQuestion {
 
   constructor(consent: Consent, chosen: (from: Place) => void) {
     consent.subscribe(() => { this.close(); });
-    const button = (id: string, text: string, press: () => void): HTMLButtonElement => {
-      const element = h('button', { type: 'button', class: 'control', id }, text);
-      element.addEventListener('click', () => {
+    const answer = (id: string, text: string, from?: Place): HTMLButtonElement =>
+      button({ class: 'control', id }, text, () => {
         this.close();
-        press();
+        if (from !== undefined) chosen(from);
       });
-      return element;
-    };
-    this.first = button('start-cancel', 'Cancel', () => undefined);
-    this.starts = [
-      button('start-placed', 'Placed back at the start: start there', () => {
-        chosen('start');
-      }),
-      button('start-here', 'Go on from here', () => {
-        chosen('here');
-      }),
-    ];
+    this.first = answer('start-cancel', 'Cancel');
+    this.starts = [answer('start-placed', 'Placed back at the start: start there', 'start'), answer('start-here', 'Go on from here', 'here')];
     this.element.append(this.text, this.first, ...this.starts);
   }
 

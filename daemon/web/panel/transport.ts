@@ -1,7 +1,7 @@
 // The bar of a displayed recording: play, scrub, speed, back to live.
 import type { Player } from '../replay/player.ts';
 import { clock } from '../state/format.ts';
-import { h, icon, setAttribute, setText } from './dom.ts';
+import { button, h, icon, setAttribute, setText } from './dom.ts';
 
 const kSpeeds = [1, 2, 4, 0.25];
 const kStep_s = 0.1;
@@ -9,29 +9,26 @@ const kStep_s = 0.1;
 export class Transport {
   readonly element = h('section', { class: 'transport', 'aria-label': 'Recording' });
   private readonly name = h('span', { class: 'transport-name' });
-  private readonly play = h('button', { type: 'button', id: 'play', 'aria-label': 'Play' });
+  private readonly play = button({ id: 'play', 'aria-label': 'Play' }, '', () => this.player?.toggle());
   private readonly slider = h('input', { type: 'range', id: 'scrub', min: '0', step: '0.01', 'aria-label': 'Position in the recording, seconds' });
   private readonly time = h('output', { class: 'transport-time' });
-  private readonly speed = h('button', { type: 'button', 'aria-label': 'Speed' }, '1\u00d7');
+  private readonly speed = button({ 'aria-label': 'Speed' }, '1\u00d7', () => {
+    if (this.player === undefined) return;
+    this.player.speed = kSpeeds[(kSpeeds.indexOf(this.player.speed) + 1) % kSpeeds.length] ?? 1;
+    setText(this.speed, `${this.player.speed}\u00d7`);
+  });
   private player: Player | undefined;
   private shownPlaying: boolean | undefined;
 
   constructor(close: () => void) {
-    const leave = h('button', { type: 'button', id: 'live', class: 'transport-live' }, 'back to live');
+    const leave = button({ id: 'live' }, 'back to live', close);
     this.element.append(this.name, this.play, this.slider, this.time, this.speed, leave);
     this.element.hidden = true;
-    this.play.addEventListener('click', () => this.player?.toggle());
     this.slider.addEventListener('input', () => {
       if (this.player === undefined) return;
       this.player.playing = false;
       this.player.show(Number(this.slider.value));
     });
-    this.speed.addEventListener('click', () => {
-      if (this.player === undefined) return;
-      this.player.speed = kSpeeds[(kSpeeds.indexOf(this.player.speed) + 1) % kSpeeds.length] ?? 1;
-      setText(this.speed, `${this.player.speed}\u00d7`);
-    });
-    leave.addEventListener('click', close);
   }
 
   loading(run: string, share: number): void {

@@ -6,7 +6,7 @@ import { SceneView } from '../scene/scene_view.ts';
 import type { View } from '../scene/view.ts';
 import type { Course } from '../state/messages.ts';
 import { kEstimates, type EstimateName, type Store } from '../state/store.ts';
-import { h, setAttribute, setClass } from './dom.ts';
+import { button, h, setAttribute, setClass } from './dom.ts';
 
 export const kModes = [...kCameraModes, 'map'] as const;
 export type Mode = (typeof kModes)[number];
@@ -28,12 +28,9 @@ export class Viewport {
   constructor() {
     const modes = h('div', { class: 'modes', role: 'group', 'aria-label': 'Camera' });
     for (const mode of kModes) {
-      const button = h('button', { type: 'button', 'aria-pressed': 'false', id: `camera-${mode}` }, mode);
-      button.addEventListener('click', () => {
-        this.set(mode);
-      });
-      this.buttons.set(mode, button);
-      modes.append(button);
+      const camera = button({ 'aria-pressed': 'false', id: `camera-${mode}` }, mode, () => { this.set(mode); });
+      this.buttons.set(mode, camera);
+      modes.append(camera);
     }
     const key = h('div', { class: 'key', role: 'group', 'aria-label': 'Paths' });
     const plan = h('i', { class: 'swatch dashed' });
@@ -42,12 +39,10 @@ export class Viewport {
     for (const name of kEstimates) {
       const swatch = h('i', { class: 'swatch' });
       swatch.style.color = `var(--${name})`;
-      const button = h('button', { type: 'button', class: 'key-item', 'aria-pressed': 'true', id: `show-${name}` }, swatch, name);
-      button.addEventListener('click', () => {
-        this.toggle(name);
-      });
-      this.toggles.set(name, button);
-      key.append(button);
+      const toggle = button({ class: 'key-item', 'aria-pressed': 'true', id: `show-${name}` }, swatch, () => { this.toggle(name); });
+      toggle.append(name);
+      this.toggles.set(name, toggle);
+      key.append(toggle);
     }
     this.element.append(this.stage, key, modes);
     // Rendering 3-D on the processor would leave little of it for the robot's loop: begin with the map.
@@ -56,28 +51,26 @@ export class Viewport {
     const first = drawnBy === 'card' ? 'free' : 'map';
     this.view = this.make(first);
     this.set(this.view instanceof MapView ? 'map' : first);
-    new ResizeObserver(() => {
-      this.view.resize();
-    }).observe(this.stage);
+    new ResizeObserver(() => { this.view.resize(); }).observe(this.stage);
   }
 
   set(mode: Mode): void {
     if (mode !== 'map' && !this.webgl) return;
-    const wasMap = this.view instanceof MapView;
-    if (wasMap !== (mode === 'map')) {
-      this.view.dispose();
-      this.view = this.make(mode);
-    }
+    if (this.view instanceof MapView !== (mode === 'map')) this.renew(mode);
     this.mode = this.view instanceof MapView ? 'map' : mode;
-    if (this.mode !== 'map') this.view.setCamera(this.mode);
+    this.view.setCamera(this.mode);
     this.mark();
   }
 
   /** Redraws everything in the colours of the current theme. */
   recolour(): void {
+    this.renew(this.mode);
+    this.view.setCamera(this.mode);
+  }
+
+  private renew(mode: Mode): void {
     this.view.dispose();
-    this.view = this.make(this.mode);
-    if (this.mode !== 'map') this.view.setCamera(this.mode);
+    this.view = this.make(mode);
   }
 
   next(): void {
@@ -105,8 +98,7 @@ export class Viewport {
 
   private setCourse(course: Course | undefined): void {
     this.course = course;
-    if (this.view instanceof MapView) this.view.setCourse(course, this.frame);
-    else this.view.setCourse(course);
+    this.view.setCourse(course, this.frame);
   }
 
   draw(store: Store, dt_s: number): void {
@@ -140,8 +132,7 @@ export class Viewport {
     this.stage.replaceChildren(view.element);
     view.element.setAttribute('aria-hidden', 'true');
     view.resize();
-    if (view instanceof MapView) view.setCourse(this.course, this.frame);
-    else view.setCourse(this.course);
+    view.setCourse(this.course, this.frame);
     for (const name of this.hidden) view.show(name, false);
     return view;
   }

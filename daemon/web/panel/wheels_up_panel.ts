@@ -1,16 +1,21 @@
 // The check of the tracks in the Doctor tab: asks whether they are off the ground, shows each step, asks what was seen.
 import type { Consent } from '../state/consent.ts';
 import { kWatch_ms, WheelsUp, type WheelsUpProgress, type WheelsUpQuestion } from '../state/wheels_up.ts';
-import { verdict } from '../state/doctor.ts';
-import { h, setAttribute, setClass, setText } from './dom.ts';
-import { findingRow } from './finding_row.ts';
+import { verdict, type Finding } from '../state/doctor.ts';
+import { button, h, Message, setAttribute } from './dom.ts';
 import type { Call } from '../state/service.ts';
 
 export class WheelsUpPanel {
   readonly element = h('section', { class: 'wheels-up', 'aria-label': 'Wheels up' });
   private readonly free = h('input', { type: 'checkbox', id: 'wheels-up-free' });
-  private readonly start = h('button', { type: 'button', class: 'control', id: 'wheels-up-start' }, 'Run the tracks');
-  private readonly message = h('p', { class: 'doctor-message wheels-up-message', role: 'status' }, 'Both tracks run in opposite directions, then each one forward and back for a second, as long as this page is in sight. STOP ends it.');
+  private readonly start = button({ class: 'control', id: 'wheels-up-start' }, 'Run the tracks', () => {
+    // Each check needs a new confirmation.
+    this.free.checked = false;
+    this.list.replaceChildren();
+    this.message.say('\u2026');
+    void this.check.begin();
+  });
+  private readonly message = new Message('wheels-up-message', 'Both tracks run in opposite directions, then each one forward and back for a second, as long as this page is in sight. STOP ends it.');
   private readonly question = h('div', { class: 'wheels-up-question', role: 'group', 'aria-label': 'Question', hidden: '' });
   private readonly list = h('ul', {});
   private readonly check: WheelsUp;
@@ -24,22 +29,15 @@ export class WheelsUpPanel {
       () => document.visibilityState === 'visible' && document.hasFocus(),
       () => performance.now(),
       (progress) => { this.progress(progress); },
-      (why) => { this.say(why, true); },
+      (why) => { this.message.say(why, true); },
     );
     this.element.append(
       h('h3', {}, 'Wheels up'),
       h('div', { class: 'wheels-up-bar' }, h('label', {}, this.free, ' The robot stands on a block, and both tracks turn freely'), this.start),
-      this.message,
+      this.message.element,
       this.question,
       this.list,
     );
-    this.start.addEventListener('click', () => {
-      // Each check needs a new confirmation.
-      this.free.checked = false;
-      this.list.replaceChildren();
-      this.say('\u2026');
-      void this.check.begin();
-    });
     setInterval(() => { void this.check.tick(); }, kWatch_ms);
   }
 
@@ -57,10 +55,10 @@ export class WheelsUpPanel {
 
   private progress({ step, question, result }: WheelsUpProgress): void {
     if (result !== undefined) {
-      this.say(verdict(result.findings, 'The tracks'), result.errors > 0);
+      this.message.say(verdict(result.findings, 'The tracks'), result.errors > 0);
       this.list.replaceChildren(...result.findings.map(findingRow));
     } else {
-      this.say(step);
+      this.message.say(step);
     }
     this.question.hidden = question === undefined;
     if (question !== undefined && question.number !== this.asked) this.ask(question);
@@ -68,18 +66,14 @@ export class WheelsUpPanel {
 
   private ask({ number, text, choices }: WheelsUpQuestion): void {
     this.asked = number;
-    const buttons = choices.map(({ answer, meaning }) => {
-      const button = h('button', { type: 'button', class: 'control', 'data-answer': answer }, meaning);
-      button.addEventListener('click', () => {
-        this.check.answer(number, answer);
-      });
-      return button;
-    });
+    const buttons = choices.map(({ answer, meaning }) => button({ class: 'control', 'data-answer': answer }, meaning, () => { this.check.answer(number, answer); }));
     this.question.replaceChildren(h('p', {}, text), ...buttons);
   }
+}
 
-  private say(text: string, bad = false): void {
-    setText(this.message, text);
-    setClass(this.message, 'bad', bad);
-  }
+/** One finding of an examination, with its remedy. */
+export function findingRow({ severity, name, seen, fix }: Finding): HTMLElement {
+  const about = h('div', { class: 'finding-about' }, h('p', {}, seen));
+  if (fix !== '') about.append(h('p', { class: 'finding-fix' }, `To do: ${fix}`));
+  return h('li', { class: 'finding', 'data-severity': severity, 'data-name': name }, h('span', { class: 'finding-severity' }, severity), h('strong', {}, name), about);
 }

@@ -1,7 +1,6 @@
 // The course and the robot from above on a 2-D canvas: needs no WebGL.
 import type { Course, EstimatedPose, Pose, RobotShape } from '../state/messages.ts';
 import { kEstimates, kUncertain, type EstimateName, type Store } from '../state/store.ts';
-import type { CameraMode } from './camera_rig.ts';
 import { bounds, fenceOf, footprint, inside, keepOutOf, onStadium, rampLength, stadiumLength, type Bounds, type Point2 } from './geometry.ts';
 import { Moved } from './moved.ts';
 import { colour } from './palette.ts';
@@ -40,15 +39,13 @@ export class MapView implements View {
   private ratio = 1;
   private readonly moved = new Moved();
 
-  /** `frame`: what to show instead of the course's bounds. */
   setCourse(course: Course | undefined, frame?: Bounds): void {
     this.course = course;
     this.frame = frame;
     this.paintGround();
   }
 
-  // A map has one point of view.
-  setCamera(_mode: CameraMode): void {
+  setCamera(): void {
     this.moved.reset();
   }
 

@@ -87,8 +87,8 @@ export class SceneView implements View {
     this.changed = true;
   }
 
-  setCamera(mode: CameraMode): void {
-    this.rig.set(mode);
+  setCamera(mode: CameraMode | 'map'): void {
+    if (mode !== 'map') this.rig.set(mode);
     this.changed = true;
   }
 

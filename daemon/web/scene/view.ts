@@ -2,12 +2,15 @@
 import type { Course } from '../state/messages.ts';
 import type { EstimateName, Store } from '../state/store.ts';
 import type { CameraMode } from './camera_rig.ts';
+import type { Bounds } from './geometry.ts';
 
 export interface View {
   /** Its attribute `data-robot` is the pose at which the robot was last drawn: x, y, z [m], yaw [rad]. */
   readonly element: HTMLElement;
-  setCourse(course: Course | undefined): void;
-  setCamera(mode: CameraMode): void;
+  /** `frame`: what a map shows instead of the course's bounds. */
+  setCourse(course: Course | undefined, frame?: Bounds): void;
+  /** A map has one point of view. */
+  setCamera(mode: CameraMode | 'map'): void;
   show(name: EstimateName, visible: boolean): void;
   /** Draws if anything changed. */
   draw(store: Store, dt_s: number): void;

@@ -42,12 +42,6 @@ export interface RunNote {
   keep: boolean;
 }
 
-export type RunCall =
-  | { name: 'run_note'; request: RunNote }
-  | { name: 'run_delete'; request: { run: string } }
-  | { name: 'run_report'; request: { run: string } }
-  | { name: 'run_compare'; request: { run: string; with: string } };
-
 export const titleOf = ({ name, run }: RunEntry): string => (name === '' ? run : name);
 
 /** The page that tp100d report makes; undefined: not yet. */

@@ -6,6 +6,13 @@ export type Call = (service: string, request: unknown) => Promise<unknown>;
 /** Why a call failed, in one line. */
 export const reason = (error: unknown): string => (error instanceof Error ? error.message : String(error));
 
+/** The text of an answer of the daemon; rejects if it has none. */
+export async function fetched(path: string): Promise<string> {
+  const answer = await fetch(path, { cache: 'no-store' });
+  if (!answer.ok) throw new Error(`${path}: ${answer.statusText}`);
+  return answer.text();
+}
+
 const asked = new Map<string, Promise<readonly unknown[]>>();
 
 /** The last minutes of a topic, oldest first, as /api/history has them; empty if it has none. */

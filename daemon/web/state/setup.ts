@@ -48,14 +48,6 @@ export interface SetupList {
   robots: RobotEntry[];
 }
 
-/** A viewer's requests about them. */
-export type SetupCall =
-  | { name: 'choose'; request: { course?: string; robot?: string; setup?: string } }
-  | { name: 'place'; request: { at: 'start' } | { x_m: number; y_m: number; yaw_rad: number } }
-  | { name: 'file_save'; request: { kind: FileKind; name: string; text: string; replace?: boolean } }
-  | { name: 'file_delete'; request: { kind: FileKind; name: string } }
-  | { name: 'file_check'; request: { kind: FileKind; name: string; text: string } };
-
 /** The result of checking the text of a course file: valid if `error` is empty. */
 export interface CourseCheck {
   error: string;
