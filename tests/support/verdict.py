@@ -1,5 +1,6 @@
 """Functions that tests in Python share: they run programs, and fail or skip a test with one line."""
 import os
+import shutil
 import subprocess
 import sys
 
@@ -10,6 +11,12 @@ SKIPPED = 77
 def skip(why):
     print(f"skipped: {why}")
     sys.exit(SKIPPED)
+
+
+def find(program, package):
+    """Path of a program. /sbin is not in every user's PATH."""
+    found = shutil.which(program) or shutil.which(program, path="/usr/sbin:/sbin")
+    return found or skip(f"{program} is missing; run scripts/setup {package}")
 
 
 def check(good, what):

@@ -1,7 +1,7 @@
 """Downloads Debian's packages for the small machine into a folder, without installing them."""
 import os
 
-from host import find, run, skip
+from verdict import find, run, skip
 
 
 def download(packages, folder):

@@ -3,7 +3,7 @@ import os
 import re
 import shutil
 
-from host import ROOT, find, run
+from verdict import ROOT, find, run
 from systemd import LIBRARIES, PROGRAMS
 
 HERE = os.path.dirname(os.path.abspath(__file__))

@@ -5,7 +5,7 @@ import shutil
 import tempfile
 
 import apt
-from host import check, find, run, skip
+from verdict import check, find, run, skip
 
 MODULES = ("dummy_hcd", "libcomposite", "usb_f_acm", "cdc_acm", "ftdi_sio", "xhci_pci", "usbmon")
 

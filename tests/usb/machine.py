@@ -1,7 +1,7 @@
 """A small PC in QEMU: two 16550s, an FTDI adapter on USB, and no disk."""
 import subprocess
 
-from host import check, find
+from verdict import check, find
 
 MEMORY_MB = 1024
 

@@ -5,7 +5,7 @@ import shutil
 import tempfile
 
 import apt
-from host import run
+from verdict import run
 
 PACKAGES = ("systemd", "libsystemd-shared", "udev")
 PROGRAMS = ("bin/systemctl", "bin/journalctl", "bin/udevadm", "bin/systemd-sysusers", "lib/systemd/systemd",

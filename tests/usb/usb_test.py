@@ -7,13 +7,14 @@ import sys
 import tempfile
 import time
 
-import image
-import kernel
-import machine
-import systemd
-from host import check, find, skip
-
 HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.append(os.path.join(os.path.dirname(HERE), "support"))
+import image  # noqa: E402
+import kernel  # noqa: E402
+import machine  # noqa: E402
+import systemd  # noqa: E402
+from verdict import check, find, skip  # noqa: E402
+
 LIMIT_S = 800
 # The script of each step, and the kernel options that it needs.
 STEPS = {"machine": ("init.sh", ""),
