@@ -23,9 +23,11 @@ bool finite(std::initializer_list<double> values) {
 
 bool finite(const geometry_msgs::Vector3& v) { return finite({v.x, v.y, v.z}); }
 
-std::string not_a(const Received& received) {
-  return "no " + std::string(inputs().at(static_cast<std::size_t>(received.input)).type->name) +
-         " in little-endian CDR";
+template <class Message>
+std::optional<Message> message_of(const Received& received, std::string& why) {
+  std::optional<Message> message = deserialized<Message>(received.cdr);
+  if (!message) why = "no " + std::string(Message::kType.name) + " in little-endian CDR";
+  return message;
 }
 
 std::optional<VelocityRequest> velocity_of(const geometry_msgs::Twist& twist, std::int64_t stamp_ns,
@@ -82,40 +84,36 @@ const std::array<InputText, kInputCount>& inputs() {
 
 std::optional<VelocityRequest> read_velocity(const Received& received, std::string& why) {
   if (received.input == Input::kVelocity) {
-    if (const auto twist = deserialized<geometry_msgs::Twist>(received.cdr))
+    if (const auto twist = message_of<geometry_msgs::Twist>(received, why))
       return velocity_of(*twist, received.written_ns, why);
-  } else if (const auto stamped = deserialized<geometry_msgs::TwistStamped>(received.cdr)) {
+  } else if (const auto stamped = message_of<geometry_msgs::TwistStamped>(received, why)) {
     const builtin_interfaces::Time& stamp = stamped->header.stamp;
     const std::int64_t stamp_ns = stamp.sec * kNsPerS + stamp.nanosec;
     return velocity_of(stamped->twist, stamp_ns == 0 ? received.written_ns : stamp_ns, why);
   }
-  why = not_a(received);
   return std::nullopt;
 }
 
 std::optional<bool> read_drive(const Received& received, std::string& why) {
-  const auto message = deserialized<std_msgs::Bool>(received.cdr);
-  if (message) return message->data;
-  why = not_a(received);
-  return std::nullopt;
+  const auto message = message_of<std_msgs::Bool>(received, why);
+  return message ? std::optional(message->data) : std::nullopt;
 }
 
 std::optional<Pose> read_pose(const Received& received, std::string& why) {
   if (received.input == Input::kGoal) {
-    if (const auto goal = deserialized<geometry_msgs::PoseStamped>(received.cdr))
+    if (const auto goal = message_of<geometry_msgs::PoseStamped>(received, why))
       return pose_of(goal->header, goal->pose, why);
-  } else if (const auto at = deserialized<geometry_msgs::PoseWithCovarianceStamped>(received.cdr)) {
+  } else if (const auto at = message_of<geometry_msgs::PoseWithCovarianceStamped>(received, why)) {
     return pose_of(at->header, at->pose.pose, why);
   }
-  why = not_a(received);
   return std::nullopt;
 }
 
 std::optional<std::string> read_course(const Received& received, std::string& why) {
-  const auto message = deserialized<std_msgs::String>(received.cdr);
-  if (message && !message->data.empty() && message->data.size() <= kLongestName)
-    return message->data;
-  why = message ? "the name of a course has 1 to 64 characters" : not_a(received);
+  const auto message = message_of<std_msgs::String>(received, why);
+  if (!message) return std::nullopt;
+  if (!message->data.empty() && message->data.size() <= kLongestName) return message->data;
+  why = "the name of a course has 1 to 64 characters";
   return std::nullopt;
 }
 

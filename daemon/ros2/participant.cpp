@@ -147,12 +147,9 @@ dds_domainid_t domain_of(const config::Ros2Settings& settings) {
 /// Configuration of Cyclone DDS for that interface; without one it is the environment's.
 std::string dds_configuration(const std::string& interface) {
   if (interface.empty()) return text::environment_variable("CYCLONEDDS_URI");
-  constexpr std::string_view kOthers = "._-:@";
-  const auto may_be = [&](char c) {
-    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-           kOthers.find(c) != std::string_view::npos;
-  };
-  if (!std::all_of(interface.begin(), interface.end(), may_be))
+  constexpr const char* kMayHave =
+      "0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ._-:@";
+  if (interface.find_first_not_of(kMayHave) != std::string::npos)
     throw SetupError("ros2.interface = \"" + text::one_line(interface) +
                      "\": not a network interface; `ip link` lists them");
   // The loopback interface can multicast although it does not report so; if it cannot, participants

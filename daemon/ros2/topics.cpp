@@ -15,6 +15,8 @@
 namespace tp100::ros2 {
 namespace {
 
+using Status = diagnostic_msgs::DiagnosticStatus;
+
 constexpr const char* kOdom = "odom";
 
 constexpr HostNs kSlowPeriodNs = kNsPerS;  // of battery and state
@@ -143,9 +145,7 @@ diagnostic_msgs::KeyValue entry(const char* key, std::string value) {
   return {.key = key, .value = std::move(value)};
 }
 
-diagnostic_msgs::DiagnosticStatus run_status(const StepRecord& record,
-                                             const messages::RunContext& run_context) {
-  using Status = diagnostic_msgs::DiagnosticStatus;
+Status run_status(const StepRecord& record, const messages::RunContext& run_context) {
   const Snapshot& snapshot = record.snapshot;
   Status status{.level = Status::kOk,
                 .name = "tp100d: run",
@@ -175,9 +175,7 @@ diagnostic_msgs::DiagnosticStatus run_status(const StepRecord& record,
   return status;
 }
 
-diagnostic_msgs::DiagnosticStatus link_status(const StepRecord& record,
-                                              const messages::RunContext& run_context) {
-  using Status = diagnostic_msgs::DiagnosticStatus;
+Status link_status(const StepRecord& record, const messages::RunContext& run_context) {
   const SessionState session = record.inputs.session;
   const bool ready = session == SessionState::kReady;
   const bool none = session == SessionState::kClosed || session == SessionState::kRefused;
@@ -197,8 +195,7 @@ diagnostic_msgs::DiagnosticStatus link_status(const StepRecord& record,
   return status;
 }
 
-diagnostic_msgs::DiagnosticStatus answer_status(const messages::Event& answer) {
-  using Status = diagnostic_msgs::DiagnosticStatus;
+Status answer_status(const messages::Event& answer) {
   const bool refused = answer.level != messages::Event::Level::kInfo;
   return {.level = refused ? Status::kWarn : Status::kOk,
           .name = "tp100d: answer",
@@ -267,13 +264,8 @@ void TopicMessages::begin(HostNs at, const Send& send) const {
 }
 
 bool TopicMessages::state_is_due(const StepRecord& record) {
-  const Snapshot& snapshot = record.snapshot;
-  const bool changed = session_ != record.inputs.session || run_state_ != snapshot.run_state ||
-                       faults_ != snapshot.faults;
-  session_ = record.inputs.session;
-  run_state_ = snapshot.run_state;
-  faults_ = snapshot.faults;
-  if (!changed && record.now_ns < state_due_ns_) return false;
+  const std::tuple state{record.inputs.session, record.snapshot.run_state, record.snapshot.faults};
+  if (std::exchange(state_, state) == state && record.now_ns < state_due_ns_) return false;
   state_due_ns_ = record.now_ns + kSlowPeriodNs;
   return true;
 }

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -94,9 +95,7 @@ class TopicMessages {
   std::optional<messages::Event> answer_;
   bool virtual_time_;
   HostNs battery_due_ns_ = 0, state_due_ns_ = 0;
-  SessionState session_ = SessionState::kClosed;
-  RunState run_state_ = RunState::kIdle;
-  FaultMask faults_ = 0;
+  std::tuple<SessionState, RunState, FaultMask> state_{};
 };
 
 }  // namespace tp100::ros2
