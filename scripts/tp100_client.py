@@ -200,15 +200,6 @@ class Robot:
         """Makes the report of a run beside it, and returns its address."""
         return self._page + self.call("run_report", wait_s=REPORT_S, run=run)["url"]
 
-    def compare_runs(self, run, other):
-        """Makes the page that compares two runs, beside the first, and returns its address."""
-        return self._page + self.call("run_compare", wait_s=REPORT_S, run=run, **{"with": other})["url"]
-
-    def identify(self, runs, measured=""):
-        """The result of `tp100d identify` for these identification drives ("found"), and the new robot file ("text"),
-        which call("file_save", kind="robot", ...) saves. `measured`: text of the file of measurements by hand."""
-        return self.call("run_identify", wait_s=REPORT_S, runs=" ".join(runs), measured=measured)
-
     def _consent(self, seen):
         state = seen or self.state()
         return {"stops": state["stop"]["count"], "t_s": state["t_s"]}

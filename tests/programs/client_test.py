@@ -100,7 +100,6 @@ def manages(at):
             check(b"</html>" in page_of_it.read(), "the report is a page")
         check("no such run" in refused(lambda: robot.report_run("none")), "only recorded runs are judged")
         check("name of a run" in refused(lambda: robot.delete_run("../" + finished)), "no path is taken")
-        check("no such run" in refused(lambda: robot.identify(["none"])), "only recorded runs are identified")
         robot.delete_run(finished)
         check(finished not in [run["run"] for run in robot.runs()], "is deleted")
 
