@@ -23,8 +23,10 @@ await build({
   assetNames: '[name]',
   logLevel: 'warning',
 });
-for (const file of ['index.html', 'robots.html', 'favicon.svg']) {
-  await copyFile(join(here, 'page', file), join(out, file));
+await copyFile(join(here, 'page/favicon.svg'), join(out, 'favicon.svg'));
+const frame = await readFile(join(here, 'page/frame.html'), 'utf8');
+for (const [file, name, title] of [['index', 'cockpit', 'TP100'], ['robots', 'robots', 'Robots \u00b7 TP100']]) {
+  await writeFile(join(out, `${file}.html`), frame.replaceAll('NAME', name).replace('TITLE', title));
 }
 
 const parts = ['three', 'uplot', 'fzstd', 'toml-eslint-parser', '@fontsource/b612'];
