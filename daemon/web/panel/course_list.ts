@@ -4,9 +4,8 @@ import { whyNot, type Store } from '../state/store.ts';
 import type { CourseEditor } from '../draw/editor.ts';
 import { courseCard } from './course_card.ts';
 import { button, h, Message, setAttribute, setText } from './dom.ts';
-import { fetched, reason, type Call } from '../state/service.ts';
+import { fetched, Listing, reason, type Call } from '../state/service.ts';
 
-const kRefresh_ms = 5000;
 const kAboutSetups: Record<string, string> = {
   stand: 'tracks turn freely, everything else is virtual',
   flat: 'a flat floor; ramps and blocks are virtual',
@@ -34,9 +33,8 @@ export class CourseList {
     if (this.replaced !== undefined) void this.save(this.replaced, true);
   });
   private readonly cards = h('ol', { class: 'cards' });
+  private readonly listing = new Listing<SetupList>('/api/setup', (list) => { this.build(list); }, () => { this.say('The list of courses is not available now.'); });
   private list: SetupList | undefined;
-  private shown = '';
-  private next_ms = 0;
   private asking = false;
   private mayChange = false;
   private replaced: { kind: FileKind; name: string; text: string } | undefined;
@@ -46,7 +44,6 @@ export class CourseList {
     /** Shows the map and begins drawing of a pose on it, or ends it. */
     private readonly drawPlace: (on: boolean) => void,
     private readonly editor: CourseEditor,
-    private readonly now: () => number = () => performance.now(),
   ) {
     this.element.append(
       h(
@@ -86,11 +83,9 @@ export class CourseList {
     setText(this.why, why);
     this.enable();
     const named = `${state?.course ?? ''} ${state?.robot ?? ''} ${state?.setup ?? ''}`;
-    if (this.element.dataset.named !== named) this.next_ms = 0;
+    if (this.element.dataset.named !== named) this.listing.reload();
     this.element.dataset.named = named;
-    if (this.now() < this.next_ms || !connected) return;
-    this.next_ms = this.now() + kRefresh_ms;
-    void this.load();
+    if (connected) this.listing.show();
   }
 
   /** Whether the daemon accepts a change now. */
@@ -119,20 +114,8 @@ export class CourseList {
     for (const button of this.cards.querySelectorAll('button')) button.disabled = !on || button.dataset.fixed === 'true';
   }
 
-  private async load(): Promise<void> {
-    try {
-      const text = await fetched('/api/setup');
-      if (text === this.shown) return;
-      this.shown = text;
-      this.list = JSON.parse(text) as SetupList;
-      this.build(this.list);
-    } catch {
-      this.shown = '';
-      this.say('The list of courses is not available now.');
-    }
-  }
-
   private build(list: SetupList): void {
+    this.list = list;
     const option = (name: string, about: string, why: string): HTMLOptionElement => {
       const element = h('option', { value: name }, about === '' ? name : `${name}: ${about}`);
       element.disabled = why !== '';
@@ -179,8 +162,7 @@ export class CourseList {
     } finally {
       this.asking = false;
       // Redraw also after a refusal, which leaves a wrong choice in a selector.
-      this.shown = '';
-      this.next_ms = 0;
+      this.listing.reload();
     }
   }
 

@@ -3,9 +3,8 @@ import { bytes } from '../state/format.ts';
 import { titleOf, type RunEntry, type RunFile, type RunNote, type RunsList } from '../state/runs.ts';
 import { button, h, Message, setText } from './dom.ts';
 import { noteForm, runRow, type RunActions } from './run_row.ts';
-import { fetched, reason, type Call } from '../state/service.ts';
+import { Listing, reason, type Call } from '../state/service.ts';
 
-const kRefresh_ms = 5000;
 const kCompared = 2;
 
 export class RunList {
@@ -26,9 +25,11 @@ export class RunList {
   private readonly rows = new Map<string, { text: string; element: HTMLTableRowElement }>();
   private readonly chosen = new Set<string>();
   private readonly actions: RunActions;
+  private readonly listing = new Listing<RunsList>('/api/runs', (list) => { this.build(list); }, () => {
+    this.empty.hidden = !this.table.hidden;
+    this.empty.textContent = 'The list of runs is not available now.';
+  });
   private list: RunsList | undefined;
-  private shown = '';
-  private next_ms = 0;
   private mayCommand = false;
   private replayed = '';
   private editing: string | undefined;
@@ -38,7 +39,6 @@ export class RunList {
   constructor(
     replay: (file: RunFile, run: RunEntry) => void,
     private readonly call: Call,
-    private readonly now: () => number = () => performance.now(),
   ) {
     const head = ['', 'run', 'recorded', 'size', ''].map((title) => h('th', { scope: 'col' }, title));
     this.table = h('table', {}, h('thead', {}, h('tr', {}, ...head)), this.body);
@@ -62,15 +62,13 @@ export class RunList {
     this.mayCommand = mayCommand;
     this.replayed = replayed;
     this.enable();
-    if (this.making !== undefined) this.message.say(`Making ${this.making.what} \u2026 ${((this.now() - this.making.since_ms) / 1000).toFixed(0)} s`);
-    if (this.now() < this.next_ms) return;
-    this.next_ms = this.now() + kRefresh_ms;
-    void this.load();
+    if (this.making !== undefined) this.message.say(`Making ${this.making.what} \u2026 ${((performance.now() - this.making.since_ms) / 1000).toFixed(0)} s`);
+    this.listing.show();
   }
 
   /** The list has changed: reload it at once. */
   changed(): void {
-    this.next_ms = 0;
+    this.listing.reload();
   }
 
   private enable(): void {
@@ -84,20 +82,8 @@ export class RunList {
     }
   }
 
-  private async load(): Promise<void> {
-    try {
-      const text = await fetched('/api/runs');
-      if (text === this.shown) return;
-      this.shown = text;
-      this.build((this.list = JSON.parse(text) as RunsList));
-    } catch {
-      this.shown = '';
-      this.empty.hidden = !this.table.hidden;
-      this.empty.textContent = 'The list of runs is not available now.';
-    }
-  }
-
   private build(list: RunsList): void {
+    this.list = list;
     const { runs, directory } = list;
     const known = new Set(runs.map(({ run }) => run));
     for (const run of [...this.rows.keys()]) if (!known.has(run)) this.rows.delete(run);
@@ -152,12 +138,7 @@ export class RunList {
     if (run === undefined || old === undefined) return;
     this.rows.delete(run.run);
     old.element.replaceWith(this.row(run));
-    this.reload();
-  }
-
-  private reload(): void {
-    this.shown = '';
-    this.next_ms = 0;
+    this.listing.reload();
   }
 
   /** Asks the daemon; true: done. */
@@ -170,13 +151,13 @@ export class RunList {
       this.message.say(reason(error), true);
       return false;
     } finally {
-      this.reload();
+      this.listing.reload();
     }
   }
 
   /** Lets the daemon make a page and opens it in a new tab; if the browser does not permit that, shows a link. */
   private async make(what: string, service: string, request: object): Promise<void> {
-    this.making = { what, since_ms: this.now() };
+    this.making = { what, since_ms: performance.now() };
     this.message.say('');
     this.enable();
     try {
@@ -189,7 +170,7 @@ export class RunList {
       this.making = undefined;
       this.message.say(`${what} is not made: ${reason(error)}`, true);
     } finally {
-      this.reload();
+      this.listing.reload();
     }
   }
 

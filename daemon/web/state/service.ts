@@ -13,6 +13,45 @@ export async function fetched(path: string): Promise<string> {
   return answer.text();
 }
 
+const kRefresh_ms = 5000;
+
+/** A list of the daemon that is fetched every few seconds while it is shown, and given on when it has changed. */
+export class Listing<T> {
+  private text = '';
+  private next_ms = 0;
+
+  constructor(
+    private readonly path: string,
+    private readonly take: (list: T) => void,
+    private readonly failed: () => void,
+  ) {}
+
+  /** Call while the list is shown. */
+  show(): void {
+    if (performance.now() < this.next_ms) return;
+    this.next_ms = performance.now() + kRefresh_ms;
+    void this.load();
+  }
+
+  /** Fetches the list at once, and gives it on also if it is the same. */
+  reload(): void {
+    this.text = '';
+    this.next_ms = 0;
+  }
+
+  private async load(): Promise<void> {
+    try {
+      const text = await fetched(this.path);
+      if (text === this.text) return;
+      this.text = text;
+      this.take(JSON.parse(text) as T);
+    } catch {
+      this.text = '';
+      this.failed();
+    }
+  }
+}
+
 const asked = new Map<string, Promise<readonly unknown[]>>();
 
 /** The last minutes of a topic, oldest first, as /api/history has them; empty if it has none. */
