@@ -25,7 +25,7 @@ describe('the check of the tracks', () => {
   };
 
   it('is begun once, and watched until its result, only while somebody sees the page', async () => {
-    const result = { port: '', errors: 0, warnings: 0, notes: 0, findings: [] };
+    const result = { errors: 0, findings: [] };
     const { calls, progress, seen, up } = check([{ token: 't' }, { step: 'left' }, { step: 'right' }, { step: 'end', result }]);
     await up.tick();
     const first = up.begin();

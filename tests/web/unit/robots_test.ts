@@ -23,24 +23,6 @@ describe('a robot of the list', () => {
     vi.useRealTimers();
   });
 
-  it('answers while its state comes, not when its connection ends, or there never was one', () => {
-    const one = robot();
-    expect(one.contact).toBe('connecting');
-    answers();
-    expect([one.contact, one.name, one.state?.run]).toEqual(['answers', 'left', 'running']);
-    vi.advanceTimersByTime(900);
-    expect(one.contact).toBe('answers');
-    vi.advanceTimersByTime(200);
-    expect(one.contact).toBe('no_answer');
-    answers();
-    expect(one.contact).toBe('answers');
-    daemon.newest.die();
-    expect(one.contact).toBe('no_answer');
-    const other = robot();
-    vi.advanceTimersByTime(2100);
-    expect(other.contact).toBe('no_answer');
-  });
-
   it('sends STOP at once, and first of all when its daemon is back', () => {
     const one = robot();
     daemon.newest.greet('cd34');

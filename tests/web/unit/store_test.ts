@@ -2,7 +2,7 @@
 import { beforeEach, expect, it } from 'vitest';
 import { BatteryWatch } from '../../../daemon/web/state/battery.ts';
 import type { Estimate, EstimatedPose, Event, State } from '../../../daemon/web/state/messages.ts';
-import { column, kEvents, Store } from '../../../daemon/web/state/store.ts';
+import { column, kEvents, Store, type Column } from '../../../daemon/web/state/store.ts';
 import { Moved } from '../../../daemon/web/scene/moved.ts';
 
 const at = (x_m: number, y_m = 0): EstimatedPose => ({ x_m, y_m, z_m: 0, roll_rad: 0, pitch_rad: 0, yaw_rad: 0 }) as EstimatedPose;
@@ -56,12 +56,20 @@ it('it stays bounded however long it runs, and takes an event that is repeated a
   expect(store.events).toEqual([]);
 });
 
-it('errors are measured against truth only where there is one', () => {
-  store.receive('/estimate', estimate(0, 1));
-  store.receive('/estimate', estimate(1, 1, { truth: { ...at(1, 0.003), age_us: 0 } }));
-  const [before, after] = column(store.series.since(0), 'model_error_mm');
-  expect(before).toBeNaN();
-  expect(after).toBeCloseTo(3, 6);
+it('the diagrams show what was estimated in their units, and errors only against a truth', () => {
+  const yaw = (yaw_deg: number): EstimatedPose => ({ ...at(1), yaw_rad: (yaw_deg * Math.PI) / 180 });
+  const of = { model: yaw(10), odometry: yaw(20), fused: yaw(30), desired_yaw_rad: Math.PI / 2, cross_track_m: 0.002, heading_error_rad: Math.PI / 4, tracks: { left_mps: 0.1, right_mps: 0.2, left_commanded_mps: 0.3 } };
+  store.receive('/slip', { t_s: 0, left: 0.16, right: 0.17, fused_left: 0.18, fused_right: 0.19 });
+  store.receive('/estimate', estimate(0, 1, of));
+  store.receive('/estimate', estimate(1, 1, { ...of, truth: at(1, 0.003) }));
+  const columns: Partial<Record<Column, [before: number, after: number]>> = {
+    t_s: [0, 1], desired_yaw_deg: [90, 90], model_yaw_deg: [10, 10], odometry_yaw_deg: [20, 20], fused_yaw_deg: [30, 30], truth_yaw_deg: [NaN, 0],
+    cross_track_mm: [2, 2], heading_error_deg: [45, 45], left_mps: [0.1, 0.1], right_mps: [0.2, 0.2], left_commanded_mps: [0.3, 0.3], right_commanded_mps: [NaN, NaN],
+    slip_left_percent: [16, 16], slip_right_percent: [17, 17], fused_slip_left_percent: [18, 18], fused_slip_right_percent: [19, 19],
+    model_error_mm: [NaN, 3], odometry_error_mm: [NaN, 3], fused_error_mm: [NaN, 3],
+  };
+  const shown = Object.keys(columns).map((name) => [...column(store.series.since(-1), name as Column)].map((value) => Math.round(value * 1e6) / 1e6));
+  expect(shown).toEqual(Object.values(columns));
 });
 
 it('what was driven before is part of the path', () => {
