@@ -1,8 +1,9 @@
 // The editor of a course: its points over the map, its values and its text in the drawer; the daemon checks changes.
 import { button, h, Message, setAttribute, setClass, setText } from '../panel/dom.ts';
+import type { Viewport } from '../panel/viewport.ts';
 import type { Bounds, Point2 } from '../scene/geometry.ts';
 import { kDefaultShape } from '../scene/robot_model.ts';
-import type { Course, RobotShape } from '../state/messages.ts';
+import type { RobotShape } from '../state/messages.ts';
 import { nameOf, type CourseCheck } from '../state/setup.ts';
 import { CourseText, type Piece, type Value } from './course_text.ts';
 import { added, beyond, draftCourse, find, handles, kEmptyCourse, withCorner, withoutCorner, type Handle, type Selected, type Tool } from './draft.ts';
@@ -23,14 +24,6 @@ const kTools: [tool: Tool, title: string][] = [
   ['disturbance', 'Disturbance'],
   ['keep_out', 'Keep-out'],
 ];
-
-/** The map under the draft. */
-export interface DrawMap {
-  /** Shows a draft in that frame instead of the course in force; undefined: the course again. */
-  draft(course: Course | undefined, frame: Bounds | undefined): void;
-  pixel(at: Point2): Point2 | undefined;
-  world(at: Point2): Point2 | undefined;
-}
 
 export class CourseEditor {
   readonly element = h('div', { class: 'draw', hidden: '' });
@@ -72,7 +65,8 @@ export class CourseEditor {
   private chooses = false;
 
   constructor(
-    private readonly map: DrawMap,
+    /** The map under the draft. */
+    private readonly map: Pick<Viewport, 'draft' | 'pixel' | 'world'>,
     private readonly call: Call,
     private readonly robot: () => RobotShape | undefined,
     /** Called when drawing begins or ends. */

@@ -57,10 +57,6 @@ const kDeadZone = 0.12;
 /** Full speed before the stick's end stop: at the stop its values may not change although it is held. */
 const kFullTravel = 0.9;
 
-export function isDriveKey(code: string): boolean {
-  return code in kKeys;
-}
-
 function clamp(value: number): number {
   return Math.max(-1, Math.min(1, value));
 }
@@ -98,7 +94,7 @@ export class Inputs {
     this.spoke_ms = this.now();
     if (change !== 'released') this.repeats = code;
     else if (this.repeats === code) this.repeats = '';
-    if (!isDriveKey(code)) return false;
+    if (!(code in kKeys)) return false;
     if (change === 'repeated') return true;
     this.silent = false;
     if (change === 'pressed') this.held.add(code);

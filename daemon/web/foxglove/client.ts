@@ -92,8 +92,8 @@ export class Client {
     });
   }
 
-  setParameter(name: string, value: number | boolean | string): boolean {
-    return this.connection.send(codec.setParameter(name, value));
+  setParameter(name: string, value: number | boolean | string): void {
+    this.connection.send(codec.setParameter(name, value));
   }
 
   retryNow(): void {

@@ -27,11 +27,10 @@ export class Controls {
     private readonly call: Call,
     private readonly consent: Consent,
     private readonly failed: (why: string) => void,
-    now: () => number = () => performance.now(),
   ) {
     this.question = new StartQuestion(consent, (from) => { this.send(consent.move('start', { from })); });
-    this.starts = new Confirmation(consent, now);
-    this.continues = new Confirmation(consent, now);
+    this.starts = new Confirmation(consent);
+    this.continues = new Confirmation(consent);
     this.element.append(this.start.button, this.hold.button, this.record.button, this.pause.button, this.question.element);
   }
 

@@ -30,9 +30,8 @@ export class DrivePanel {
     private readonly driver: Driver,
     private readonly inputs: Inputs,
     consent: Consent,
-    now: () => number = () => performance.now(),
   ) {
-    this.confirmation = new Confirmation(consent, now);
+    this.confirmation = new Confirmation(consent);
     this.stick = new Stick((at) => {
       inputs.touch(at);
       driver.tick();

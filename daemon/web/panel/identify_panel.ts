@@ -39,13 +39,12 @@ export class IdentifyPanel {
   constructor(
     private readonly call: Call,
     consent: Consent,
-    private readonly now: () => number = () => performance.now(),
   ) {
     this.reach = {
       call,
       move: consent.move,
       state: () => this.store?.get('/state'),
-      now,
+      now: () => performance.now(),
       sleep: (ms) => new Promise((resolve) => setTimeout(resolve, ms)),
       say: (text) => { this.message.say(text); },
       ask: (text) => this.confirm(text, 'Drive', 'identify-drive-now'),
@@ -68,8 +67,8 @@ export class IdentifyPanel {
     setText(this.why, this.busy ? '' : why);
     this.mayAsk = connected && mayCommand;
     this.enable();
-    if (this.now() < this.next_ms || !connected) return;
-    this.next_ms = this.now() + kRefresh_ms;
+    if (performance.now() < this.next_ms || !connected) return;
+    this.next_ms = performance.now() + kRefresh_ms;
     void this.load();
   }
 

@@ -6,27 +6,20 @@ import { clock, fixed } from '../state/format.ts';
 import { asksForMotion, type State } from '../state/messages.ts';
 import type { Robot } from './robot.ts';
 
-const kFigures = ['course', 'time', 'pose', 'battery'] as const;
-
 export class RobotCard {
   readonly element: HTMLElement;
   private readonly name = h('h2', {});
   private readonly badge = h('span', { class: 'badge' });
   private readonly status = h('p', { class: 'card-status', role: 'status' });
   private readonly problem = h('p', { class: 'card-problem' });
-  private readonly figures = h('dl', { class: 'card-figures' });
-  private readonly figure = new Map<string, HTMLElement>();
+  private readonly figure = { course: h('dd'), time: h('dd'), pose: h('dd'), battery: h('dd') };
+  private readonly figures = h('dl', { class: 'card-figures' }, ...Object.entries(this.figure).map(([name, value]) => h('div', {}, h('dt', {}, name), value)));
   private readonly stop: StopPanel;
 
   constructor(private readonly robot: Robot) {
     const { url } = robot.listed;
     const { host } = new URL(url);
     this.stop = new StopPanel(() => { this.pressStop(); }, '');
-    for (const id of kFigures) {
-      const value = h('dd', { 'data-figure': id });
-      this.figure.set(id, value);
-      this.figures.append(h('div', {}, h('dt', {}, id), value));
-    }
     const page = h('a', { class: 'link', href: url }, host);
     this.element = h(
       'li',
@@ -68,11 +61,11 @@ export class RobotCard {
     setText(this.badge, this.robot.link?.kind ?? '');
     setAttribute(this.badge, 'data-kind', this.robot.link?.kind ?? '');
     const progress = typeof state.length_m === 'number' ? `, ${fixed(state.progress_m, 2)} of ${fixed(state.length_m, 2)} m` : '';
-    this.put('course', state.course === '' ? 'none' : `${state.course}${progress}`);
-    this.put('time', typeof state.run_s === 'number' ? clock(state.run_s) : '\u2013');
+    setText(this.figure.course, state.course === '' ? 'none' : `${state.course}${progress}`);
+    setText(this.figure.time, typeof state.run_s === 'number' ? clock(state.run_s) : '\u2013');
     const { pose } = state;
-    this.put('pose', pose ? `x ${fixed(pose.x_m, 2)} m, y ${fixed(pose.y_m, 2)} m, ${fixed((pose.yaw_rad * 180) / Math.PI, 0)}\u00b0` : '\u2013');
-    this.put('battery', typeof state.battery_v === 'number' && present ? `${fixed(state.battery_v, 1)} V` : '\u2013');
+    setText(this.figure.pose, pose ? `x ${fixed(pose.x_m, 2)} m, y ${fixed(pose.y_m, 2)} m, ${fixed((pose.yaw_rad * 180) / Math.PI, 0)}\u00b0` : '\u2013');
+    setText(this.figure.battery, typeof state.battery_v === 'number' && present ? `${fixed(state.battery_v, 1)} V` : '\u2013');
     const [fault] = state.faults;
     const more = state.faults.length > 1 ? ` (+${state.faults.length - 1})` : '';
     setText(this.problem, fault === undefined ? (present ? '' : this.robot.link?.note ?? '') : fault.cause + more);
@@ -92,10 +85,5 @@ export class RobotCard {
       no_answer: ended ? 'Its daemon has ended.' : `Nothing is known of the robot now: ${listed.session === undefined ? named : found}`,
     }[contact];
     setText(this.problem, problem);
-  }
-
-  private put(id: (typeof kFigures)[number], text: string): void {
-    const element = this.figure.get(id);
-    if (element !== undefined) setText(element, text);
   }
 }

@@ -62,7 +62,7 @@ export class Confirmation {
   private until_ms = -Infinity;
   private asked = false;
 
-  constructor(consent: Consent, private readonly now: () => number) {
+  constructor(consent: Consent, private readonly now: () => number = () => performance.now()) {
     consent.subscribe(() => { this.close(); });
   }
 

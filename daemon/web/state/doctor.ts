@@ -12,10 +12,7 @@ export interface Finding {
 }
 
 export interface DoctorAnswer {
-  port: string;
   errors: number;
-  warnings: number;
-  notes: number;
   findings: Finding[];
 }
 

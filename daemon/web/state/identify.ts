@@ -15,29 +15,17 @@ const kMeasured = ['distance_m', 'turned_deg', 'slope_deg'] as const;
 
 export type Measured = Partial<Record<(typeof kMeasured)[number], number>>;
 
-export interface ErrorsOfRun {
-  name: string;
-  images: number;
-  rejected: number;
-  rms_m?: number;
-  max_m?: number;
-  rms_rad?: number;
-  /** Measured by hand minus predicted. */
-  distance_off_m?: number;
-  turned_off_rad?: number;
-}
-
 /** Without a camera there are only the runs' errors against the measurements by hand. */
 export interface Errors {
   rms_m?: number;
   max_m?: number;
   rms_rad?: number;
-  runs: ErrorsOfRun[];
+  /** Measured by hand minus predicted. */
+  runs: { distance_off_m?: number; turned_off_rad?: number }[];
 }
 
 export interface FoundParameter {
   name: string;
-  unit: string;
   before: number;
   found: boolean;
   value?: number;
@@ -58,7 +46,6 @@ export interface Found {
   slopes: AddedSlip[];
   errors_before: Errors;
   errors_after: Errors;
-  condition: number;
   warnings: string[];
 }
 

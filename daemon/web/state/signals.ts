@@ -2,8 +2,7 @@
 import { Series } from './series.ts';
 
 /** Channels with numeric fields; the daemon keeps a history of each. */
-export const kSignalTopics = ['/estimate', '/sample', '/command', '/slip', '/link', '/loop', '/state'] as const;
-export type SignalTopic = (typeof kSignalTopics)[number];
+const kSignalTopics: readonly string[] = ['/estimate', '/sample', '/command', '/slip', '/link', '/loop', '/state'];
 
 export const kSignalHistory_s = 300;
 const kInterval_s = 0.0399; // 25 rows a second
@@ -11,9 +10,7 @@ const kInterval_s = 0.0399; // 25 rows a second
 const kLongestList = 4;
 const kDeepest = 4;
 
-export function isSignalTopic(topic: string): topic is SignalTopic {
-  return (kSignalTopics as readonly string[]).includes(topic);
-}
+export const isSignalTopic = (topic: string): boolean => kSignalTopics.includes(topic);
 
 export function topicOf(signal: string): string {
   return signal.slice(0, Math.max(signal.indexOf('.'), 0));

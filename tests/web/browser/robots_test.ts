@@ -23,11 +23,11 @@ describe('the page of all robots', () => {
       await becomes(page, pair, /running/);
       await says(page, pair, 'h2', /^tp100$/);
       await says(page, pair, '.badge', /^emulated$/);
-      await says(page, pair, '[data-figure="course"]', /^3, \d\.\d\d of \d\.\d\d m$/);
-      await says(page, pair, '[data-figure="battery"]', /^\d+\.\d V$/);
+      await says(page, pair, '.card-figures div:has-text("course") dd', /^3, \d\.\d\d of \d\.\d\d m$/);
+      await says(page, pair, '.card-figures div:has-text("battery") dd', /^\d+\.\d V$/);
       await says(page, pair, '.card-page', pair === second ? /^(?!.*serves this page)/ : /serves this page/);
       expect(await part(page, pair, '.card-page a').getAttribute('href')).toBe(pair.url);
-      const pose = part(page, pair, '[data-figure="pose"]');
+      const pose = part(page, pair, '.card-figures div:has-text("pose") dd');
       const before = await pose.textContent();
       await until(async () => (await pose.textContent()) !== before, 'its pose follows the robot');
     }
