@@ -1,5 +1,4 @@
 // The robot of this page, named in the header and in the browser's tab.
-import type { Link } from '../state/messages.ts';
 import type { Store } from '../state/store.ts';
 import { h, icon, setAttribute, setText } from './dom.ts';
 
@@ -17,12 +16,7 @@ export class Identity {
     const title = state === undefined ? 'TP100' : `${state.run} \u00b7 TP100`;
     if (document.title !== title) document.title = title;
     const kind = store.get('/link')?.kind;
-    setText(this.badge, robotText(kind));
+    setText(this.badge, kind === 'simulated' ? 'simulated inside the board' : (kind ?? ''));
     setAttribute(this.badge, 'data-kind', kind ?? '');
   }
-}
-
-/** Kind of the robot on the port; empty while it is not known. */
-function robotText(kind?: Link['kind']): string {
-  return kind === 'simulated' ? 'simulated inside the board' : kind ?? '';
 }

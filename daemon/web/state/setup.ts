@@ -4,7 +4,6 @@ import type { Fence, Place } from './messages.ts';
 export interface Piece extends Place {
   length_m: number;
   width_m: number;
-  height_m: number;
 }
 
 export type From = 'given' | 'bundled' | 'own';
