@@ -90,8 +90,10 @@ describe('driving by hand', () => {
     await typist.down('KeyW');
     await until(() => speed_mps() > 0.05, 'forwards');
     expect(speed_mps(), 'within half of the limit').toBeLessThanOrEqual(0.1001);
+    await shows(page, '#drive-speed', /^0\.(0[3-9]|1)\d* m\/s, commanded 0\.(0[3-9]|1)\d*$/);
     await typist.down('ArrowLeft');
     await until(() => turn_mps() > 0.05, 'and to the left');
+    await shows(page, '#drive-turn', /^[1-9]\d*°\/s, wanted [1-9]\d*$/);
     await typist.up('KeyW', 'ArrowLeft');
     await until(() => speed_mps() === 0 && turn_mps() === 0, 'let go');
     await typist.down('ArrowDown');
