@@ -155,7 +155,7 @@ void add_slope_command(CLI::App& app, Action& action) {
 void add_calibrate_command(CLI::App& app, Action& action) {
   static CalibrateCommand calibrate;
   CLI::App* command = app.add_subcommand(
-      "calibrate", "Drive the calibration courses, identify, compare with the true motion");
+      "calibrate", "Drive the calibration courses and boards; record them for tp100d identify");
   command->add_option("--board", calibrate.options.board, "native or avr")
       ->type_name("BOARD")
       ->capture_default_str();
@@ -170,13 +170,9 @@ void add_calibrate_command(CLI::App& app, Action& action) {
       ->check(CLI::Range(1, 100))
       ->type_name("NUMBER")
       ->capture_default_str();
-  command->add_option("--runs", calibrate.runs, "Calibrations with this and the following seeds")
-      ->check(CLI::Range(1, 10000))
-      ->type_name("NUMBER")
-      ->capture_default_str();
   command->add_option("--out", calibrate.out, "Folder for the recordings (CSV)")
-      ->type_name("FOLDER");
-  command->add_flag("--json", calibrate.json, "One JSON object a line instead of tables");
+      ->type_name("FOLDER")
+      ->required();
   command->footer("Example: tp100-sim calibrate --robot worn --out drives");
   command->callback([&action] { action = [] { return run_calibrate(calibrate); }; });
 }

@@ -30,8 +30,6 @@ void add_outer_product(MatrixXd& sum, double weight, const VectorXd& a, const Ve
       sum(row, column) += weight * a[row] * b[column];
 }
 
-constexpr double kTail = 0.025;
-
 // Where the standard deviation between runs is looked for, in units.
 constexpr double kLeastBetween = 0.02, kMaxBetween = 8.0, kBetweenStep = 1.15;
 constexpr double kHuber = 2.0;  // standard deviations
@@ -90,7 +88,7 @@ VectorXd RunSums::own_step(const VectorXd& shared_step) const {
 }
 
 Summed::Summed(const std::vector<RunSums>& runs, const PriorSums& prior)
-    : runs_(runs), information_(prior.information), score_(prior.score) {
+    : information_(prior.information), score_(prior.score) {
   for (const RunSums& run : runs) {
     information_ += run.information();
     score_ += run.score();
@@ -102,29 +100,6 @@ VectorXd Summed::step(double damping) const {
   MatrixXd damped = information_;
   damped.diagonal() *= 1.0 + damping;
   return solve(Lu(damped), score_);
-}
-
-VectorXd Summed::half_intervals() const {
-  const Eigen::Index size = score_.size();
-  MatrixXd scatter = MatrixXd::Zero(size, size);
-  VectorXd shares = VectorXd::Zero(size);
-  for (const RunSums& run : runs_) {
-    const MatrixXd others = identity(size) - product(run.information(), covariance_);
-    const VectorXd score = solve(Lu(others), run.score());
-    add_outer_product(scatter, 1.0, score, score);
-    const MatrixXd by_run = product(product(covariance_, run.information()), covariance_);
-    for (Eigen::Index i = 0; i < size; ++i) shares[i] += square(by_run(i, i) / covariance_(i, i));
-  }
-  const MatrixXd clustered = product(product(covariance_, scatter), covariance_);
-  VectorXd half(size);
-  for (Eigen::Index i = 0; i < size; ++i) {
-    half[i] = kNormal95 * std::sqrt(covariance_(i, i));
-    const double runs = shares[i] > 0.0 ? 1.0 / shares[i] : 1.0;
-    if (runs_.size() < 2 || runs < 1.5 || !std::isfinite(clustered(i, i))) continue;
-    const double student = student_t(kTail, std::max(1.0, runs - 1.0));
-    half[i] = std::max(half[i], student * std::sqrt(clustered(i, i)));
-  }
-  return half;
 }
 
 double Summed::condition() const {

@@ -44,22 +44,15 @@ struct PriorSums {
 /// All runs combined: the shared parameters, with the prior's information.
 class Summed {
  public:
-  /// `runs` must outlive it.
   Summed(const std::vector<RunSums>& runs, const PriorSums& prior);
 
   Eigen::VectorXd step(double damping) const;
   /// Covariance if every weight were the inverse of an independent variance.
   const Eigen::MatrixXd& covariance() const { return covariance_; }
-  /// Half widths of 95 % intervals of what very many runs would find together, the wider of two:
-  /// from the weights, and from the contradictions between runs (clustered by run, each run's score
-  /// scaled up as if it had been left out; Student's t with as many degrees of freedom as runs that
-  /// really inform the parameter). For many runs that are small by themselves; else Intervals.
-  Eigen::VectorXd half_intervals() const;
   /// Condition of the information scaled to a unit diagonal.
   double condition() const;
 
  private:
-  const std::vector<RunSums>& runs_;
   Eigen::MatrixXd information_, covariance_;
   Eigen::VectorXd score_;
 };

@@ -9,8 +9,8 @@
 #include "course/bundled_files.h"
 #include "identify/identify.h"
 #include "identify/next_manoeuvre.h"
+#include "sim/lab/calibration.h"
 #include "sim/robot/options.h"
-#include "sim/trials/commands.h"
 
 namespace tp100::sim {
 

@@ -5,8 +5,8 @@
 
 #include "course/bundled_files.h"
 #include "estimation/parameters.h"
+#include "sim/lab/calibration.h"
 #include "sim/robot/options.h"
-#include "sim/trials/commands.h"
 
 namespace tp100::sim {
 namespace {

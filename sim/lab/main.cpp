@@ -7,6 +7,7 @@
 #include <string>
 
 #include "sim/lab/auto_study.h"
+#include "sim/lab/calibration.h"
 #include "sim/lab/reproduce.h"
 #include "sim/robot/options.h"
 #include "text/command_line.h"
@@ -63,23 +64,38 @@ void add_reproduce_command(CLI::App& app, Action& action) {
   command->callback([&action] { action = [] { return run_reproduce(reproduce); }; });
 }
 
+void add_robot(CLI::App& app, Options& options, const char* standard) {
+  app.add_option("--board", options.board, "What runs the firmware: native or avr")
+      ->type_name("BOARD")
+      ->capture_default_str();
+  app.add_option("--body", options.body, "ode or shear (default: the robot file's)")
+      ->type_name("BODY");
+  app.add_option("--floor", options.floor, "even or uneven (default: the robot file's)")
+      ->type_name("FLOOR");
+  app.add_option("--robot", options.robot,
+                 std::string("Name in config/robots or file (default: ") + standard + ")")
+      ->type_name("ROBOT");
+  add_seed(app, options.seed);
+}
+
+void add_calibrate_command(CLI::App& app, Action& action) {
+  static JudgeCommand calibrate;
+  CLI::App* command = app.add_subcommand(
+      "calibrate", "Drive as tp100-sim calibrate does, identify, compare with the true motion");
+  add_robot(*command, calibrate.options, "end-loaded");
+  command->add_option("--runs", calibrate.runs, "Calibrations with this and the following seeds")
+      ->check(CLI::Range(1, 10000))
+      ->type_name("NUMBER")
+      ->capture_default_str();
+  command->footer("Example: tp100-lab calibrate --robot worn --runs 50");
+  command->callback([&action] { action = [] { return run_judge(calibrate); }; });
+}
+
 void add_identify_command(CLI::App& app, Action& action) {
   static AutoCommand identify;
   CLI::App* command = app.add_subcommand(
       "identify", "Let emulated robots choose their manoeuvres until they are identified");
-  command->add_option("--board", identify.options.board, "What runs the firmware: native or avr")
-      ->type_name("BOARD")
-      ->capture_default_str();
-  command->add_option("--body", identify.options.body, "ode or shear (default: the robot file's)")
-      ->type_name("BODY");
-  command
-      ->add_option("--floor", identify.options.floor, "even or uneven (default: the robot file's)")
-      ->type_name("FLOOR");
-  command
-      ->add_option("--robot", identify.options.robot,
-                   "Name in config/robots or file (default: end-loaded; with --sampled all)")
-      ->type_name("ROBOT");
-  add_seed(*command, identify.options.seed);
+  add_robot(*command, identify.options, "end-loaded; with --sampled all");
   command->add_option("--runs", identify.runs, "Identifications with this and the following seeds")
       ->check(CLI::Range(1, 10000))
       ->type_name("NUMBER")
@@ -104,6 +120,7 @@ int run(int argc, char** argv) {
 
   Action action;
   add_reproduce_command(app, action);
+  add_calibrate_command(app, action);
   add_identify_command(app, action);
   return tp100::text::run_command_line(app, argc, argv, action);
 }

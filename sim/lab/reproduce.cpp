@@ -14,6 +14,7 @@
 #include "course/bundled_files.h"
 #include "course/path.h"
 #include "report/run_result.h"
+#include "sim/lab/calibration.h"
 #include "sim/lab/constants_study.h"
 #include "sim/lab/covariance_study.h"
 #include "sim/lab/random_study.h"

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "course/robot_file.h"
+#include "sim/lab/body_turn.h"
 #include "sim/lab/real_study.h"
 #include "sim/lab/state_study.h"
 #include "sim/lab/study.h"
-#include "sim/trials/body_turn.h"
 #include "sim/trials/commands.h"
 
 namespace tp100::report {

@@ -5,9 +5,9 @@
 
 #include "course/bundled_files.h"
 #include "course/path.h"
+#include "sim/lab/calibration.h"
 #include "sim/lab/sampled.h"
 #include "sim/robot/options.h"
-#include "sim/trials/commands.h"
 
 namespace tp100::sim {
 namespace {

@@ -7,64 +7,39 @@
 #include <string>
 #include <vector>
 
+#include "core/pose.h"
 #include "course/robot_file.h"
-#include "identify/identify.h"
-#include "model/track_parameters.h"
+#include "identify/drive.h"
+#include "sim/body/body.h"
 #include "sim/robot/options.h"
-#include "sim/trials/effective_motion.h"
 
 namespace tp100::sim {
 
-// tp100-sim calibrate: identification drives of an emulated robot, identification and its accuracy.
+// tp100-sim calibrate: identification drives of an emulated robot.
 
-/// One calibration: the identified values and the body's real ones.
-struct Calibration {
-  identify::Identification found{};
-  model::TrackParameters truth{};
-  std::vector<CalibrationDrive> drives;
-  std::vector<identify::RecordedDrive> on_slopes;
-
-  /// True if the stated accuracy was met: slip within 0.01, the wheelbases within 2 %.
-  bool accurate() const;
-  /// True if the interval of an identified parameter contains its truth.
-  bool holds(model::TrackParameter parameter) const;
+struct CalibrationDrive {
+  identify::RecordedDrive drive;
+  std::vector<Pose> truth;  ///< exact poses at its samples; yaw unwrapped
 };
 
 /// Drives of each calibration course: enough to tell what differs from run to run.
 inline constexpr int kDrivesOfAKind = 2;
 
-/// Drives straight ahead, arcs and turns on the spot in both directions under an overhead camera,
-/// as an unidentified robot ([model] at its defaults), and identifies it. Each drive has noise of
-/// its own. Throws SetupError.
-Calibration calibrate(const Loaded& loaded, int repeats, std::uint64_t seed);
-
 /// The unidentified robot: [model] at its defaults.
 course::Robot without_model(course::Robot robot);
 
-/// The drives of calibrate(). Throws SetupError.
+/// Drives straight ahead, arcs and turns on the spot in both directions under an overhead camera,
+/// as an unidentified robot. Each drive has noise of its own. Throws SetupError.
 std::vector<CalibrationDrive> calibration_drives(const Loaded& loaded, int repeats,
                                                  std::uint64_t seed);
-
-/// Calibrates the robot, writes its file `<name>.toml` with the result into `folder` and returns
-/// the robot of that file. Throws SetupError.
-course::Robot calibrated_robot(const Loaded& loaded, int repeats, std::uint64_t seed,
-                               const std::string& folder);
-
-/// One line of JSON: found value, half of the 95 % interval and true value of every parameter, in
-/// the units of robot files; null for what the drives could not identify.
-std::string calibration_json(const std::string& robot, std::uint64_t seed, const identify::Fit& fit,
-                             const model::TrackParameters& truth);
 
 struct CalibrateCommand {
   Options options{};
   int repeats = kDrivesOfAKind;  ///< of each drive, each with noise of its own
-  int runs = 1;                  ///< whole calibrations, with this and the following seeds
-  std::string out;               ///< folder for the recordings; empty: none
-  bool json = false;
+  std::string out;               ///< folder for the recordings
 };
 
-/// Calibrates and prints the values beside the truth, and how often the intervals contained it.
-/// Returns 0 if every calibration met the stated accuracy, else 1. Throws SetupError.
+/// Writes the recordings of calibration_drives() and slope_drives(). Returns 0. Throws SetupError.
 int run_calibrate(const CalibrateCommand& command);
 
 // tp100-sim faults: the list of faults for --fault, and their effects.
@@ -82,6 +57,15 @@ struct FaultsCommand {
 int run_faults(const FaultsCommand& command);
 
 // tp100-sim slope: the paper's slope experiment on the emulated body.
+
+/// Mean motion of the reference point along the body's own x axis and about its z axis.
+struct MeanMotion {
+  double forward_mps = 0.0, yaw_rate_radps = 0.0;
+};
+
+/// Drives `body` at these track speeds: `run_in_s` until it is steady, then `measured_s` (> 0),
+/// over which its motion is averaged.
+MeanMotion mean_motion(Body& body, const TrackSpeeds& tracks, double run_in_s, double measured_s);
 
 /// What was measured on one slope, from the body's exact motion.
 struct SlopeSlip {

@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "core/arithmetic.h"
+#include "identify/model_fit.h"
 #include "model/track_model.h"
 #include "sim/body/ode_body.h"
 #include "sim/robot/options.h"
-#include "sim/trials/body_turn.h"
 #include "sim/trials/commands.h"
 #include "text/format.h"
 #include "text/key.h"
@@ -162,6 +162,23 @@ std::span<const SlopeRow> slope_rows() {
     return all;
   }();
   return rows;
+}
+
+MeanMotion mean_motion(Body& body, const TrackSpeeds& tracks, double run_in_s, double measured_s) {
+  const auto steps = [](double s) { return std::lround(s / kPhysicsStepS); };
+  for (long i = 0; i < steps(run_in_s); ++i) body.step(tracks.left_mps, tracks.right_mps);
+  MeanMotion sum;
+  for (long i = 0; i < steps(measured_s); ++i) {
+    body.step(tracks.left_mps, tracks.right_mps);
+    const BodyState& state = body.state();
+    const double cos_pitch = std::cos(state.pose.pitch_rad);
+    sum.forward_mps += state.velocity_mps[0] * std::cos(state.pose.yaw_rad) * cos_pitch +
+                       state.velocity_mps[1] * std::sin(state.pose.yaw_rad) * cos_pitch -
+                       state.velocity_mps[2] * std::sin(state.pose.pitch_rad);
+    sum.yaw_rate_radps += state.rate_radps[2];
+  }
+  const auto count = static_cast<double>(steps(measured_s));
+  return {sum.forward_mps / count, sum.yaw_rate_radps / count};
 }
 
 SlopeSlip measure_slope(const course::EmulatedBody& values, double slope_rad, double track_mps) {

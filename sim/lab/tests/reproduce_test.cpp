@@ -17,11 +17,11 @@
 #include "course/path.h"
 #include "identify/identify_report.h"
 #include "model/track_model.h"
+#include "sim/lab/calibration.h"
 #include "sim/lab/constants_study.h"
 #include "sim/lab/random_study.h"
 #include "sim/lab/sampled.h"
 #include "sim/robot/options.h"
-#include "sim/trials/commands.h"
 #include "support/temporary_folder.h"
 #include "terrain/climbable.h"
 

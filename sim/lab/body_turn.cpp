@@ -1,9 +1,8 @@
-#include "sim/trials/body_turn.h"
+#include "sim/lab/body_turn.h"
 
-#include <cmath>
 #include <memory>
 
-#include "core/arithmetic.h"
+#include "sim/trials/commands.h"
 
 namespace tp100::sim {
 namespace {
@@ -17,23 +16,6 @@ MeanMotion driven(const course::Emulated& robot, const TrackSpeeds& tracks) {
 }
 
 }  // namespace
-
-MeanMotion mean_motion(Body& body, const TrackSpeeds& tracks, double run_in_s, double measured_s) {
-  const auto steps = [](double s) { return std::lround(s / kPhysicsStepS); };
-  for (long i = 0; i < steps(run_in_s); ++i) body.step(tracks.left_mps, tracks.right_mps);
-  MeanMotion sum;
-  for (long i = 0; i < steps(measured_s); ++i) {
-    body.step(tracks.left_mps, tracks.right_mps);
-    const BodyState& state = body.state();
-    const double cos_pitch = std::cos(state.pose.pitch_rad);
-    sum.forward_mps += state.velocity_mps[0] * std::cos(state.pose.yaw_rad) * cos_pitch +
-                       state.velocity_mps[1] * std::sin(state.pose.yaw_rad) * cos_pitch -
-                       state.velocity_mps[2] * std::sin(state.pose.pitch_rad);
-    sum.yaw_rate_radps += state.rate_radps[2];
-  }
-  const auto count = static_cast<double>(steps(measured_s));
-  return {sum.forward_mps / count, sum.yaw_rate_radps / count};
-}
 
 std::vector<BodyTurn> measure_turns(const course::Emulated& robot) {
   constexpr double kStraightMps = 0.10;

@@ -5,20 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "core/pose.h"
 #include "course/robot_file.h"
-#include "sim/body/body.h"
 
 namespace tp100::sim {
-
-/// Mean motion of the reference point along the body's own x axis and about its z axis.
-struct MeanMotion {
-  double forward_mps = 0.0, yaw_rate_radps = 0.0;
-};
-
-/// Drives `body` at these track speeds: `run_in_s` until it is steady, then `measured_s` (> 0),
-/// over which its motion is averaged.
-MeanMotion mean_motion(Body& body, const TrackSpeeds& tracks, double run_in_s, double measured_s);
 
 /// A turn at constant track speeds.
 struct BodyTurn {

@@ -1,4 +1,4 @@
-#include "sim/trials/effective_motion.h"
+#include "sim/lab/effective_motion.h"
 
 #include <Eigen/Core>
 #include <Eigen/LU>

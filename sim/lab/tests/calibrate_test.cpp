@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/arithmetic.h"
-#include "sim/trials/body_turn.h"
-#include "sim/trials/commands.h"
+#include "sim/lab/body_turn.h"
+#include "sim/lab/calibration.h"
 
 namespace tp100::sim {
 namespace {
@@ -18,7 +18,7 @@ Loaded robot(const std::string& name) {
   return load(options);
 }
 
-// The short form of `tp100-sim calibrate --runs 50`, with a robot that turns about a point ahead of
+// The short form of `tp100-lab calibrate --runs 50`, with a robot that turns about a point ahead of
 // it. The intervals are 95 % intervals for a given noise.
 TEST(Calibration, FindsWhatTheBodyReallyDid) {
   const Loaded front_heavy = robot("front-heavy");

@@ -5,17 +5,11 @@
 
 #include <vector>
 
-#include "core/pose.h"
 #include "course/robot_file.h"
-#include "identify/drive.h"
 #include "model/track_parameters.h"
+#include "sim/trials/commands.h"
 
 namespace tp100::sim {
-
-struct CalibrationDrive {
-  identify::RecordedDrive drive;
-  std::vector<Pose> truth;  ///< exact poses at its samples; yaw unwrapped
-};
 
 /// The parameters that the motion shows, over all drives, whatever each is made of. Track travel is
 /// that of the true encoders, ground travel is that less the slip of straight driving, and the
