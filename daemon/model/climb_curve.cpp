@@ -98,8 +98,8 @@ constexpr int kNewtonSteps = 12;
 
 }  // namespace
 
-ClimbCurve::ClimbCurve(const ClimbGeometry& geometry, const BlockShape& block, RiserForm form)
-    : geometry_(geometry), block_(block), form_(form) {
+ClimbCurve::ClimbCurve(const ClimbGeometry& geometry, const BlockShape& block)
+    : geometry_(geometry), block_(block) {
   check_climb(geometry, block);
   const double spacing = geometry.axle_spacing_m, radius = geometry.wheel_radius_m;
   const double over = block.height_m - radius;
@@ -107,9 +107,7 @@ ClimbCurve::ClimbCurve(const ClimbGeometry& geometry, const BlockShape& block, R
   first_elevation_ = has_riser ? 0.0 : std::asin(-over / radius);
   const double riser_angle = has_riser ? std::asin(over / spacing) : 0.0;
   const double wrapped = has_riser ? riser_angle : first_elevation_;
-  if (has_riser) {
-    marks_.riser_end = form == RiserForm::kPaper ? over : over + radius * riser_angle;
-  }
+  if (has_riser) marks_.riser_end = over + radius * riser_angle;
   marks_.wrap_end = marks_.riser_end + radius * (kPi / 2.0 - wrapped);
   const double tip = tip_angle_rad(geometry, block.height_m).value_or(0.0);
   const double all_flat = marks_.wrap_end + spacing;
@@ -148,33 +146,20 @@ Lean ClimbCurve::approach(double travel_m) const {
   Lean lean;
   const double front = travel_m - geometry_.wheel_radius_m * std::cos(first_elevation_);
   lean.rear_axle = {front - geometry_.axle_spacing_m, geometry_.wheel_radius_m};
-  lean.held_point = {lean.rear_axle.x, 0.0};
-  lean.track_direction = {1.0, 0.0};
   return lean;
 }
 
 Lean ClimbCurve::riser(double travel_m) const {
   const double spacing = geometry_.axle_spacing_m, radius = geometry_.wheel_radius_m;
   Lean lean;
-  double angle = 0.0;
-  if (form_ == RiserForm::kPaper) {
-    angle = std::asin(travel_m / spacing);
-    lean.rate_radpm = 1.0 / (spacing * std::cos(angle));
-  } else {
-    // From below on a concave curve, Newton steps never overshoot.
-    angle = travel_m / (spacing + radius);
-    for (int i = 0; i < kNewtonSteps; ++i) {
-      angle -= (spacing * std::sin(angle) + radius * angle - travel_m) /
-               (spacing * std::cos(angle) + radius);
-    }
-    lean.rate_radpm = 1.0 / (spacing * std::cos(angle) + radius);
+  // From below on a concave curve, Newton steps never overshoot.
+  double angle = travel_m / (spacing + radius);
+  for (int i = 0; i < kNewtonSteps; ++i) {
+    angle -= (spacing * std::sin(angle) + radius * angle - travel_m) /
+             (spacing * std::cos(angle) + radius);
   }
   lean.angle_rad = angle;
   lean.rear_axle = {-radius - spacing * std::cos(angle), radius};
-  // Eq 6 lifts the axle, not the track's contact, by the track travel.
-  lean.held_point = {form_ == RiserForm::kPaper ? -radius : 0.0,
-                     radius + spacing * std::sin(angle)};
-  lean.track_direction = {0.0, 1.0};
   return lean;
 }
 
@@ -186,11 +171,7 @@ Lean ClimbCurve::wrap(double travel_m) const {
   Lean lean;
   lean.angle_rad = std::asin(over / magnitude(along, up)) + std::atan2(up, along);
   const double elevation = wrapped - lean.angle_rad;
-  lean.rate_radpm =
-      std::cos(elevation) / (spacing * std::cos(lean.angle_rad) + radius * std::cos(elevation));
   lean.rear_axle = {-radius * std::cos(elevation) - spacing * std::cos(lean.angle_rad), radius};
-  lean.held_point = {0.0, block_.height_m};
-  lean.track_direction = {std::sin(elevation), std::cos(elevation)};
   return lean;
 }
 
@@ -200,8 +181,6 @@ Lean ClimbCurve::about_edge(double edge_x, double flat_m, double angle_rad) cons
   Lean lean;
   lean.angle_rad = angle_rad;
   lean.rear_axle = {edge_x - flat_m * c - radius * s, block_.height_m - flat_m * s + radius * c};
-  lean.held_point = {edge_x, block_.height_m};
-  lean.track_direction = {c, s};
   return lean;
 }
 
@@ -266,15 +245,10 @@ ClimbCurve::Roll ClimbCurve::roll_at(double travel_m) const {
 Lean ClimbCurve::slide(double travel_m) const {
   const double spacing = geometry_.axle_spacing_m, radius = geometry_.wheel_radius_m;
   const Roll roll = roll_at(travel_m);
-  const double s = std::sin(roll.angle), c = std::cos(roll.angle);
   Lean lean;
   lean.angle_rad = -roll.angle;
-  lean.rear_axle = {block_.depth_m + radius * std::cos(roll.elevation), radius + spacing * s};
-  lean.held_point = {lean.rear_axle.x + spacing * c, 0.0};
-  lean.track_direction = {1.0, 0.0};
-  // On the face the elevation stays 0 and its tangent with it: the same expression serves both.
-  const double along_edge = spacing * c * std::tan(roll.elevation);
-  lean.rate_radpm = 1.0 / (spacing * s + radius + along_edge);
+  lean.rear_axle = {block_.depth_m + radius * std::cos(roll.elevation),
+                    radius + spacing * std::sin(roll.angle)};
   return lean;
 }
 
@@ -283,8 +257,6 @@ Lean ClimbCurve::down(double travel_m) const {
   lean.rear_axle = {block_.depth_m + geometry_.wheel_radius_m * std::cos(first_elevation_) +
                         travel_m - marks_.slide_end,
                     geometry_.wheel_radius_m};
-  lean.held_point = {lean.rear_axle.x, 0.0};
-  lean.track_direction = {1.0, 0.0};
   return lean;
 }
 

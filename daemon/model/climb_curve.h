@@ -40,11 +40,6 @@ double gyration_squared_m2(const ClimbGeometry& geometry);
 /// axles, the block is higher than climb_limit_m, or the nose cannot reach the ground behind it.
 void check_climb(const ClimbGeometry& geometry, const BlockShape& block);
 
-/// Relation of track travel and angle while the front track rolls up the riser. `kTrackHolds`: the
-/// track holds on the riser, L_a sin phi + r phi = s. `kPaper`: eq 6 to the letter, phi = asin(s /
-/// L_a).
-enum class RiserForm { kTrackHolds, kPaper };
-
 /// Point or vector in the vertical plane of the climb: x ahead of the near edge, z above ground.
 struct PlaneVector {
   double x = 0.0;
@@ -53,11 +48,10 @@ struct PlaneVector {
 
 /// The body on its curve at a given track travel.
 struct Lean {
-  double angle_rad = 0.0;         ///< nose-up positive
-  double rate_radpm = 0.0;        ///< change of the angle per metre of track travel
-  PlaneVector rear_axle{};        ///< [m]
-  PlaneVector held_point{};       ///< the contact that does not slip, which track motion moves
-  PlaneVector track_direction{};  ///< unit vector in which the body moves at that point
+  double angle_rad = 0.0;  ///< nose-up positive
+  /// Change of the angle per metre of track travel, of cross and nose: a fall begins with it.
+  double rate_radpm = 0.0;
+  PlaneVector rear_axle{};  ///< [m]
 };
 
 /// Track travel at the boundaries of the phases, from first touch of the riser. [m]
@@ -76,19 +70,20 @@ struct ClimbMarks {
 class ClimbCurve {
  public:
   /// Throws SetupError as check_climb does.
-  ClimbCurve(const ClimbGeometry& geometry, const BlockShape& block, RiserForm form);
+  ClimbCurve(const ClimbGeometry& geometry, const BlockShape& block);
 
   const ClimbGeometry& geometry() const { return geometry_; }
   const BlockShape& block() const { return block_; }
   const ClimbMarks& marks() const { return marks_; }
 
   Lean approach(double travel_m) const;  ///< flat in front of the block, travel <= 0
-  Lean riser(double travel_m) const;     ///< phase 1
-  Lean wrap(double travel_m) const;      ///< phase 2
-  Lean cross(double travel_m) const;     ///< phase 3: near edge and rear contact
-  Lean nose(double travel_m) const;      ///< far edge and front contact; the far edge holds
-  Lean slide(double travel_m) const;     ///< rear end on the far edge; the front contact holds
-  Lean down(double travel_m) const;      ///< flat behind the block
+  /// Phase 1: the track holds on the riser, L_a sin phi + r phi = s; eq 6 leaves r phi out.
+  Lean riser(double travel_m) const;
+  Lean wrap(double travel_m) const;   ///< phase 2
+  Lean cross(double travel_m) const;  ///< phase 3: near edge and rear contact
+  Lean nose(double travel_m) const;   ///< far edge and front contact; the far edge holds
+  Lean slide(double travel_m) const;  ///< rear end on the far edge; the front contact holds
+  Lean down(double travel_m) const;   ///< flat behind the block
 
   /// Change of the rate of `cross` with travel. [rad/m^2]
   double cross_bend(double travel_m) const;
@@ -114,7 +109,6 @@ class ClimbCurve {
 
   ClimbGeometry geometry_;
   BlockShape block_;
-  RiserForm form_;
   double first_elevation_;  ///< elevation of the axle from the edge, at first touch
   double last_elevation_;   ///< the same where the flat of the track begins
   ClimbMarks marks_{};

@@ -23,11 +23,8 @@ PlaneVector along(const PlaneVector& from, double forward, double up, double ang
 
 }  // namespace
 
-StepClimb::StepClimb(const ClimbGeometry& geometry, const BlockShape& block, RiserForm form,
-                     TipStart tip_start)
-    : curve_(geometry, block, form),
-      tip_start_(tip_start),
-      gyration_squared_m2_(gyration_squared_m2(geometry)) {
+StepClimb::StepClimb(const ClimbGeometry& geometry, const BlockShape& block)
+    : curve_(geometry, block), gyration_squared_m2_(gyration_squared_m2(geometry)) {
   reset(0.0);
 }
 
@@ -35,8 +32,7 @@ void StepClimb::reset(double distance_m) {
   phase_ = ClimbPhase::kApproach;
   travel_m_ = -distance_m;
   fall_ = {0.0, 0.0};
-  track_stalled_ = false;
-  publish(0.0);
+  publish();
 }
 
 double StepClimb::touch_x_m() const {
@@ -48,11 +44,8 @@ const ClimbState& StepClimb::advance(double travel_m, double dt_s) {
   const double speed = travel_m / dt_s;
   if (!std::isfinite(speed)) return state_;
   double time = dt_s;
-  for (int i = 0; i < kMaxPhases && time > 0.0; ++i) {
-    track_stalled_ = false;
-    time = run(speed, time);
-  }
-  publish(speed);
+  for (int i = 0; i < kMaxPhases && time > 0.0; ++i) time = run(speed, time);
+  publish();
   return state_;
 }
 
@@ -99,7 +92,6 @@ double StepClimb::follow(double speed, double time, double begin, double end, Cl
   const double mark = past_end ? end : begin;
   if (next == phase_) {
     travel_m_ = mark;
-    track_stalled_ = true;
     return 0.0;
   }
   const double left = time - (mark - travel_m_) / speed;
@@ -127,7 +119,7 @@ bool StepClimb::lifts_off(double travel_m, double speed) const {
 double StepClimb::cross_end_m(double speed, double time) const {
   const double end = curve_.marks().cross_end;
   const double to = std::min(travel_m_ + speed * time, end);
-  if (tip_start_ == TipStart::kBalance || !(speed > 0.0) || !lifts_off(to, speed)) return end;
+  if (!(speed > 0.0) || !lifts_off(to, speed)) return end;
   double low = travel_m_, high = to;
   if (lifts_off(low, speed)) return low;
   for (int i = 0; i < kContactHalvings; ++i) {
@@ -199,8 +191,7 @@ double StepClimb::fall(double speed, double time, Edge edge) {
   while (time > 0.0) {
     const double h = std::min(step, time);
     const double to = travel_m_ + speed * h;
-    track_stalled_ = to < first || to > last;
-    const double carried = track_stalled_ ? 0.0 : speed;
+    const double carried = to < first || to > last ? 0.0 : speed;
     const double arm = arm_m(edge);
     const Fall next = fallen(fall_, arm, carried, h);
     if (landed(next, travel_m_ + carried * h, edge) == phase_) {
@@ -271,26 +262,14 @@ Lean StepClimb::lean() const {
   return curve_.down(travel_m_);
 }
 
-void StepClimb::publish(double speed) {
+void StepClimb::publish() {
   const ClimbGeometry& geometry = curve_.geometry();
   const Lean at = lean();
-  const bool falling = phase_ == ClimbPhase::kTip || phase_ == ClimbPhase::kTipOff;
-  const double body_mps = track_stalled_ ? 0.0 : speed;
-  const double rate = falling ? fall_.rate : at.rate_radpm * body_mps;
-  const auto velocity = [&](const PlaneVector& point) {
-    return PlaneVector{at.track_direction.x * body_mps - rate * (point.z - at.held_point.z),
-                       at.track_direction.z * body_mps + rate * (point.x - at.held_point.x)};
-  };
   state_.phase = phase_;
   state_.travel_m = travel_m_;
   state_.pitch_rad = at.angle_rad == 0.0 ? 0.0 : -at.angle_rad;
-  state_.pitch_rate_radps = rate == 0.0 ? 0.0 : -rate;
-  state_.com_m = along(at.rear_axle, geometry.com_forward_m,
-                       geometry.com_height_m - geometry.wheel_radius_m, at.angle_rad);
   state_.reference_m =
       along(at.rear_axle, geometry.axle_spacing_m / 2.0, -geometry.wheel_radius_m, at.angle_rad);
-  state_.com_mps = velocity(state_.com_m);
-  state_.reference_mps = velocity(state_.reference_m);
 }
 
 }  // namespace tp100::model

@@ -23,32 +23,24 @@ enum class ClimbPhase {
 /// The climb as seen from its plane: x ahead of the near edge, z above the ground, both in m.
 struct ClimbState {
   ClimbPhase phase = ClimbPhase::kApproach;
-  double travel_m = 0.0;          ///< track travel since first touch; negative before it
-  double pitch_rad = 0.0;         ///< REP-103: nose-up is negative
-  double pitch_rate_radps = 0.0;  ///< of pitch_rad
-  PlaneVector com_m{};            ///< centre of mass
-  PlaneVector com_mps{};
+  double travel_m = 0.0;      ///< track travel since first touch; negative before it
+  double pitch_rad = 0.0;     ///< REP-103: nose-up is negative
   PlaneVector reference_m{};  ///< centre of the tracks' footprint plane, the pose's point
-  PlaneVector reference_mps{};
 };
-
-/// Condition for the rear to leave the ground and phase 4 to begin. `kBalance`: the centre of mass
-/// is over the edge, as published (40.1 deg at 136.9 mm for the TP100 on 37 mm). `kLiftOff`: the
-/// rear contact carries no load, which the rotating body's inertia makes some millimetres earlier.
-enum class TipStart { kBalance, kLiftOff };
 
 /// One robot, one block, driven straight at it. Quasi-static except for the two falls. The track
 /// holds at one contact and slips at the other: it holds on the riser, then on the edge, and on the
-/// ground in front while sliding off. Landings do not bounce. Driving back undoes a phase, except
-/// that a robot behind the block does not climb it again. Meant for speeds up to about 0.2 m/s at
-/// the TP100's size: above, the edge leaves the flat of the track before the body has landed
-/// (modelled as a longer flat), and gravity is too slow for kSlideOff. Real-time safe: no
-/// allocation after construction; bounded time for any input.
+/// ground in front while sliding off. Phase 4 begins where the rear contact carries no load: at
+/// standstill where the centre of mass is over the edge, as published (40.1 deg at 136.9 mm for the
+/// TP100 on 37 mm), in motion some millimetres earlier. Landings do not bounce. Driving back undoes
+/// a phase, except that a robot behind the block does not climb it again. Meant for speeds up to
+/// about 0.2 m/s at the TP100's size: above, the edge leaves the flat of the track before the body
+/// has landed (modelled as a longer flat), and gravity is too slow for kSlideOff. Real-time safe:
+/// no allocation after construction; bounded time for any input.
 class StepClimb {
  public:
   /// Throws SetupError as check_climb does; starts at first touch.
-  StepClimb(const ClimbGeometry& geometry, const BlockShape& block,
-            RiserForm form = RiserForm::kTrackHolds, TipStart tip_start = TipStart::kBalance);
+  StepClimb(const ClimbGeometry& geometry, const BlockShape& block);
 
   /// Flat on the ground, `distance_m` >= 0 of travel in front of first touch.
   void reset(double distance_m);
@@ -78,15 +70,13 @@ class StepClimb {
   Fall held_up(const Fall& fall, double travel_m, double speed, Edge edge) const;
   void land(ClimbPhase phase);
   Lean lean() const;
-  void publish(double speed);
+  void publish();
 
   ClimbCurve curve_;
-  TipStart tip_start_;
   double gyration_squared_m2_;
   ClimbPhase phase_ = ClimbPhase::kApproach;
   double travel_m_ = 0.0;
   Fall fall_{0.0, 0.0};
-  bool track_stalled_ = false;  ///< the track turns but the body does not move along it
   ClimbState state_{};
 };
 

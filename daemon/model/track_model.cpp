@@ -24,13 +24,13 @@ double between(double value, double low, double high) {
 // Steepness of the straight line through the rows.
 constexpr double kLeftPerDeg = 0.00222, kRightPerDeg = 0.00362;
 
-SlipPair interpolated(double deg) {
+Slip interpolated(double deg) {
   std::size_t upper = 1;
   while (upper + 1 < kSlipRows.size() && kSlipRows[upper].slope_deg < deg) ++upper;
   const SlipRow& low = kSlipRows[upper - 1];
   const SlipRow& high = kSlipRows[upper];
   const double share = (deg - low.slope_deg) / (high.slope_deg - low.slope_deg);
-  return {std::lerp(low.left, high.left, share), std::lerp(low.right, high.right, share), false};
+  return {std::lerp(low.left, high.left, share), std::lerp(low.right, high.right, share)};
 }
 
 /// The robot's own added_slips, at least one.
@@ -61,12 +61,6 @@ AddedSlip own_added_slip(const TrackParameters& parameters, double slope_rad) {
 
 }  // namespace
 
-double equivalent_wheelbase_m(const WheelbaseGeometry& geometry) {
-  const double lateral = geometry.width_m / 2.0 - geometry.gamma * geometry.offset_y_m;
-  const double longitudinal = geometry.length_m / 2.0 - geometry.offset_x_m;
-  return 2.0 * (lateral * lateral + longitudinal * longitudinal) / lateral;
-}
-
 TurnShape turn_shape(double left_mps, double right_mps) {
   const double faster = std::max(std::abs(left_mps), std::abs(right_mps));
   if (!(faster > 0.0)) return {};
@@ -88,26 +82,22 @@ TurnShape TurnShapeFilter::update(double left_mps, double right_mps, double dt_s
   return turn_shape(left_mps_, right_mps_);
 }
 
-SlipPair slip_at_slope(double slope_rad, SlipCurve curve) {
+Slip slip_at_slope(double slope_rad, SlipCurve curve) {
   const double deg = slope_rad * kDegPerRad;
   const double first = kSlipRows.front().slope_deg, last = kSlipRows.back().slope_deg;
   const bool downhill = curve == SlipCurve::kTableDownhill || curve == SlipCurve::kFitDownhill;
   const bool table = curve == SlipCurve::kTable || curve == SlipCurve::kTableDownhill;
   const double lowest = downhill ? -last : first;
   const double held = std::isnan(deg) ? first : std::clamp(deg, lowest, last);
-  SlipPair slip{0.1557 + kLeftPerDeg * held, 0.1534 + kRightPerDeg * held, false};
-  if (table && held >= first) slip = interpolated(held);
-  if (table && held < first)
-    slip = {kSlipRows[0].left + kLeftPerDeg * held, kSlipRows[0].right + kRightPerDeg * held,
-            false};
-  slip.outside = !(deg >= first && deg <= last);
-  return slip;
+  if (!table) return {0.1557 + kLeftPerDeg * held, 0.1534 + kRightPerDeg * held};
+  if (held >= first) return interpolated(held);
+  return {kSlipRows[0].left + kLeftPerDeg * held, kSlipRows[0].right + kRightPerDeg * held};
 }
 
 AddedSlip added_slip(const TrackParameters& parameters, double slope_rad) {
   if (parameters.slopes > 0) return own_added_slip(parameters, slope_rad);
-  const SlipPair level = slip_at_slope(0.0, parameters.slip_curve);
-  const SlipPair here = slip_at_slope(slope_rad, parameters.slip_curve);
+  const Slip level = slip_at_slope(0.0, parameters.slip_curve);
+  const Slip here = slip_at_slope(slope_rad, parameters.slip_curve);
   return {slope_rad, here.left - level.left, here.right - level.right};
 }
 

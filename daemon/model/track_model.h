@@ -38,15 +38,14 @@ inline constexpr std::array<SlipRow, 7> kSlipRows = {{{0, 0.16, 0.162},
                                                       {28, 0.22, 0.260}}};
 
 /// Slip ratios of both tracks.
-struct SlipPair {
+struct Slip {
   double left = 0.0;
   double right = 0.0;
-  bool outside = false;  ///< the slope lies outside the table; the values are not measured
 };
 
-/// Slip of the board that the paper measured. `slope_rad`: climb angle, 0..28 deg inside; any other
-/// value, NaN included, gives the nearest end (NaN: the level one) and sets `outside`. Pure.
-SlipPair slip_at_slope(double slope_rad, SlipCurve curve = SlipCurve::kTable);
+/// Slip of the board that the paper measured, 0 to 28 deg. `slope_rad`: climb angle; any other
+/// value gives the nearest end, NaN the level one. Pure.
+Slip slip_at_slope(double slope_rad, SlipCurve curve = SlipCurve::kTable);
 
 /// Bound that keeps 1 - slip away from 0 where slip is divided out of a command.
 inline constexpr double kMaxSlip = 0.95;
@@ -54,20 +53,6 @@ inline constexpr double kMaxSlip = 0.95;
 // The shape of a turn, and its effect on wheelbase, turning centre and slip. Our extension: the
 // paper fits one wheelbase and one pair of slip ratios to all turns, but the forces with which the
 // tracks work against each other grow with the turn until friction saturates.
-
-// Equivalent wheelbase of a tracked robot, eq 7.
-
-/// Geometry used by eq 7; the paper's table prints all but gamma.
-struct WheelbaseGeometry {
-  double length_m = 0.133;       ///< a, axle spacing
-  double width_m = 0.160;        ///< b, distance between the tracks
-  double offset_x_m = 0.00174;   ///< centre of mass ahead of the middle
-  double offset_y_m = -0.00137;  ///< centre of mass left of the middle
-  double gamma = 8.049;          ///< ours: the value that gives the printed 0.2742 m
-};
-
-/// L = 2 ((b/2 - gamma dy)^2 + (a/2 - dx)^2) / (b/2 - gamma dy). [m]
-double equivalent_wheelbase_m(const WheelbaseGeometry& geometry);
 
 /// A turn described by the ratio of the two tracks' speeds, on which friction depends, rather than
 /// by the speeds. Friction saturates at much the same ratio for uneven robots.
@@ -139,10 +124,6 @@ AddedSlip added_slip(const TrackParameters& parameters, double slope_rad);
 
 /// Slip ratios on an incline: those of the parameters in `kPaper`; else shifted by surface and
 /// slope, so that the parameters stay those of the flat floor.
-struct Slip {
-  double left = 0.0;
-  double right = 0.0;
-};
 Slip slip_on(const TrackParameters& parameters, Mode mode, const Incline& incline);
 
 /// Eqs 1, 2 and 5: body twist of tracks at `left_mps`, `right_mps`. Negative speeds take the

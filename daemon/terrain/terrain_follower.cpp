@@ -48,9 +48,7 @@ TerrainFollower::TerrainFollower(const World& world, const course::ShapeValues& 
   climbs_.reserve(world.blocks().size());
   for (const course::Block& block : world.blocks()) {
     if (block.height_m > model::climb_limit_m(geometry)) continue;
-    climbs_.push_back({model::StepClimb(geometry, {block.height_m, block.depth_m},
-                                        model::RiserForm::kTrackHolds, model::TipStart::kLiftOff),
-                       &block});
+    climbs_.push_back({model::StepClimb(geometry, {block.height_m, block.depth_m}), &block});
   }
 }
 

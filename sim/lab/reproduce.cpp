@@ -78,7 +78,7 @@ bool straight_before(const course::Course& course, const course::Robot& robot) {
         const double reach_m =
             shape.axle_spacing_m / 2.0 +
             std::sqrt(shape.wheel_radius_m * shape.wheel_radius_m - below_m * below_m);
-        const double line_m = path.project(last, block.place.x_m, block.place.y_m);
+        const double line_m = path.project(last, block.place.x_m, block.place.y_m, 0.0);
         return line_m - block.depth_m / 2.0 > reach_m;
       });
 }

@@ -63,6 +63,20 @@ std::string reproduction_json(const Reproduction& what);
 /// The table of limits and that of forms, for a terminal.
 std::string reproduction_table(const Reproduction& what);
 
+// Equivalent wheelbase of a tracked robot, eq 7.
+
+/// Geometry used by eq 7; the paper's table prints all but gamma.
+struct WheelbaseGeometry {
+  double length_m = 0.133;       ///< a, axle spacing
+  double width_m = 0.160;        ///< b, distance between the tracks
+  double offset_x_m = 0.00174;   ///< centre of mass ahead of the middle
+  double offset_y_m = -0.00137;  ///< centre of mass left of the middle
+  double gamma = 8.049;          ///< ours: the value that gives the printed 0.2742 m
+};
+
+/// L = 2 ((b/2 - gamma dy)^2 + (a/2 - dx)^2) / (b/2 - gamma dy). [m]
+double equivalent_wheelbase_m(const WheelbaseGeometry& geometry);
+
 // Sections of the page: the paper's tables and equations beside the emulated robot's.
 
 /// Writes tables 1 to 4, eq 7 and eq 6 beside the emulated robot; each part if it was driven.

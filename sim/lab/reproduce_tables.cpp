@@ -38,7 +38,7 @@ Rows robot_table(const course::Robot& robot) {
 void write_wheelbase(report::HtmlPage& page, const Reproduction& what) {
   const model::TrackParameters& found = what.reference.model;
   const auto& eqs = what.reference.baselines[model::kEqsFitted];
-  model::WheelbaseGeometry geometry;
+  WheelbaseGeometry geometry;
   Rows rows = {{"quantity", "value", "from"},
                {"a, length [m]", fixed(geometry.length_m, 4), "table 2"},
                {"b, width [m]", fixed(geometry.width_m, 4), "table 2"},
@@ -50,7 +50,7 @@ void write_wheelbase(report::HtmlPage& page, const Reproduction& what) {
     rows.push_back({name, fixed(value_m, 4), from});
   };
   const auto by_eq_7 = [&](const std::string& name, const std::string& from) {
-    add(name, model::equivalent_wheelbase_m(geometry), from);
+    add(name, equivalent_wheelbase_m(geometry), from);
   };
   by_eq_7("L by eq 7 [m]", "all of the above");
   geometry.gamma = 0.0;
@@ -149,6 +149,12 @@ Rows phase_table(const ClimbCheck& climb) {
 }
 
 }  // namespace
+
+double equivalent_wheelbase_m(const WheelbaseGeometry& geometry) {
+  const double lateral = geometry.width_m / 2.0 - geometry.gamma * geometry.offset_y_m;
+  const double longitudinal = geometry.length_m / 2.0 - geometry.offset_x_m;
+  return 2.0 * (lateral * lateral + longitudinal * longitudinal) / lateral;
+}
 
 void write_tables(report::HtmlPage& page, const Reproduction& what) {
   if (!what.slopes.empty()) {

@@ -164,10 +164,17 @@ ClimbCheck check_climb_pitch(const course::Robot& robot, double height_m, double
   const course::EmulatedBody values = with_traction(robot.emulated.body);
   const model::ClimbGeometry geometry = terrain::climb_geometry(robot.shape);
   const model::BlockShape shape = {.height_m = height_m, .depth_m = depth_m};
-  model::StepClimb climb(geometry, shape, model::RiserForm::kTrackHolds, model::TipStart::kLiftOff);
-  model::StepClimb paper(geometry, shape, model::RiserForm::kPaper, model::TipStart::kBalance);
+  model::StepClimb climb(geometry, shape);
   climb.reset(kRunUpM);
-  paper.reset(kRunUpM);
+  // Eq 6, asin(s / L_a), comes to the edge sooner; from there on the climb is the same.
+  model::StepClimb paper = climb;
+  const double paper_riser_m = std::max(height_m - geometry.wheel_radius_m, 0.0);
+  const double sooner_m = climb.curve().marks().riser_end - paper_riser_m;
+  paper.reset(kRunUpM - sooner_m);
+  const auto paper_rad = [&](double travel_m) {
+    if (travel_m >= paper_riser_m) return paper.state().pitch_rad;
+    return -std::asin(std::max(travel_m, 0.0) / geometry.axle_spacing_m);
+  };
   course::Block block{};
   block.place.x_m = kRunUpM - climb.touch_x_m() + depth_m / 2.0;
   block.height_m = height_m;
@@ -187,11 +194,13 @@ ClimbCheck check_climb_pitch(const course::Robot& robot, double height_m, double
   for (std::size_t i = 0; i < steps; ++i) {
     body.step(track_mps, track_mps);
     const model::ClimbState& state = climb.advance(track_mps * dt_s, dt_s);
-    check.samples.push_back({.travel_m = static_cast<double>(i + 1) * track_mps * dt_s - kRunUpM,
+    paper.advance(track_mps * dt_s, dt_s);
+    const double travel_m = static_cast<double>(i + 1) * track_mps * dt_s - kRunUpM;
+    check.samples.push_back({.travel_m = travel_m,
                              .phase = state.phase,
                              .body_rad = body.state().pose.pitch_rad,
                              .model_rad = state.pitch_rad,
-                             .paper_rad = paper.advance(track_mps * dt_s, dt_s).pitch_rad});
+                             .paper_rad = paper_rad(travel_m)});
   }
   judge_phases(check);
   check.crossed = body.state().pose.x_m > block.place.x_m + depth_m / 2.0;

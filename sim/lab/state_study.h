@@ -16,7 +16,7 @@ struct ClimbSample {
   double travel_m = 0.0;  ///< of the tracks, since they touched the block
   model::ClimbPhase phase = model::ClimbPhase::kApproach;  ///< of the model
   double body_rad = 0.0, model_rad = 0.0;
-  double paper_rad = 0.0;  ///< with eq 6 to the letter on the riser, tipping at the balance point
+  double paper_rad = 0.0;  ///< with eq 6 to the letter on the riser
 };
 
 /// A phase of the model on that drive, the approach left out.

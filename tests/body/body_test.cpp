@@ -127,29 +127,6 @@ course::EmulatedBody uniform() {
   return values;
 }
 
-/// Wheelbase L of eq 5 in a steady turn with these track speeds, corrected for the slip ratios.
-double wheelbase_m(const course::EmulatedBody& values, double left_mps, double right_mps) {
-  constexpr double kDurationS = 1.5;
-  OdeBody body(values, {}, false);
-  const double begin = drive(body, left_mps, right_mps, 0.5).pose.yaw_rad;
-  const double yaw = drive(body, left_mps, right_mps, kDurationS).pose.yaw_rad - begin;
-  return (right_mps - left_mps) * (1.0 - values.track_deficit_left) * kDurationS / yaw;
-}
-
-TEST(OdeBody, SlipsOnTheFlatAsMuchAsTheRampBoardOfThePaper) {
-  OdeBody body(end_loaded(), {}, false);
-  const double begin = drive(body, 0.1, 0.1, 0.5).pose.x_m;
-  const double distance_m = drive(body, 0.1, 0.1, 2.0).pose.x_m - begin;
-  EXPECT_NEAR(1.0 - distance_m / 0.2, 0.160, 0.005);
-}
-
-TEST(OdeBody, AnEndLoadedRobotTurnsWithTheWheelbaseOfEquationSevenAtEveryRadius) {
-  EXPECT_NEAR(wheelbase_m(end_loaded(), -0.08, 0.08), 0.274, 0.006);
-  for (const double inner_mps : {-0.05, 0.0, 0.05, 0.06})
-    EXPECT_NEAR(wheelbase_m(end_loaded(), inner_mps, 0.1), 0.274, 0.006) << inner_mps;
-  EXPECT_NEAR(wheelbase_m(uniform(), -0.08, 0.08), 0.194, 0.004) << "much more easily";
-}
-
 // Several robots drive in one process, some in threads of their own.
 TEST(OdeBody, TheSameCallsGiveTheSameBitsWhateverOtherBodiesDo) {
   const auto end_of_run = [](double left_mps) {
@@ -170,12 +147,6 @@ TEST(OdeBody, TheSameCallsGiveTheSameBitsWhateverOtherBodiesDo) {
   EXPECT_EQ(alone.x_m, in_thread.x_m);
   EXPECT_EQ(alone.y_m, in_thread.y_m);
   EXPECT_EQ(alone.yaw_rad, in_thread.yaw_rad);
-}
-
-TEST(OdeBody, LeansTowardsItsMass) {
-  course::EmulatedBody values = end_loaded();
-  values.com_forward_m = 0.005;
-  EXPECT_GT(OdeBody(values, {}, false).state().pose.pitch_rad, 1e-4) << "nose down";
 }
 
 TEST(OdeBody, LeftAndRightAreMirrorImages) {
@@ -275,25 +246,6 @@ TEST(BodyOnARamp, ComesDownTheOtherSideAndStandsFlatAgain) {
   EXPECT_NEAR(crossing.end.pose.y_m, 0.0, 1e-3);
 }
 
-TEST(BodyOnASlope, SlipsAsInThePapersTable) {
-  const struct {
-    double slope_deg, left, right;
-  } rows[] = {{8, 0.17, 0.176}, {16, 0.19, 0.204}, {28, 0.22, 0.260}};
-  for (const auto& row : rows) {
-    const double slope = row.slope_deg * kRadPerDeg;
-    course::EmulatedBody values;
-    values.creep_left = 0.113;
-    values.creep_right = 0.20;
-    OdeBody body(values, {.x_m = kFrontM + 0.5, .z_m = 0.5 * std::tan(slope), .pitch_rad = -slope},
-                 false, ramp(slope, 1.0));
-    const Pose from = drive(body, 0.5).end.pose, to = drive(body, 1.0).end.pose;
-    const double distance_m = std::hypot(to.x_m - from.x_m, to.y_m - from.y_m, to.z_m - from.z_m);
-    const double half_turn = (to.yaw_rad - from.yaw_rad) * values.gauge_m / 2.0;
-    EXPECT_NEAR(1.0 - (distance_m - half_turn) / kTrackMps, row.left, 0.02) << row.slope_deg;
-    EXPECT_NEAR(1.0 - (distance_m + half_turn) / kTrackMps, row.right, 0.02) << row.slope_deg;
-  }
-}
-
 TEST(BodyOnASlope, StandsStill) {
   const double slope = 28 * kRadPerDeg;
   OdeBody body({}, {.x_m = kFrontM + 0.3, .z_m = 0.3 * std::tan(slope), .pitch_rad = -slope}, false,
@@ -318,40 +270,6 @@ TEST(BodyOnAStep, NeedsFrictionToLiftItsFrontAndMoreToTip) {
   EXPECT_GT(lifted.nose_up_rad, 35 * kRadPerDeg);
   EXPECT_LT(lifted.end.pose.x_m, kFrontM + 0.03);
   EXPECT_GT(over(block(0.037), robot(0.022, 0.85), 8.0).end.pose.x_m, kFrontM + 0.25);
-}
-
-TEST(BodyOnAStep, TheHighestOneDependsOnTheHeightOfTheMass) {
-  const struct {
-    double com_height_m, climbs_m, fails_m;
-  } limits[] = {{0.018, 0.0405, 0.0425},
-                {0.022, 0.0385, 0.0405},
-                {0.026, 0.0365, 0.0385},
-                {0.030, 0.0335, 0.0355}};
-  for (const auto& limit : limits) {
-    SCOPED_TRACE(limit.com_height_m);
-    const course::EmulatedBody values = robot(limit.com_height_m, 0.9);
-    EXPECT_GT(over(block(limit.climbs_m), values, 8.0).end.pose.x_m, kFrontM + 0.1);
-    const Drive failure = over(block(limit.fails_m), values, 8.0);
-    const bool stalled = failure.end.pose.x_m < kFrontM + 0.05;
-    EXPECT_TRUE(stalled || failure.nose_up_rad > 70 * kRadPerDeg);
-  }
-}
-
-// The tracks bear the weight of a body that they lift, so they creep as on a slope.
-TEST(BodyOnAStep, SlipsMoreThanOnTheFlatWhileItClimbs) {
-  const auto track_m = [](const course::Terrain& terrain, double creep) {
-    course::EmulatedBody values = robot(0.022, 0.9);
-    values.creep_left = values.creep_right = creep;
-    OdeBody body(values, {}, false, terrain);
-    double way_m = 0.0;
-    for (; body.state().pose.x_m < kFrontM && way_m < 1.0; way_m += kTrackMps * kPhysicsStepS)
-      body.step(kTrackMps, kTrackMps);
-    return way_m;
-  };
-  EXPECT_NEAR(track_m({}, 0.5), track_m({}, 0.0), 0.001);
-  const double more_m = track_m(block(0.037), 0.5) - track_m(block(0.037), 0.0);
-  EXPECT_GT(more_m, 0.01);
-  EXPECT_LT(more_m, 0.06);
 }
 
 TEST(BodyOnAStep, SquaresUpToTheRiser) {

@@ -54,21 +54,6 @@ double wheelbase_by_coulomb(double length_m, double gauge_m) {
   return gauge_m + 2.0 * low;
 }
 
-TEST(ShearBody, SlipsMoreUnderMoreLoadAndOnSofterGround) {
-  course::Emulated values = robot();
-  const double light = slip_straight(values);
-  EXPECT_GT(light, 0.0);
-  values.shear.motion_resistance = 0.12;
-  EXPECT_GT(slip_straight(values), 1.8 * light);
-  // Cohesion carries a part of the load, and less of a heavier one.
-  values = robot();
-  values.shear.cohesion_pa = 500.0;
-  const double helped = slip_straight(values);
-  EXPECT_LT(helped, 0.8 * light);
-  values.body.mass_kg *= 3.0;
-  EXPECT_GT(slip_straight(values), 1.2 * helped);
-}
-
 TEST(ShearBody, SlipsStraightAheadAsTheLawIntegratedAlongTheTrack) {
   const course::Emulated values = robot(0.005);
   const double slip = slip_straight(values);
@@ -168,18 +153,6 @@ TEST(ShearBody, TheAccelerometerFeelsTheCurve) {
   EXPECT_NEAR(sideways, expected, 0.02 * expected);
   const double stopped = drive(body, 0.0, 0.0, 0.5).pose.yaw_rad;
   EXPECT_NEAR(drive(body, 0.0, 0.0, 2.0).pose.yaw_rad, stopped, 1e-3) << "it settles";
-}
-
-TEST(ShearBody, MassAheadPullsTheTurningCentreAhead) {
-  course::Emulated values = robot(0.001, 0.6);
-  values.body.com_forward_m = 0.012;
-  ShearBody body(values, {}, false);
-  drive(body, -0.08, 0.08, 2.0);
-  const BodyState& state = drive(body, -0.08, 0.08, 0.001);
-  const double yaw = state.pose.yaw_rad;
-  const double sideways_mps =
-      -std::sin(yaw) * state.velocity_mps[0] + std::cos(yaw) * state.velocity_mps[1];
-  EXPECT_GT(-sideways_mps / state.rate_radps[2], 0.005);
 }
 
 TEST(ShearBody, OfASurfaceOnlyTheFrictionCounts) {

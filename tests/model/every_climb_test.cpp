@@ -1,4 +1,4 @@
-// Every form of the climb, over blocks of many shapes.
+// Climbs over blocks of many shapes.
 
 #include <gtest/gtest.h>
 
@@ -18,8 +18,6 @@ constexpr double kSpeed = 0.10;
 struct Case {
   ClimbGeometry geometry{};
   BlockShape block{};
-  RiserForm form = RiserForm::kTrackHolds;
-  TipStart tip_start = TipStart::kBalance;
   double speed = kSpeed;
 };
 
@@ -40,16 +38,11 @@ ClimbGeometry com_forward(double forward_m) {
 
 void PrintTo(const Case& what, std::ostream* out) {
   *out << what.block.height_m << " x " << what.block.depth_m << " m, com "
-       << what.geometry.com_forward_m << ", " << what.speed << " m/s"
-       << (what.form == RiserForm::kPaper ? ", paper" : "")
-       << (what.tip_start == TipStart::kLiftOff ? ", lift-off" : "");
+       << what.geometry.com_forward_m << ", " << what.speed << " m/s";
 }
 
 std::vector<Case> cases() {
   return {{},
-          {.form = RiserForm::kPaper},
-          {.tip_start = TipStart::kLiftOff},
-          {.tip_start = TipStart::kLiftOff, .speed = 0.14},
           {.block = {0.026, 0.100}},
           {.block = {0.020, 0.100}},
           {.block = {0.003, 0.100}},
@@ -65,7 +58,7 @@ std::vector<Case> cases() {
 }
 
 std::vector<ClimbState> drive(const Case& what, double dt_s, double duration_s) {
-  StepClimb climb(what.geometry, what.block, what.form, what.tip_start);
+  StepClimb climb(what.geometry, what.block);
   climb.reset(0.02);
   std::vector<ClimbState> states{climb.state()};
   const auto steps = static_cast<int>(duration_s / dt_s);
@@ -92,16 +85,15 @@ TEST_P(EveryClimb, PassesThePhasesInOrderAndEndsFlatBehindTheBlock) {
   EXPECT_EQ(std::ranges::count(seen, ClimbPhase::kRiser), riser ? 1 : 0);
   EXPECT_EQ(seen.size(), 8u + (riser ? 1u : 0u) + (flat ? 1u : 0u));
   EXPECT_TRUE(flat || what.block.depth_m < 0.1);
-  const StepClimb climb(what.geometry, what.block, what.form, what.tip_start);
+  const StepClimb climb(what.geometry, what.block);
   EXPECT_NEAR(climb.touch_x_m(), climb.state().reference_m.x, 1e-12) << "it begins at first touch";
   const ClimbState& last = states.back();
   EXPECT_EQ(last.phase, ClimbPhase::kDown);
   EXPECT_EQ(last.pitch_rad, 0.0);
-  EXPECT_EQ(last.pitch_rate_radps, 0.0);
   EXPECT_NEAR(last.reference_m.z, 0.0, 1e-12);
-  EXPECT_NEAR(last.com_m.z, what.geometry.com_height_m, 1e-12);
   EXPECT_GT(last.reference_m.x - what.geometry.axle_spacing_m / 2, what.block.depth_m);
-  EXPECT_NEAR(last.reference_mps.x, what.speed, 1e-12);
+  EXPECT_NEAR(last.reference_m.x - states[states.size() - 2].reference_m.x, what.speed * 1e-3,
+              1e-12);
 }
 
 TEST_P(EveryClimb, NeverEntersTheGroundOrTheBlock) {
@@ -123,42 +115,25 @@ TEST_P(EveryClimb, NeverEntersTheGroundOrTheBlock) {
   }
 }
 
-TEST_P(EveryClimb, MovesWithoutAJumpAtTheVelocityThatItReports) {
+// No body of this size turns faster than 15 rad/s while it falls.
+TEST_P(EveryClimb, MovesWithoutAJump) {
   const Case& what = GetParam();
   const double dt = 4e-5;
   const auto states = drive(what, dt, distance_m(what) / what.speed);
-  for (std::size_t i = 1; i + 1 < states.size(); ++i) {
-    const ClimbState &a = states[i - 1], &b = states[i], &c = states[i + 1];
-    const double fastest = std::max(std::abs(a.pitch_rate_radps), std::abs(b.pitch_rate_radps));
-    const double turn = 1.2 * fastest * dt + 1e-9;
-    const double reach = what.geometry.body_length_m * turn + 1.2 * what.speed * dt;
-    ASSERT_LE(std::abs(b.pitch_rad - a.pitch_rad), turn) << i;
-    ASSERT_LE(std::hypot(b.com_m.x - a.com_m.x, b.com_m.z - a.com_m.z), reach) << i;
-    if (a.phase != c.phase) continue;
-    // Where the velocity has a kink or a jump, the difference quotient lies between the values of
-    // both sides.
-    const auto agree = [&](double ClimbState::*value, double ClimbState::*rate) {
-      ASSERT_NEAR((c.*value - a.*value) / (2 * dt), b.*rate,
-                  0.6 * std::abs(c.*rate - a.*rate) + 1e-4)
-          << "in phase " << static_cast<int>(b.phase) << " at " << b.travel_m;
-    };
-    const auto agrees = [&](PlaneVector ClimbState::*value, PlaneVector ClimbState::*rate) {
-      for (double PlaneVector::*const axis : {&PlaneVector::x, &PlaneVector::z})
-        ASSERT_NEAR((c.*value.*axis - a.*value.*axis) / (2 * dt), b.*rate.*axis,
-                    0.6 * std::abs(c.*rate.*axis - a.*rate.*axis) + 1e-4)
-            << "in phase " << static_cast<int>(b.phase) << " at " << b.travel_m;
-    };
-    agree(&ClimbState::pitch_rad, &ClimbState::pitch_rate_radps);
-    agrees(&ClimbState::com_m, &ClimbState::com_mps);
-    agrees(&ClimbState::reference_m, &ClimbState::reference_mps);
-    ASSERT_FALSE(HasFailure());
+  for (std::size_t i = 1; i < states.size(); ++i) {
+    const ClimbState &a = states[i - 1], &b = states[i];
+    const double turned = std::abs(b.pitch_rad - a.pitch_rad);
+    ASSERT_LE(turned, 15.0 * dt) << i;
+    ASSERT_LE(std::hypot(b.reference_m.x - a.reference_m.x, b.reference_m.z - a.reference_m.z),
+              what.geometry.body_length_m * turned + 1.2 * what.speed * dt)
+        << i;
   }
 }
 
 // Which decides where the rear contact lifts off.
 TEST_P(EveryClimb, BendsAsItsRateChanges) {
   const Case& what = GetParam();
-  const ClimbCurve curve(what.geometry, what.block, what.form);
+  const ClimbCurve curve(what.geometry, what.block);
   const double h = 1e-5;
   for (double s = curve.marks().wrap_end + 0.001; s < curve.marks().cross_end; s += 0.003) {
     const double bend = (curve.cross(s + h).rate_radpm - curve.cross(s - h).rate_radpm) / (2 * h);
@@ -169,8 +144,8 @@ TEST_P(EveryClimb, BendsAsItsRateChanges) {
 TEST_P(EveryClimb, ComesOutTheSameWhateverTheStep) {
   const Case& what = GetParam();
   const double duration = distance_m(what) / what.speed;
-  StepClimb coarse(what.geometry, what.block, what.form, what.tip_start);
-  StepClimb fine(what.geometry, what.block, what.form, what.tip_start);
+  StepClimb coarse(what.geometry, what.block);
+  StepClimb fine(what.geometry, what.block);
   std::mt19937 random(3);
   std::uniform_real_distribution<double> step(1e-3, 5e-2);
   for (double at = 0.0; at < duration;) {
@@ -180,8 +155,8 @@ TEST_P(EveryClimb, ComesOutTheSameWhateverTheStep) {
     at += dt;
     // Only the moment at which the rear contact lifts off is resolved to one step of the fall.
     ASSERT_NEAR(coarse.state().pitch_rad, fine.state().pitch_rad, 2e-5);
-    ASSERT_NEAR(coarse.state().com_m.x, fine.state().com_m.x, 1e-5);
-    ASSERT_NEAR(coarse.state().com_m.z, fine.state().com_m.z, 1e-5);
+    ASSERT_NEAR(coarse.state().reference_m.x, fine.state().reference_m.x, 1e-5);
+    ASSERT_NEAR(coarse.state().reference_m.z, fine.state().reference_m.z, 1e-5);
   }
   EXPECT_EQ(coarse.state().phase, ClimbPhase::kDown);
 }

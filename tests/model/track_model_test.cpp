@@ -128,17 +128,6 @@ TEST(TrackModel, ExtendedModeIsItsEquationsInAnyTurnOnAnyGround) {
   EXPECT_GT(straight, 20);
 }
 
-TEST(EquivalentWheelbase, IsThePrintedOneAndThatOfEquationSeven) {
-  EXPECT_NEAR(equivalent_wheelbase_m({}), 0.2742, 5e-6);
-  // b/2 - gamma dy = 0.08, a/2 - dx = 0.06, and 2 (0.08^2 + 0.06^2) / 0.08 = 0.25.
-  EXPECT_NEAR(equivalent_wheelbase_m({.length_m = 0.14,
-                                      .width_m = 0.18,
-                                      .offset_x_m = 0.01,
-                                      .offset_y_m = 0.005,
-                                      .gamma = 2.0}),
-              0.25, 1e-12);
-}
-
 // The series and the closed form of the arc.
 TEST(Arc, OfATinyTurnIsExactToItsSecondOrder) {
   for (const double turn : {-3e-3, -1.01e-4, -9.9e-5, -4e-5, 6e-5, 9.9e-5, 1.01e-4, 2e-3}) {
@@ -226,7 +215,7 @@ TEST(Turn, FewEdgesPerIntervalDoNotLookLikeTurns) {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-SlipPair at_deg(double deg, SlipCurve curve) { return slip_at_slope(deg * kRadPerDeg, curve); }
+Slip at_deg(double deg, SlipCurve curve) { return slip_at_slope(deg * kRadPerDeg, curve); }
 
 TEST(SlipTable, GivesThePrintedRowsAndIsLinearBetweenThem) {
   const SlipRow printed[] = {{0, 0.16, 0.162},  {8, 0.17, 0.176},  {12, 0.18, 0.197},
@@ -236,17 +225,16 @@ TEST(SlipTable, GivesThePrintedRowsAndIsLinearBetweenThem) {
     for (std::size_t i = 0; i + 1 < std::size(printed); ++i) {
       const SlipRow &low = printed[i], &high = printed[i + 1];
       for (const double share : {0.001, 0.25, 0.999}) {
-        const SlipPair slip = at_deg(std::lerp(low.slope_deg, high.slope_deg, share), curve);
+        const Slip slip = at_deg(std::lerp(low.slope_deg, high.slope_deg, share), curve);
         EXPECT_NEAR(slip.left, std::lerp(low.left, high.left, share), 1e-12);
         EXPECT_NEAR(slip.right, std::lerp(low.right, high.right, share), 1e-12);
-        EXPECT_FALSE(slip.outside);
       }
     }
   }
 }
 
 // Outside the table each curve is held at its ends, or falls downhill like the fit to -28 deg.
-TEST(SlipTable, OutsideItsRowsEachCurveSaysSoAndIsHeldOrFallsLikeTheFit) {
+TEST(SlipTable, OutsideItsRowsEachCurveIsHeldOrFallsLikeTheFit) {
   const struct {
     SlipCurve curve;
     double deg, left, right;
@@ -261,12 +249,10 @@ TEST(SlipTable, OutsideItsRowsEachCurveSaysSoAndIsHeldOrFallsLikeTheFit) {
                {SlipCurve::kFitDownhill, -10, 0.1557 - 0.0222, 0.1534 - 0.0362},
                {SlipCurve::kFitDownhill, -40, 0.1557 - 0.06216, 0.1534 - 0.10136}};
   for (const auto& of : cases) {
-    const SlipPair slip = at_deg(of.deg, of.curve);
+    const Slip slip = at_deg(of.deg, of.curve);
     EXPECT_NEAR(slip.left, of.left, 1e-9) << of.deg;
     EXPECT_NEAR(slip.right, of.right, 1e-9) << of.deg;
-    EXPECT_TRUE(slip.outside);
     EXPECT_EQ(at_deg(kNan, of.curve).left, at_deg(0.0, of.curve).left) << "of no angle";
-    EXPECT_TRUE(at_deg(kNan, of.curve).outside);
   }
 }
 
@@ -286,7 +272,7 @@ TEST(Incline, AddsWhatSlopeAndSurfaceAddToEveryRobotsOwnSlip) {
         Incline incline = inclined(deg * kRadPerDeg);
         incline.slip_offset = surface;
         const Slip slip = slip_on(board(curve), Mode::kExtended, incline);
-        const SlipPair here = at_deg(deg, curve), level = at_deg(0.0, curve);
+        const Slip here = at_deg(deg, curve), level = at_deg(0.0, curve);
         EXPECT_NEAR(slip.left, 0.05 + here.left - level.left + surface, 1e-12);
         EXPECT_NEAR(slip.right, 0.07 + here.right - level.right + surface, 1e-12);
         EXPECT_EQ(slip_on(board(curve), Mode::kPaper, incline).left, 0.05);

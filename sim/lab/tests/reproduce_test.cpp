@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <limits>
@@ -271,6 +270,17 @@ TEST(RandomCourses, HoldEveryPartOfTheFormat) {
   }
   EXPECT_EQ(segments.size(), 3u);
   for (const int count : {disturbances, surfaces, blocks, ramps}) EXPECT_GT(count, 25);
+}
+
+TEST(EquivalentWheelbase, IsThePrintedOneAndThatOfEquationSeven) {
+  EXPECT_NEAR(equivalent_wheelbase_m({}), 0.2742, 5e-6);
+  // b/2 - gamma dy = 0.08, a/2 - dx = 0.06, and 2 (0.08^2 + 0.06^2) / 0.08 = 0.25.
+  EXPECT_NEAR(equivalent_wheelbase_m({.length_m = 0.14,
+                                      .width_m = 0.18,
+                                      .offset_x_m = 0.01,
+                                      .offset_y_m = 0.005,
+                                      .gamma = 2.0}),
+              0.25, 1e-12);
 }
 
 using testing::HasSubstr;
