@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/commands.h"
+#include "core/enum_names.h"
 #include "core/processor.h"
 #include "course/bundled_files.h"
 #include "estimation/odometry.h"
@@ -171,12 +172,12 @@ config::RunFiles recorded_files(const Recording& recording) {
   if (files.robot.text.empty())
     throw SetupError(recording.path() + ": contains no robot file, so it cannot be replayed");
   files.course = file(config::kCourseFile, recording.fact("course") + ".toml");
-  const auto setup = bridge::setup_named(recording.fact("setup"));
+  const auto setup = value_in(bridge::kSetupNames, recording.fact("setup"));
   if (!setup)
     throw SetupError(recording.path() + ": does not name the set-up, so it cannot be replayed");
   files.setup = *setup;
   // Recordings without this fact are from a time with one kind only.
-  files.world = bridge::world_kind_named(recording.fact("world")).value_or(files.world);
+  files.world = value_in(bridge::kWorldKindNames, recording.fact("world")).value_or(files.world);
   return files;
 }
 

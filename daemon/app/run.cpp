@@ -9,6 +9,7 @@
 #include "config/run_setup.h"
 #include "config/setup_files.h"
 #include "core/clock.h"
+#include "core/enum_names.h"
 #include "core/error.h"
 #include "course/bundled_files.h"
 #include "course/course.h"
@@ -37,7 +38,7 @@ namespace tp100::app {
 namespace {
 
 bridge::Setup setup_of(const std::string& name) {
-  if (const auto setup = bridge::setup_named(name)) return *setup;
+  if (const auto setup = value_in(bridge::kSetupNames, name)) return *setup;
   throw SetupError("--setup " + text::one_line(name) +
                    ": not a set-up; use stand, flat or terrain");
 }

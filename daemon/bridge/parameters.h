@@ -2,8 +2,6 @@
 // Everything that tunes a step. Filled from the configuration and the robot file by config.
 
 #include <array>
-#include <optional>
-#include <string_view>
 
 #include "control/monitor.h"
 #include "control/parameters.h"
@@ -32,10 +30,6 @@ inline constexpr std::array<EnumName<Setup>, 3> kSetupNames = {{
     {Setup::kTerrain, "terrain"},
 }};
 constexpr const char* to_string(Setup setup) { return name_in(kSetupNames, setup); }
-/// The set-up of that name, or nothing.
-constexpr std::optional<Setup> setup_named(std::string_view name) {
-  return value_in(kSetupNames, name);
-}
 
 /// Source of the terrain under the robot.
 enum class WorldKind {
@@ -51,10 +45,6 @@ inline constexpr std::array<EnumName<WorldKind>, 3> kWorldKindNames = {{
     {WorldKind::kFiles, "files"},
 }};
 constexpr const char* to_string(WorldKind kind) { return name_in(kWorldKindNames, kind); }
-/// The kind of that name, or nothing.
-constexpr std::optional<WorldKind> world_kind_named(std::string_view name) {
-  return value_in(kWorldKindNames, name);
-}
 
 /// Settings of an external world that matter to the step.
 struct WorldParameters {
@@ -76,7 +66,6 @@ struct Parameters {
   /// Expiry of a command after the step; the robot accepts at most 0.2 s.
   double command_life_s = 0.180;
   double max_sample_age_s = 0.060;  ///< older samples are not answered with a command
-  double sample_timeout_s = 0.2;    ///< with no newer one a run ends: link_lost or samples_stale
 };
 
 /// Noise of the estimators, with the resolution of this robot's encoders.

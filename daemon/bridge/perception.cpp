@@ -53,8 +53,6 @@ Perception::Perception(const Parameters& parameters, const course::Course* cours
     : parameters_(parameters),
       intervals_(parameters.drive.counts_per_metre, parameters.model.gyro_scale),
       standstill_(parameters.estimation),
-      attitude_(parameters.estimation.attitude),
-      slope_(parameters.estimation.attitude),
       obstacle_class_(parameters.shape.axle_spacing_m),
       terrain_contacts_(parameters, course),
       track_model_(make_model(parameters)),
@@ -117,7 +115,7 @@ void Perception::resume(const CarriedState& state) {
   if (state.continues) intervals_.resume(state.sample);
   standstill_.resume(state.gyro_bias_radps, state.gyro_bias_known);
   attitude_.resume(state.attitude);
-  slope_ = estimation::SlopeState(parameters_.estimation.attitude);
+  slope_ = {};
   obstacle_class_.restart();
   terrain_contacts_.resume({state.virtual_x_m, state.virtual_y_m, state.virtual_turn_rad});
   traction_estimator_.restart();

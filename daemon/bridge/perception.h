@@ -114,7 +114,7 @@ class Perception {
   bool has_sample() const { return has_sample_; }
   /// There is one that is not older than the time-out.
   bool fresh(HostNs now) const {
-    return has_sample_ && to_s(now - sample_.measured_ns) <= parameters_.sample_timeout_s;
+    return has_sample_ && now - sample_.measured_ns <= kSampleTimeoutNs;
   }
   /// The gyro steers and its newest value is old. The firmware's own limit is 10 samples.
   bool imu_stale() const { return gyro_steers() && sample_.imu_age > kOldestImu; }
@@ -153,6 +153,8 @@ class Perception {
 
  private:
   static constexpr std::uint8_t kOldestImu = 20;
+  /// Without a newer one a run ends: link_lost or samples_stale.
+  static constexpr HostNs kSampleTimeoutNs = 200 * kNsPerMs;
 
   PerSource<Estimate> estimates() const;
   double distance_m() const;

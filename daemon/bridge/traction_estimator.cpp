@@ -18,34 +18,42 @@ bool enough(double evidence_s, double after_s) {
   return evidence_s > 0.0 && evidence_s >= after_s - kRoundingS;
 }
 
+// Share of the tracks' speed below which the robot counts as standing still.
+constexpr double kImmobilisedShare = 0.2;
+// |slip| that counts as slipping (the paper's steepest ramp has 0.26), and at which that and a
+// standstill end, each after this time.
+constexpr double kSlipping = 0.4, kRecovered = 0.3, kAfterS = 0.1;
+// Slower tracks give no evidence.
+constexpr double kLeastTrackMps = 0.02;
+
 // Beyond this mismatch over this distance, the robot is not where the tracks indicate.
 constexpr double kMismatchRad = 10.0 * kRadPerDeg;
 constexpr double kMismatchM = 0.12;
 
 }  // namespace
 
-Traction TractionMonitor::update(double track_mps, std::optional<double> ground_mps, double dt_s) {
-  if (!std::isfinite(track_mps) || !(dt_s > 0.0) || !std::isfinite(dt_s)) return state_;
-  if (std::abs(track_mps) < limits_.least_track_speed_mps) {
-    reset();
-    return state_;
+void TractionEstimator::judge(double track_mps, std::optional<double> ground_mps, double dt_s) {
+  if (!std::isfinite(track_mps) || !(dt_s > 0.0) || !std::isfinite(dt_s)) return;
+  if (std::abs(track_mps) < kLeastTrackMps) {
+    by_speed_ = Traction::kHolding;
+    standing_s_ = slipping_s_ = recovered_s_ = 0.0;
+    return;
   }
-  if (!ground_mps || !std::isfinite(*ground_mps)) return state_;
-  slip_ = 1.0 - *ground_mps / track_mps;
+  if (!ground_mps || !std::isfinite(*ground_mps)) return;
+  const double slip = 1.0 - *ground_mps / track_mps;
 
   // A robot that slides back against its tracks is no better than one at standstill.
-  gather(standing_s_, slip_ > 1.0 - limits_.immobilised_share, dt_s);
-  gather(slipping_s_, std::abs(slip_) > limits_.slipping_above, dt_s);
-  gather(recovered_s_, std::abs(slip_) < limits_.recovered_below, dt_s);
+  gather(standing_s_, slip > 1.0 - kImmobilisedShare, dt_s);
+  gather(slipping_s_, std::abs(slip) > kSlipping, dt_s);
+  gather(recovered_s_, std::abs(slip) < kRecovered, dt_s);
 
-  if (enough(standing_s_, limits_.immobilised_after_s)) {
-    state_ = Traction::kImmobilised;
-  } else if (enough(recovered_s_, limits_.recovered_after_s)) {
-    state_ = Traction::kHolding;
-  } else if (state_ == Traction::kHolding && enough(slipping_s_, limits_.slipping_after_s)) {
-    state_ = Traction::kSlipping;
+  if (enough(standing_s_, kImmobilisedAfterS)) {
+    by_speed_ = Traction::kImmobilised;
+  } else if (enough(recovered_s_, kAfterS)) {
+    by_speed_ = Traction::kHolding;
+  } else if (by_speed_ == Traction::kHolding && enough(slipping_s_, kAfterS)) {
+    by_speed_ = Traction::kSlipping;
   }
-  return state_;
 }
 
 std::optional<double> TractionEstimator::ground_mps(const TractionInput& in) {
@@ -75,7 +83,8 @@ std::optional<double> TractionEstimator::ground_mps(const TractionInput& in) {
 Traction TractionEstimator::update(const TractionInput& in) {
   const std::optional<double> ground = ground_mps(in);
   const double track = judged_ ? last_track_mps_ : in.dt_s > 0.0 ? in.distance_m / in.dt_s : 0.0;
-  state_ = monitor_.update(track, ground, in.dt_s);
+  judge(track, ground, in.dt_s);
+  state_ = by_speed_;
 
   const bool mismatch =
       in.mapped_pitch_rad && std::abs(*in.mapped_pitch_rad - in.measured_pitch_rad) > kMismatchRad;

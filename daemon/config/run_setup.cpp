@@ -1,5 +1,6 @@
 #include "config/run_setup.h"
 
+#include "core/enum_names.h"
 #include "core/error.h"
 #include "core/processor.h"
 #include "text/toml_document.h"
@@ -55,7 +56,7 @@ WorldRun world_run(const RunSetup& run) {
 bridge::WorldKind world_option(const std::string& option, bridge::WorldKind configured) {
   if (option.empty()) return configured;
   if (option.starts_with("udp:")) return bridge::WorldKind::kUdp;
-  const auto kind = bridge::world_kind_named(option);
+  const auto kind = value_in(bridge::kWorldKindNames, option);
   if (kind && *kind != bridge::WorldKind::kUdp) return *kind;
   throw SetupError("--world " + text::one_line(option) +
                    ": not a world; use internal, files or udp:[HOST:]PORT, as in udp:9760");

@@ -10,6 +10,7 @@
 #include "config/parameter_file.h"
 #include "core/arithmetic.h"
 #include "core/clock.h"
+#include "core/enum_names.h"
 #include "core/error.h"
 #include "live/setup_list.h"
 #include "text/atomic_file.h"
@@ -202,7 +203,7 @@ std::unique_ptr<SetupRequest> SetupChanger::make(const Asked& asked) {
     return name->empty() && kind == Bundled::kCourses ? course::TextFile{}
                                                       : files_.read(kind, *name);
   };
-  const auto setup = asked.choice.setup ? bridge::setup_named(*asked.choice.setup)
+  const auto setup = asked.choice.setup ? value_in(bridge::kSetupNames, *asked.choice.setup)
                                         : std::optional(now->files.setup);
   if (!setup) throw SetupError("setup is \"stand\", \"flat\" or \"terrain\"");
   const course::TextFile course =

@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "core/enum_names.h"
 #include "core/error.h"
 #include "course/bundled_files.h"
 
@@ -14,7 +15,7 @@ BoardKind board_kind(const std::string& name) {
 }
 
 bridge::Setup setup_kind(const std::string& name) {
-  if (const auto setup = bridge::setup_named(name)) return *setup;
+  if (const auto setup = value_in(bridge::kSetupNames, name)) return *setup;
   throw SetupError("--setup " + text::one_line(name) +
                    ": not a set-up; use stand, flat or terrain");
 }
