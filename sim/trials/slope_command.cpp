@@ -17,7 +17,7 @@
 #include "sim/robot/options.h"
 #include "sim/trials/commands.h"
 #include "text/format.h"
-#include "text/key.h"
+#include "text/json_writer.h"
 
 namespace tp100::sim {
 namespace {
@@ -86,10 +86,6 @@ std::optional<identify::RecordedDrive> on_board(const course::Emulated& robot, d
   return drive;
 }
 
-double signed_deviation(double measured, const std::optional<double>& paper) {
-  return paper ? measured - *paper : 0.0;
-}
-
 void print_table(const std::string& robot, const std::vector<SlopeSlip>& measured) {
   std::printf("Slip against slope at %.2f m/s of track, robot %s\n\n", kSlopeTrackMps,
               robot.c_str());
@@ -108,8 +104,8 @@ void print_table(const std::string& robot, const std::vector<SlopeSlip>& measure
     }
     std::printf("    %5.3f     %5.3f", slip.left, slip.right);
     if (row.paper_left && row.paper_right) {
-      const double left = signed_deviation(slip.left, row.paper_left);
-      const double right = signed_deviation(slip.right, row.paper_right);
+      const double left = slip.left - *row.paper_left;
+      const double right = slip.right - *row.paper_right;
       worst = std::max({worst, std::abs(left), std::abs(right)});
       std::printf("       %5.3f     %5.3f     %+6.3f    %+6.3f", *row.paper_left, *row.paper_right,
                   left, right);
@@ -126,28 +122,25 @@ void print_table(const std::string& robot, const std::vector<SlopeSlip>& measure
       worst);
 }
 
-std::string json_of(const SlopeRow& row, const SlopeSlip& slip) {
-  const auto number = [](const std::optional<double>& value) {
-    return value ? text::number_text(*value) : std::string("null");
-  };
-  const auto measured = [&](double value) {
-    return number(slip.climbed ? std::optional<double>(value) : std::nullopt);
-  };
-  return R"({"slope_deg":)" + number(row.slope_deg) + R"(,"climbed":)" +
-         (slip.climbed ? "true" : "false") + R"(,"slip_left":)" + measured(slip.left) +
-         R"(,"slip_right":)" + measured(slip.right) + R"(,"yaw_rate_radps":)" +
-         measured(slip.yaw_rate_radps) + R"(,"paper_slip_left":)" + number(row.paper_left) +
-         R"(,"paper_slip_right":)" + number(row.paper_right) + "}";
-}
-
 void print_json(const std::string& robot, const std::vector<SlopeSlip>& measured) {
-  std::string rows;
-  for (std::size_t i = 0; i < measured.size(); ++i)
-    rows += (i == 0 ? "" : ",") + json_of(slope_rows()[i], measured[i]);
-  std::printf(R"({"robot":%s,"track_mps":%s,"slopes":[%s]})"
-              "\n",
-              text::toml_string(robot).c_str(), text::number_text(kSlopeTrackMps).c_str(),
-              rows.c_str());
+  std::string out;
+  text::JsonWriter json(out);
+  json.begin_object().field("robot", robot).field("track_mps", kSlopeTrackMps);
+  json.key("slopes").begin_array();
+  for (std::size_t i = 0; i < measured.size(); ++i) {
+    const SlopeRow& row = slope_rows()[i];
+    const SlopeSlip& slip = measured[i];
+    const auto if_climbed = [&slip](double value) {
+      return slip.climbed ? std::optional(value) : std::nullopt;
+    };
+    json.begin_object().field("slope_deg", row.slope_deg).field("climbed", slip.climbed);
+    json.field("slip_left", if_climbed(slip.left)).field("slip_right", if_climbed(slip.right));
+    json.field("yaw_rate_radps", if_climbed(slip.yaw_rate_radps));
+    json.field("paper_slip_left", row.paper_left).field("paper_slip_right", row.paper_right);
+    json.end_object();
+  }
+  json.end_array().end_object();
+  std::printf("%s\n", out.c_str());
 }
 
 }  // namespace
