@@ -178,11 +178,6 @@ PathPoint Path::at(double s_m) const {
   return at(index, s_m - segments_[index].begin.s_m);
 }
 
-double Path::project(std::size_t index, double x_m, double y_m) const {
-  const PathSegment& segment = segments_[std::min(index, segments_.size() - 1)];
-  return project(index, x_m, y_m, segment.length_m / 2.0);
-}
-
 double Path::project(std::size_t index, double x_m, double y_m, double about_m) const {
   const PathSegment& segment = segments_[std::min(index, segments_.size() - 1)];
   return nearest_offset(segment.begin, segment.length_m, x_m, y_m,

@@ -40,10 +40,8 @@ class Path {
   /// Point at length `s_m` from the start, clamped; at a pivot, the pose before it.
   PathPoint at(double s_m) const;
 
-  /// Offset in [0, length] of the point of segment `index` nearest to (x, y). An arc of more than a
-  /// turn has several; this is the one nearest to its middle.
-  double project(std::size_t index, double x_m, double y_m) const;
-  /// The same near the known offset `about_m`: of an arc, only the part within half a turn of it.
+  /// Offset in [0, length] of the point of segment `index` nearest to (x, y): of an arc, only the
+  /// part within half a turn of the known offset `about_m`.
   double project(std::size_t index, double x_m, double y_m, double about_m) const;
 
   /// Smallest distance from (x, y) to the part of the path between lengths s_from and s_to.

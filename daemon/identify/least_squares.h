@@ -70,8 +70,6 @@ class Intervals {
   Eigen::VectorXd half() const;
   /// What these would be divided by with one more run.
   Eigen::VectorXd narrowed_by(const RunSums& run) const;
-  /// Standard deviation of the runs' own values, in units.
-  double between_runs() const { return between_; }
 
  private:
   Eigen::MatrixXd spread(double between) const;

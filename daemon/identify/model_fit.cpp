@@ -383,9 +383,7 @@ Fit ModelFit::fit() const {
   fit.condition = sums.condition();
   fit.camera_late_s = values_.delay_s;
   for (std::size_t i = 0; i < kTrackParameters.size(); ++i) fit.estimates[i].value = values_[i];
-  const Intervals intervals = this->intervals();
-  fit.between_runs = intervals.between_runs();
-  const Eigen::VectorXd half = intervals.half();
+  const Eigen::VectorXd half = intervals().half();
   for (Eigen::Index k = 0; k < size(); ++k) {
     const std::size_t i = shared_index(k);
     if (i < kTrackParameters.size()) fit.estimates[i] = {values_[i], half[k], true};

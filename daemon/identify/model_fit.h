@@ -49,9 +49,6 @@ struct Fit {
   double rms_m = 0.0, max_m = 0.0, rms_rad = 0.0;  ///< over all runs
   double condition = 0.0;                          ///< of the scaled Jacobian; 1 is best
   double camera_late_s = 0.0;                      ///< of the camera's time stamps
-  /// How much the runs contradict each other: standard deviation of the values that each would
-  /// have by itself, in parts of an error that is harmless.
-  double between_runs = 0.0;
   /// Pairs that the runs cannot separate: both may change together without an effect on the
   /// residuals. Rows of the table, ascending.
   std::vector<std::pair<std::size_t, std::size_t>> confused;

@@ -28,7 +28,19 @@ double height_of(const Points& points, std::size_t count, double at_m) {
   return height;
 }
 
-constexpr std::size_t kPlaces = SupportLine::kPlaces;
+// Number of positions at which the track's underside is sampled.
+constexpr std::size_t kPlaces = 41;
+
+/// A line between two wheels of a track, on which the track rests.
+struct SupportLine {
+  std::size_t before = 0, after = 0;
+  double rise = 0.0;    // from place to place
+  double height = 0.0;  // at the centre of mass
+};
+
+/// Heights of a wheel's centre at evenly spaced positions, rear end first.
+using WheelHeights = std::array<double, kPlaces>;
+
 // Exactly at a position all lines through it are equally high; slightly beside it they differ.
 constexpr double kBeside = 1e-9;
 
@@ -45,6 +57,26 @@ SupportLine through(const WheelHeights& wheel, std::size_t before, std::size_t a
 
 void raise(SupportLine& line, const SupportLine& other) {
   if (other.height > line.height) line = other;
+}
+
+/// The line through one position up to `com` and one beyond it that is highest at `com`, which is
+/// given in positions and may lie beyond the ends: it touches the wheels and cuts none.
+SupportLine support_line(const WheelHeights& wheel, double com) {
+  const double last = std::clamp(std::floor(com), 0.0, static_cast<double>(kPlaces - 2));
+  const auto before = static_cast<std::size_t>(last);
+  if (com >= last && com <= last + 1.0) com = std::clamp(com, last + kBeside, last + 1.0 - kBeside);
+  SupportLine line = through(wheel, 0, before + 1, com);
+  for (bool higher = true; higher;) {
+    // Best from one end, then from the other: when neither improves it, the line is the highest of
+    // all.
+    const double until_now = line.height;
+    for (std::size_t j = before + 1, i = line.before; j < kPlaces; ++j)
+      raise(line, through(wheel, i, j, com));
+    for (std::size_t i = 0, j = line.after; i <= before; ++i)
+      raise(line, through(wheel, i, j, com));
+    higher = line.height > until_now;
+  }
+  return line;
 }
 
 // The tilt moves the centre of mass and shortens the track, which in turn changes the tilt.
@@ -170,24 +202,6 @@ void Profile::lift(const Places& places, ObstacleClass what, std::span<double> w
   }
 }
 
-SupportLine support_line(const WheelHeights& wheel, double com) {
-  const double last = std::clamp(std::floor(com), 0.0, static_cast<double>(kPlaces - 2));
-  const auto before = static_cast<std::size_t>(last);
-  if (com >= last && com <= last + 1.0) com = std::clamp(com, last + kBeside, last + 1.0 - kBeside);
-  SupportLine line = through(wheel, 0, before + 1, com);
-  for (bool higher = true; higher;) {
-    // Best from one end, then from the other: when neither improves it, the line is the highest of
-    // all.
-    const double until_now = line.height;
-    for (std::size_t j = before + 1, i = line.before; j < kPlaces; ++j)
-      raise(line, through(wheel, i, j, com));
-    for (std::size_t i = 0, j = line.after; i <= before; ++i)
-      raise(line, through(wheel, i, j, com));
-    higher = line.height > until_now;
-  }
-  return line;
-}
-
 World::World(const course::Terrain& terrain, const course::ShapeValues& shape)
     : terrain_(terrain), shape_(shape) {
   for (const course::Ramp& ramp : terrain_.ramps)
@@ -223,14 +237,14 @@ World::Support World::support(double x_m, double y_m, double cos_yaw, double sin
 
   double tried_rad = result.slope_rad, tried_before_rad = 0.0;
   WheelHeights wheel{};
-  std::array<ObstacleClass, SupportLine::kPlaces> ground{};
+  std::array<ObstacleClass, kPlaces> ground{};
   for (int round = 0; round < kRounds; ++round) {
     tried_rad = std::clamp(tried_rad, -kSteepestRad, kSteepestRad);
     const double c = std::cos(tried_rad);
     const double s = std::sin(tried_rad);
     const double middle = -radius * s;
     const double half = shape_.axle_spacing_m / 2.0 * c;
-    const double step = 2.0 * half / (SupportLine::kPlaces - 1);
+    const double step = 2.0 * half / (kPlaces - 1);
     wheel.fill(radius);
     ground.fill(ObstacleClass::kNone);
     for (std::size_t n = 0; n < count; ++n)

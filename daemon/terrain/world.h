@@ -66,24 +66,6 @@ class Profile {
   std::size_t edge_count_ = 0;
 };
 
-/// A line between two wheels of a track, on which the track rests.
-struct SupportLine {
-  /// Number of positions at which the track's underside is sampled.
-  static constexpr std::size_t kPlaces = 41;
-
-  std::size_t before = 0, after = 0;
-  double rise = 0.0;    ///< from place to place
-  double height = 0.0;  ///< at the centre of mass
-};
-
-/// Heights of a wheel's centre at evenly spaced positions, rear end first.
-using WheelHeights = std::array<double, SupportLine::kPlaces>;
-
-/// The line through one position up to `com` and one beyond it that is highest at `com`, which is
-/// given in positions and may lie beyond the ends: it touches the wheels and cuts none. Bounded
-/// time, no allocation.
-SupportLine support_line(const WheelHeights& wheel, double com);
-
 /// Attitude and height of the robot.
 struct ContactPose {
   double height_m = 0.0;   ///< of the reference point above the floor

@@ -80,10 +80,10 @@ TEST(Path, ProjectionReturnsTheOffsetOfPointsBesideTheSegment) {
 
 TEST(Path, ProjectionAndOffsetsStopAtTheEnds) {
   const Path path(course_of({Line{1.0}, Arc{0.5, kPi / 2}}));
-  EXPECT_EQ(path.project(0, -3.0, 1.0), 0.0);
-  EXPECT_EQ(path.project(0, 4.0, 1.0), 1.0);
-  EXPECT_EQ(path.project(1, 0.9, -0.1), 0.0);
-  EXPECT_EQ(path.project(1, 1.4, 0.7), path.segments()[1].length_m);
+  EXPECT_EQ(path.project(0, -3.0, 1.0, 0.5), 0.0);
+  EXPECT_EQ(path.project(0, 4.0, 1.0, 0.5), 1.0);
+  EXPECT_EQ(path.project(1, 0.9, -0.1, 0.4), 0.0);
+  EXPECT_EQ(path.project(1, 1.4, 0.7, 0.4), path.segments()[1].length_m);
   EXPECT_EQ(path.at(0, -5.0).x_m, 0.0);
   EXPECT_EQ(path.at(0, 5.0).x_m, 1.0);
   EXPECT_EQ(path.at(-5.0).x_m, 0.0);

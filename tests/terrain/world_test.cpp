@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -89,35 +88,6 @@ TEST(Profile, IsTheHeightOfThePieceAlongTheCut) {
   expect_heights_and_ends(kRamp);
   expect_heights_and_ends(kPeak);
   expect_heights_and_ends(kBlock);
-}
-
-// A wheel is lifted until no point of the piece, at any distance, is inside it.
-template <class Piece>
-void expect_lifted(const Piece& piece) {
-  static constexpr double kRadiusM = 0.033, kFirstM = -0.31, kStepM = 0.063;
-  for_many_cuts(piece, [](const Profile& profile, const auto& height_at) {
-    std::array<double, 11> wheel{};
-    std::array<ObstacleClass, 11> ground{};
-    wheel.fill(0.03);
-    profile.lift({kFirstM, kStepM, kRadiusM}, ObstacleClass::kBlock, wheel, ground);
-    for (std::size_t n = 0; n < wheel.size(); ++n) {
-      const double at_m = kFirstM + kStepM * static_cast<double>(n);
-      double highest_m = 0.0;
-      for (double angle = -kPi / 2.0; angle < kPi / 2.0; angle += 5e-4) {
-        const double height_m = height_at(at_m + kRadiusM * std::sin(angle));
-        if (height_m > 0.0) highest_m = std::max(highest_m, height_m + kRadiusM * std::cos(angle));
-      }
-      // The foot of a ramp has no height, but the wheel touches it: at most the floor's radius.
-      ASSERT_GT(wheel[n], highest_m - 1e-9) << n;
-      ASSERT_LT(wheel[n], std::max(kRadiusM, highest_m + 1e-4) + 1e-9) << n;
-      ASSERT_EQ(ground[n] == ObstacleClass::kBlock, wheel[n] > 0.03) << n;
-    }
-  });
-}
-
-TEST(Profile, LiftsWheelsOutOfThePiece) {
-  expect_lifted(kRamp);
-  expect_lifted(kBlock);
 }
 
 constexpr course::ShapeValues kLopsided{.length_m = 0.2,
@@ -371,42 +341,6 @@ TEST(World, AnswersEveryPoseWithinBounds) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   world.at({.x_m = nan, .y_m = nan, .yaw_rad = nan});
   world.at({.x_m = 0.7, .y_m = -0.8, .yaw_rad = nan});
-}
-
-constexpr std::size_t kPlaces = SupportLine::kPlaces;
-
-double highest_of_all(const WheelHeights& wheel, double com) {
-  const auto before =
-      static_cast<std::size_t>(std::clamp(std::floor(com), 0.0, static_cast<double>(kPlaces - 2)));
-  double highest = -1e9;
-  for (std::size_t i = 0; i <= before; ++i) {
-    for (std::size_t j = before + 1; j < kPlaces; ++j) {
-      const double rise = (wheel[j] - wheel[i]) / static_cast<double>(j - i);
-      highest = std::max(highest, wheel[i] + rise * (com - static_cast<double>(i)));
-    }
-  }
-  return highest;
-}
-
-TEST(SupportLine, NoOtherLineIsHigher) {
-  std::mt19937 random(3);
-  std::uniform_real_distribution<double> height(0.02, 0.12);
-  std::uniform_real_distribution<double> place(-3.0, 43.0);
-  for (int i = 0; i < 20'000; ++i) {
-    WheelHeights wheel{};
-    wheel.fill(0.03);
-    // The ground ranges from a few peaks to a rough surface.
-    for (int n = 0; n < 1 + i % 40; ++n) wheel[random() % kPlaces] = height(random);
-    // The centre of mass may also lie exactly at a place or next to one.
-    double com = place(random);
-    if (i % 3 == 1) com = std::round(com);
-    if (i % 3 == 2) com = std::nextafter(std::round(com), -1.0);
-    const SupportLine line = support_line(wheel, com);
-    ASSERT_NEAR(line.height, highest_of_all(wheel, com), 1e-9) << i << " com " << com;
-    ASSERT_LT(line.before, line.after);
-    ASSERT_DOUBLE_EQ(line.rise, (wheel[line.after] - wheel[line.before]) /
-                                    static_cast<double>(line.after - line.before));
-  }
 }
 
 }  // namespace
