@@ -54,7 +54,7 @@ Corner::Corner(const course::PathSegment& turn, double x_icr_m, double room_m)
 
   Corner best = *this, tried = *this;
   tried.x_icr_m_ = x_icr_m;
-  best.worst_m_ = chord;
+  double least_m = chord;
   for (int i = 1; i <= kRadii; ++i) {
     tried.radius_m_ = x * kWidest * i / kRadii;
     for (int j = 1; j <= kArcs; ++j) {
@@ -64,8 +64,10 @@ Corner::Corner(const course::PathSegment& turn, double x_icr_m, double room_m)
       tried.arc_end_m_ = tried.radius_m_ * std::sin(tried.arc_rad_) - aside / std::tan(angle_rad_);
       // The reference point neither begins nor ends beyond the corner.
       if (tried.spot_m_ < x || tried.arc_end_m_ + tried.spot_m_ > room_m) continue;
-      tried.worst_m_ = std::max(tried.worst_of_turn_m(), kOffM);
-      if (tried.worst_m_ < best.worst_m_) best = tried;
+      const double worst_m = std::max(tried.worst_of_turn_m(), kOffM);
+      if (worst_m >= least_m) continue;
+      least_m = worst_m;
+      best = tried;
     }
   }
   *this = best;

@@ -63,8 +63,6 @@ class Corner {
   /// Speed along the robot while it turns at `rate_radps`: the arc's, plus a small correction of
   /// its distance to the next line.
   double speed_mps(const Pose& pose, double rate_radps) const;
-  /// Greatest distance of the reference point from the nearer line in an undisturbed turn.
-  double worst_m() const { return worst_m_; }
 
  private:
   struct Spot {
@@ -83,7 +81,6 @@ class Corner {
   double arc_rad_ = 0.0;    ///< part of the turn that is on the arc
   double arc_end_m_ = 0.0;  ///< from the corner to where the arc touches its line, ...
   double spot_m_ = 0.0;     ///< ... and to where it meets the other one
-  double worst_m_ = 0.0;
 };
 
 }  // namespace tp100::control

@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/arithmetic.h"
@@ -114,7 +115,37 @@ Matrix riccati(Matrix a, const Vector& b, const Matrix& q, double r) {
   return h;
 }
 
-Lqr::Gains solve(const Parameters& parameters, double speed_mps) {
+/// Linear quadratic regulator on cross-track error, heading error and turn rate. The robot's turn
+/// rate follows with a lag, so the plant is e' = v psi, psi' = w, w' = (u - w) / T around the
+/// path's own turn; gains come from the discrete Riccati equation, solved at set-up for a range of
+/// speeds.
+class Lqr final : public Law {
+ public:
+  Lqr(const Parameters& parameters, const TrackLimits& limits);
+
+  double look_ahead_m(double speed_mps) const override { return speed_mps * parameters_.preview_s; }
+  LawOutput steer(const PathErrors& errors) const override;
+  /// The gains stay as they were solved.
+  void retune(const Parameters& parameters) override { parameters_ = parameters; }
+
+ private:
+  /// u = -(cross_track e + heading psi + rate w), w being the turn rate beyond the path's own.
+  struct Gains {
+    double cross_track = 0.0;  ///< [rad/s/m]
+    double heading = 0.0;      ///< [1/s]
+    double rate = 0.0;         ///< [1]
+  };
+  static Gains solve(const Parameters& parameters, double speed_mps);
+  /// Linear between the solved speeds, outside them those of the nearest.
+  Gains gains(double speed_mps) const;
+
+  static constexpr std::size_t kSpeeds = 12;
+  Parameters parameters_;
+  double yaw_kp_;
+  std::array<Gains, kSpeeds> gains_{};
+};
+
+Lqr::Gains Lqr::solve(const Parameters& parameters, double speed_mps) {
   const double lag_s = std::max(parameters.preview_s, kShortestLagS);
   Matrix a = Matrix::Identity();
   a(0, 1) = speed_mps * kStepS;
@@ -131,8 +162,6 @@ Lqr::Gains solve(const Parameters& parameters, double speed_mps) {
   const Eigen::RowVector3d k = b.transpose() * p * a / (r + b.dot(p * b));
   return {k[0], k[1], k[2]};
 }
-
-}  // namespace
 
 Lqr::Lqr(const Parameters& parameters, const TrackLimits& limits)
     : parameters_(parameters), yaw_kp_(limits.yaw_kp) {
@@ -151,8 +180,6 @@ Lqr::Gains Lqr::gains(double speed_mps) const {
           std::lerp(a.rate, b.rate, share)};
 }
 
-double Lqr::look_ahead_m(double speed_mps) const { return speed_mps * parameters_.preview_s; }
-
 LawOutput Lqr::steer(const PathErrors& errors) const {
   const Gains k = gains(errors.speed_mps);
   LawOutput steering;
@@ -169,6 +196,8 @@ LawOutput Lqr::steer(const PathErrors& errors) const {
       std::clamp(approach_rad, -parameters_.max_approach_rad, parameters_.max_approach_rad);
   return steering;
 }
+
+}  // namespace
 
 std::unique_ptr<Law> make_law(const Parameters& parameters, const TrackLimits& limits) {
   switch (parameters.law) {

@@ -2,8 +2,6 @@
 // A steering law: from the robot's errors against the path to the desired yaw and turn rate.
 // Segments, progress, turns on the spot and speed are the tracker's and the same for every law.
 
-#include <array>
-#include <cstddef>
 #include <memory>
 
 #include "control/parameters.h"
@@ -46,35 +44,6 @@ class Law {
   virtual LawOutput steer(const PathErrors& errors) const = 0;
   /// Applies the parameters that need no solving; the law itself stays the same.
   virtual void retune(const Parameters& parameters) = 0;
-};
-
-/// Linear quadratic regulator on cross-track error, heading error and turn rate. The robot's turn
-/// rate follows with a lag, so the plant is e' = v psi, psi' = w, w' = (u - w) / T around the
-/// path's own turn; gains come from the discrete Riccati equation, solved at set-up for a range of
-/// speeds.
-class Lqr final : public Law {
- public:
-  Lqr(const Parameters& parameters, const TrackLimits& limits);
-
-  /// u = -(cross_track e + heading psi + rate w), w being the turn rate beyond the path's own.
-  struct Gains {
-    double cross_track = 0.0;  ///< [rad/s/m]
-    double heading = 0.0;      ///< [1/s]
-    double rate = 0.0;         ///< [1]
-  };
-  /// Gains at a speed: linear between the solved speeds, outside them those of the nearest.
-  Gains gains(double speed_mps) const;
-
-  double look_ahead_m(double speed_mps) const override;
-  LawOutput steer(const PathErrors& errors) const override;
-  /// The gains stay as they were solved.
-  void retune(const Parameters& parameters) override { parameters_ = parameters; }
-
- private:
-  static constexpr std::size_t kSpeeds = 12;
-  Parameters parameters_;
-  double yaw_kp_;
-  std::array<Gains, kSpeeds> gains_{};
 };
 
 /// Creates the law that `parameters` name. Allocates and solves: set-up only.

@@ -9,6 +9,10 @@
 namespace tp100::control {
 namespace {
 
+// Limit of the distance that the duty implies beyond the counted one, and the shortest time until a
+// blocked track is reported, whatever its duty.
+constexpr double kMissingM = 0.04, kSoonestS = 0.7;
+
 // Duty that a track may need beyond its usual one: always; in a turn, where it scrubs over the
 // floor; on a slope; and with the greatest load that traction can put on it.
 constexpr double kMarginDuty = 0.02;

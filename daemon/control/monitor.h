@@ -34,11 +34,6 @@ struct Load {
 /// detected. No allocation; safe in the real-time thread.
 class DutyMonitor {
  public:
-  /// Limit of the distance that the duty implies beyond the counted one. [m]
-  static constexpr double kMissingM = 0.04;
-  /// Shortest time until a blocked track is reported, whatever its duty. [s]
-  static constexpr double kSoonestS = 0.7;
-
   explicit DutyMonitor(const MotorModel& motor) : motor_(motor) {}
 
   /// A run begins.
@@ -46,7 +41,6 @@ class DutyMonitor {
   /// Takes duty (-1..1) and measured speed, forward positive, over `dt_s`. True: too much is
   /// missing.
   bool update(double duty, double track_mps, const Load& load, double dt_s);
-  double missing_m() const { return missing_m_; }
 
  private:
   void learn(double above_dead_band, double track_mps, double turn_duty, const Load& load,

@@ -18,12 +18,19 @@ constexpr double kWorstOffsetRad = 4.6 * kRadPerDeg;
 // Faster than this, the robot is being tilted.
 constexpr double kTiltingRadps = 0.05;
 constexpr double kFirstS = 0.2;
+// Gravity counts over longer times, the gyro over shorter ones; a deviation beyond this share of
+// gravity is not gravity. Offsets are learned over kLevelS.
+constexpr double kGravityS = 0.7, kSteadyShare = 0.1, kLevelS = 5.0;
 // Near the vertical the heading is undefined.
 constexpr double kMinCosPitch = 0.2;
 
 constexpr AttitudeFilter::Vector kUpright{0.0, 0.0, kStandardGravityMps2};
 
 double norm(const AttitudeFilter::Vector& a) { return magnitude(a[0], a[1], a[2]); }
+
+// A slope begins and ends at these angles, once that has lasted.
+constexpr double kEnterSlopeRad = 4.0 * kRadPerDeg, kLeaveSlopeRad = 2.5 * kRadPerDeg;
+constexpr double kSlopeLastsS = 0.12;
 
 // A body tilted by less counts as level: noise and offset of the pitch.
 constexpr double kLevelRad = 2.0 * kRadPerDeg;
@@ -49,7 +56,7 @@ bool AttitudeFilter::looks_level(const Vector& gyro_radps, const Vector& accel_m
 void AttitudeFilter::level(const Vector& gyro_radps, const Vector& accel_mps2, double dt_s) {
   if (dt_s <= 0.0 || !looks_level(gyro_radps, accel_mps2)) return;
   // A plain mean at first, then one that forgets.
-  levelled_s_ = std::min(levelled_s_ + dt_s, parameters_.level_s);
+  levelled_s_ = std::min(levelled_s_ + dt_s, kLevelS);
   const double share = dt_s / levelled_s_;
   for (std::size_t i = 0; i < 3; ++i) {
     gyro_offset_[i] += (gyro_radps[i] - gyro_offset_[i]) * share;
@@ -58,7 +65,7 @@ void AttitudeFilter::level(const Vector& gyro_radps, const Vector& accel_mps2, d
 }
 
 void AttitudeFilter::resume(const CarriedAttitude& state) {
-  *this = AttitudeFilter(parameters_);
+  *this = {};
   levelled_s_ = state.levelled_s;
   gyro_offset_ = state.gyro_offset_radps;
   accel_offset_ = state.accel_offset_mps2;
@@ -73,16 +80,14 @@ void AttitudeFilter::update(const Vector& gyro_radps, const Vector& accel_mps2, 
   const double cr = std::cos(roll_rad_), sr = std::sin(roll_rad_);
   // Turning while tilted turns pitch into roll and back.
   body_y_radps_ = wy;
-  pitch_rate_radps_ = cr * wy - sr * wz;
+  const double pitch_rate = cr * wy - sr * wz;
   const double roll_rate = wx + std::tan(pitch_rad_) * (sr * wy + cr * wz);
   roll_rad_ += roll_rate * dt_s;
-  pitch_rad_ += pitch_rate_radps_ * dt_s;
+  pitch_rad_ += pitch_rate * dt_s;
   Vector force = accel_mps2;
   for (std::size_t i = 0; i < 3; ++i) force[i] -= accel_offset_[i];
-  if (std::abs(norm(force) - kStandardGravityMps2) >
-      parameters_.steady_share * kStandardGravityMps2)
-    return;
-  const double share = dt_s / (parameters_.gravity_s + dt_s);
+  if (std::abs(norm(force) - kStandardGravityMps2) > kSteadyShare * kStandardGravityMps2) return;
+  const double share = dt_s / (kGravityS + dt_s);
   roll_rad_ += (roll_of(force) - roll_rad_) * share;
   pitch_rad_ += (pitch_of(force) - pitch_rad_) * share;
 }
@@ -96,9 +101,7 @@ Slope SlopeState::update(double pitch_rad, double dt_s) {
   const double steep = std::abs(pitch_rad);
   const Slope side = pitch_rad < 0.0 ? Slope::kUp : Slope::kDown;
   Slope seen = Slope::kFlat;
-  if (steep > parameters_.enter_slope_rad ||
-      (side == state_ && steep > parameters_.leave_slope_rad))
-    seen = side;
+  if (steep > kEnterSlopeRad || (side == state_ && steep > kLeaveSlopeRad)) seen = side;
   if (seen == state_) {
     lasted_s_ = 0.0;
     candidate_ = seen;
@@ -106,7 +109,7 @@ Slope SlopeState::update(double pitch_rad, double dt_s) {
   }
   lasted_s_ = seen == candidate_ ? lasted_s_ + dt_s : dt_s;
   candidate_ = seen;
-  if (lasted_s_ >= parameters_.slope_lasts_s) {
+  if (lasted_s_ >= kSlopeLastsS) {
     state_ = seen;
     lasted_s_ = 0.0;
   }

@@ -8,7 +8,6 @@
 
 #include "core/estimates.h"
 #include "core/step_record.h"
-#include "estimation/parameters.h"
 
 namespace tp100::estimation {
 
@@ -18,8 +17,6 @@ namespace tp100::estimation {
 class AttitudeFilter {
  public:
   using Vector = std::array<double, 3>;
-
-  explicit AttitudeFilter(const AttitudeParameters& parameters) : parameters_(parameters) {}
 
   /// The tracks stand still for `dt_s`: learns both sensors' offsets, unless the robot is being
   /// tilted or is steeper than any offset.
@@ -35,8 +32,6 @@ class AttitudeFilter {
 
   double roll_rad() const { return roll_rad_; }
   double pitch_rad() const { return pitch_rad_; }
-  /// Rate of pitch_rad(), offsets removed.
-  double pitch_rate_radps() const { return pitch_rate_radps_; }
   /// Rate of the heading (z-y-x Euler rate) of a body whose own z axis turns at `body_z_radps`,
   /// offset removed.
   double yaw_rate_radps(double body_z_radps) const;
@@ -44,12 +39,10 @@ class AttitudeFilter {
  private:
   bool looks_level(const Vector& gyro_radps, const Vector& accel_mps2) const;
 
-  AttitudeParameters parameters_;
   double levelled_s_ = 0.0;
   Vector gyro_offset_{};
   Vector accel_offset_{};
   double roll_rad_ = 0.0, pitch_rad_ = 0.0;
-  double pitch_rate_radps_ = 0.0;
   double body_y_radps_ = 0.0;
 };
 
@@ -57,14 +50,11 @@ class AttitudeFilter {
 /// angle, so that noise or a bump change nothing. No allocation; safe in the real-time thread.
 class SlopeState {
  public:
-  explicit SlopeState(const AttitudeParameters& parameters) : parameters_(parameters) {}
-
   /// One interval with the pitch of the body, nose-up negative.
   Slope update(double pitch_rad, double dt_s);
   Slope state() const { return state_; }
 
  private:
-  AttitudeParameters parameters_;
   Slope state_ = Slope::kFlat;
   Slope candidate_ = Slope::kFlat;
   double lasted_s_ = 0.0;

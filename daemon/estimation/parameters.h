@@ -59,23 +59,12 @@ struct CameraParameters {
   double marker_height_m = 0.06;  ///< above the reference point of the upright robot
 };
 
-/// Roll, pitch and slope from the IMU.
-struct AttitudeParameters {
-  double gravity_s = 0.7;     ///< gravity counts over longer times, the gyro over shorter ones
-  double steady_share = 0.1;  ///< a deviation beyond this share of gravity is not gravity
-  double level_s = 5.0;       ///< offsets are learned over this long
-  double enter_slope_rad = 4.0 * kRadPerDeg;
-  double leave_slope_rad = 2.5 * kRadPerDeg;
-  double slope_lasts_s = 0.12;  ///< a change counts after this long
-};
-
 struct Parameters {
   double still_s = 0.5;  ///< both tracks at standstill for this long before the gyro bias is taken
   double still_gyro_sd_radps = 0.01;  ///< with more gyro noise the robot does not stand still
   double bias_time_s = 2.0;           ///< time constant of the bias at standstill
   FilterParameters filter{};
   CameraParameters camera{};
-  AttitudeParameters attitude{};
 };
 
 }  // namespace tp100::estimation
