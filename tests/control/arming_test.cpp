@@ -269,16 +269,6 @@ TEST_F(ArmingTest, StopIsRequestedInEveryStateAndLatches) {
   }
 }
 
-TEST_F(ArmingTest, GoesOnFromAStateWithItsFaultsAndNothingElse) {
-  begin();
-  arming_.resume(RunState::kAborted, fault_bit(Fault::fence));
-  EXPECT_EQ(arming_.state(), RunState::kAborted);
-  EXPECT_EQ(arming_.faults(), fault_bit(Fault::fence));
-  EXPECT_TRUE(arming_.at_rest());
-  EXPECT_FALSE(arming_.just_began());
-  begin();
-}
-
 TEST(Pause, LastsTwoMinutesAtMostHoweverOftenItIsAskedFor) {
   Pause pause;
   for (int i = 1; i < 120; ++i) {

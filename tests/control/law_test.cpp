@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 
@@ -195,79 +194,7 @@ TEST(PurePursuit, TurnsOnTheCircleThroughThePointAhead) {
   EXPECT_EQ(law->steer(arc).yaw_rate_radps, 0.2);
 }
 
-TEST(Lqr, TurnsByItsGainsBeyondThePathsOwnTurn) {
-  Parameters p;
-  p.law = LawName::kLqr;
-  const TrackLimits limits{.yaw_kp = 3.4};
-  const Lqr law(p, limits);
-  EXPECT_EQ(law.look_ahead_m(0.2), 0.2 * p.preview_s);
-  expect_turn(law, p, limits.yaw_kp, [&](const PathErrors& e) {
-    const Lqr::Gains k = law.gains(e.speed_mps);
-    const double path_radps = e.ahead.curvature_1pm * e.speed_mps;
-    EXPECT_EQ(law.steer(e).yaw_rate_radps, path_radps);
-    // Far away it asks for the steepest approach and no more.
-    const double most = k.heading * p.max_approach_rad;
-    return path_radps - std::clamp(k.cross_track * e.cross_track_m, -most, most) -
-           k.heading * (e.heading_rad + e.crab_rad - e.ahead.yaw_rad) -
-           k.rate * (e.yaw_rate_radps - path_radps);
-  });
-}
-
 INSTANTIATE_TEST_SUITE_P(Laws, EveryLaw, testing::ValuesIn(kLawNames), name_of);
-
-/// Gains of the infinite horizon, by extending a finite one step by step: the plant moves by
-/// v psi dt aside and by w dt in heading, and its turn rate w follows with the lag.
-Lqr::Gains recursed(const Parameters& p, double speed_mps) {
-  using Row = std::array<double, 3>;
-  constexpr double kStepS = 0.005;
-  const double kept = std::exp(-kStepS / std::max(p.preview_s, 0.01));
-  const std::array<Row, 3> a{
-      {{1.0, speed_mps * kStepS, 0.0}, {0.0, 1.0, kStepS}, {0.0, 0.0, kept}}};
-  const Row cost{std::pow(p.lqr_cross_track_m, -2), std::pow(p.lqr_heading_rad, -2), 0.0};
-  const double effort = std::pow(p.lqr_turn_radps, -2), steered = 1.0 - kept;
-  std::array<Row, 3> to_go{{{cost[0], 0.0, 0.0}, {0.0, cost[1], 0.0}, {0.0, 0.0, 0.0}}};
-  Row k{};
-  for (int round = 0; round < 50000; ++round) {
-    std::array<Row, 3> ahead{};  // to_go * a
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j)
-        for (std::size_t n = 0; n < 3; ++n) ahead[i][j] += to_go[i][n] * a[n][j];
-    for (std::size_t j = 0; j < 3; ++j)
-      k[j] = steered * ahead[2][j] / (effort + steered * steered * to_go[2][2]);
-    std::array<Row, 3> longer{};  // cost + a^T to_go (a - b k)
-    for (std::size_t i = 0; i < 3; ++i) {
-      longer[i][i] = cost[i];
-      for (std::size_t j = 0; j < 3; ++j)
-        for (std::size_t n = 0; n < 3; ++n)
-          longer[i][j] += a[n][i] * (ahead[n][j] - to_go[n][2] * steered * k[j]);
-    }
-    to_go = longer;
-  }
-  return {k[0], k[1], k[2]};
-}
-
-TEST(Lqr, ItsGainsMinimiseTheCostAtEachSolvedSpeedAndAreLinearBetweenThem) {
-  Parameters quick, soft;
-  quick.preview_s = 0.004;
-  soft = {
-      .preview_s = 0.11, .lqr_cross_track_m = 0.03, .lqr_heading_rad = 0.15, .lqr_turn_radps = 0.4};
-  for (const Parameters& p : {Parameters{}, quick, soft}) {
-    const Lqr law(p, {});
-    const auto expect_near = [](const Lqr::Gains& is, const Lqr::Gains& right) {
-      EXPECT_NEAR(is.cross_track, right.cross_track, 2e-4 * right.cross_track);
-      EXPECT_NEAR(is.heading, right.heading, 2e-4 * right.heading);
-      EXPECT_NEAR(is.rate, right.rate, 2e-4 * right.rate);
-    };
-    for (const double speed : {0.01, 0.015, 0.01 * std::pow(1.5, 6), 0.01 * std::pow(1.5, 11)})
-      expect_near(law.gains(speed), recursed(p, speed));
-    const Lqr::Gains low = law.gains(0.01), high = law.gains(0.015);
-    expect_near(law.gains(0.0125),
-                {(low.cross_track + high.cross_track) / 2.0, (low.heading + high.heading) / 2.0,
-                 (low.rate + high.rate) / 2.0});
-    expect_near(law.gains(0.0), low);
-    expect_near(law.gains(5.0), law.gains(0.01 * std::pow(1.5, 11)));
-  }
-}
 
 }  // namespace
 }  // namespace tp100::control

@@ -9,7 +9,6 @@
 #include <functional>
 
 #include "lagging_robot.h"
-#include "support/sequence.h"
 
 namespace tp100::control {
 namespace {
@@ -243,97 +242,6 @@ TEST_F(MonitoredRun, ARobotThatIsHeldForLessThanHalfASecondGoesOn) {
 
 constexpr MotorModel kMotor{.dead_band = 0.1, .feed_forward = 4.0};
 
-/// What a duty explains by its definition, written out once more. A track needs the duty of its
-/// file times a gain, which is learned, a tenth of that and 0.02; more in a turn, on a slope and on
-/// an obstacle. The rest is missed, as the distance that it would drive, up to 4 cm in 0.7 s.
-class DutyByDefinition {
- public:
-  bool update(double duty, double track_mps, const Load& load) {
-    const double mps = std::max(0.0, duty < 0.0 ? -track_mps : track_mps);
-    // A load is forgotten slowly, an obstacle after a second.
-    turning_ = std::max(std::min(load.turning, 0.4), turning_ - 0.5 * kDt);
-    obstacle_s_ = load.on_obstacle ? 1.0 : std::max(0.0, obstacle_s_ - kDt);
-    mean_mps_ += (mps - mean_mps_) * kDt / 0.2;
-    const double above = std::abs(duty) - kMotor.dead_band, most_mps = 0.04 / 0.7;
-    if (above <= 0.0) {
-      miss(-most_mps, duty);
-      return false;
-    }
-    // Friction takes a smaller share at a higher speed: there the gain is the greatest again.
-    const double known_mps = std::min(mps, 1.25 * learned_mps_);
-    const double usual = kMotor.feed_forward * (gain_ * known_mps + 1.4 * (mps - known_mps));
-    const double turn =
-        turning_ < 0.12 ? 0.2 * turning_ / 0.12 : 0.2 + 0.2 * (turning_ - 0.12) / 0.28;
-    const double slope = 0.8 * std::abs(load.pitch_rad), obstacle = obstacle_s_ > 0.0 ? 0.4 : 0.0;
-    const double unexplained = above - 1.1 * usual - 0.02 - turn - slope - obstacle;
-    miss(std::min(unexplained / kMotor.feed_forward, most_mps), duty);
-    const bool free = turning_ < 0.05 && std::abs(load.pitch_rad) < 0.03 && obstacle_s_ == 0.0;
-    if (free && mps > 0.028 && mps > 0.95 * mean_mps_ && mps < 1.1 * mean_mps_)
-      learn(above, mps, turn);
-    return std::abs(missing_m) > 0.04;
-  }
-
-  double missing_m = 0.0;
-
- private:
-  void miss(double mps, double duty) {
-    if (mps >= 0.0)
-      missing_m += std::copysign(mps * kDt, duty);
-    else
-      missing_m = std::copysign(std::max(0.0, std::abs(missing_m) + mps * kDt), missing_m);
-  }
-
-  /// Quickly downwards and at a higher speed, else only as fast as a battery sags.
-  void learn(double above, double mps, double turn) {
-    const auto gain_at = [&](double duty) {
-      return std::clamp(duty / kMotor.feed_forward / mps, 0.7, 1.4);
-    };
-    const double gain = std::clamp(gain_, gain_at(above - turn), gain_at(above + turn));
-    const double before_mps = learned_mps_, share = kDt / 0.3;
-    const bool faster = mps > 1.25 * learned_mps_;
-    if (gain < gain_ || faster) learned_mps_ += (mps - learned_mps_) * share;
-    if (gain < gain_)
-      gain_ += (gain - gain_) * share;
-    else if (faster)
-      gain_ = gain + (gain_ - gain) * before_mps / learned_mps_;
-    else
-      gain_ += std::min(gain - gain_, 0.005 * kDt);
-  }
-
-  double gain_ = 1.4, learned_mps_ = 0.0, mean_mps_ = 0.0, turning_ = 0.0, obstacle_s_ = 0.0;
-};
-
-TEST(DutyMonitor, MissesWhatNeitherTheTracksOwnDutyNorItsLoadExplains) {
-  test::Sequence any(21);
-  DutyMonitor monitor(kMotor);
-  DutyByDefinition same;
-  int reports = 0;
-  for (int drive = 0; drive < 600; ++drive) {
-    if (any.chance(0.2)) {
-      monitor.restart();
-      same = {};
-    }
-    const bool level = any.chance(0.5), blocked = any.chance(0.1);
-    const double wobble = any.chance(0.2) ? 0.3 : 0.02, gain = any.between(0.5, 1.5);
-    const double mps = any.between(-0.05, 0.25);
-    const double duty = any.chance(0.1)
-                            ? any.between(-0.2, 0.2)
-                            : std::copysign(kMotor.dead_band + gain * 4.0 * std::abs(mps), mps);
-    const Load load{.turning = level ? any.between(0.0, 0.06) : any.between(0.0, 0.6),
-                    .pitch_rad = level ? any.between(-0.035, 0.035) : any.between(-0.3, 0.3),
-                    .on_obstacle = any.chance(0.1)};
-    const int steps = 10 + any.below(1000);
-    for (int i = 0; i < steps; ++i) {
-      const double now_mps = blocked ? 0.0 : mps * (1.0 + wobble * std::sin(0.3 * i));
-      const bool reported = same.update(duty, now_mps, load);
-      ASSERT_EQ(monitor.update(duty, now_mps, load, kDt), reported) << drive << " " << i;
-      ASSERT_NEAR(monitor.missing_m(), same.missing_m, 1e-9) << drive << " " << i;
-      reports += reported ? 1 : 0;
-    }
-  }
-  EXPECT_GT(reports, 1000);
-}
-
 TEST(DutyMonitor, ABlockedTrackIsReportedAfterFourCentimetresAndNotBeforeSevenTenths) {
   for (const double direction : {1.0, -1.0}) {
     for (const double beyond : {0.03, 0.1, 0.2, 0.8}) {
@@ -345,40 +253,6 @@ TEST(DutyMonitor, ABlockedTrackIsReportedAfterFourCentimetresAndNotBeforeSevenTe
       for (int i = 0; i < 1000; ++i) EXPECT_FALSE(unknown.update(direction, 0.0, {}, kDt));
     }
   }
-}
-
-// Slip explains a share of the turn, and of 0.8 of the way over the wheelbase; on an obstacle a
-// quarter more. The rest may add up to 17 deg, or to 6 deg of rates up to 10 deg/s; a push is
-// forgotten by and by, and one back is made up for.
-TEST(TurnBalance, GyroAndTracksMayDifferByWhatSlipExplainsAndSomeDegrees) {
-  constexpr double kWheelbaseM = 0.25, kShare = 0.04;
-  test::Sequence any(22);
-  TurnBalance balance(kWheelbaseM, kShare);
-  double all_rad = 0.0, slow_rad = 0.0;
-  int reports = 0;
-  for (int drive = 0; drive < 3000; ++drive) {
-    const double turn = any.chance(0.5) ? 0.0 : any.between(-0.5, 0.5);
-    const double difference = any.between(-1.0, 1.0) * (any.chance(0.5) ? 0.1 : 1.0);
-    const double gyro = turn + difference, mps = any.between(0.0, 0.2);
-    const bool on_obstacle = any.chance(0.2);
-    const double share = kShare + (on_obstacle ? 0.25 : 0.0);
-    const double slip = share * (std::abs(gyro) + 0.8 * mps / kWheelbaseM) * kDt;
-    const double slow = std::clamp(difference, -10.0 * kRadPerDeg, 10.0 * kRadPerDeg);
-    for (int i = any.below(400); i > 0; --i) {
-      all_rad += difference * kDt;
-      slow_rad += slow * kDt;
-      for (double* sum : {&all_rad, &slow_rad})
-        *sum = std::copysign(std::max(0.0, std::abs(*sum) - slip), *sum);
-      const bool reported =
-          std::abs(all_rad) > 17.0 * kRadPerDeg || std::abs(slow_rad) > 6.0 * kRadPerDeg;
-      ASSERT_EQ(balance.update(gyro, turn, mps, on_obstacle, kDt), reported) << drive;
-      if (!reported) continue;
-      ++reports;
-      balance.restart();
-      all_rad = slow_rad = 0.0;
-    }
-  }
-  EXPECT_GT(reports, 100);
 }
 
 TEST(JumpMonitor, CountsOfEitherTrackGrowAsFastAsATrackCanAndNoFaster) {

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "lagging_robot.h"
 #include "support/sequence.h"
@@ -23,38 +22,6 @@ course::Path joined_path() {
 
 bool is_turn(const course::PathSegment& segment) {
   return segment.kind == course::PathSegment::Kind::kPivot;
-}
-
-TEST(Progress, FollowsARobotOnThePathAndKnowsTheWayToTheNextStop) {
-  const course::Path path = joined_path();
-  const auto& segments = path.segments();
-  Progress progress(path);
-  for (double s_m = 0.0; s_m < path.length_m(); s_m += 0.0031) {
-    SCOPED_TRACE(s_m);
-    std::size_t turn = 0;  // the next one
-    while (turn < segments.size() && (!is_turn(segments[turn]) || segments[turn].begin.s_m < s_m))
-      ++turn;
-    while (progress.next_turn() < turn) ASSERT_TRUE(progress.next());
-    const double stop_m = turn < segments.size() ? segments[turn].begin.s_m : path.length_m();
-    const course::PathPoint at = path.at(s_m);
-    progress.advance(at.x_m, at.y_m);
-    EXPECT_NEAR(progress.here().s_m, s_m, 1e-9);
-    EXPECT_EQ(progress.next_turn(), turn);
-    EXPECT_NEAR(progress.left_m(), stop_m - s_m, 1e-9);
-    for (const double distance_m : {0.0, 0.04, 0.3}) {
-      // Beyond the stop it goes straight on.
-      const course::PathPoint inside = path.at(std::min(s_m + distance_m, stop_m));
-      const double beyond_m = std::max(0.0, s_m + distance_m - stop_m);
-      const course::PathPoint ahead = progress.ahead(distance_m);
-      EXPECT_NEAR(ahead.s_m, s_m + distance_m, 1e-9);
-      EXPECT_NEAR(ahead.x_m, inside.x_m + beyond_m * std::cos(inside.yaw_rad), 1e-9);
-      EXPECT_NEAR(ahead.y_m, inside.y_m + beyond_m * std::sin(inside.yaw_rad), 1e-9);
-      EXPECT_NEAR(ahead.yaw_rad, inside.yaw_rad, 1e-9);
-    }
-  }
-  EXPECT_FALSE(progress.next());
-  progress.restart();
-  EXPECT_EQ(progress.here().s_m, 0.0);
 }
 
 TEST(Progress, NeverGoesBackAndNeverFurtherAheadThanFiveCentimetresAStep) {

@@ -102,26 +102,6 @@ TEST(Tracker, AWholeTurnMoreOfThePosesYawChangesNothing) {
   }
 }
 
-// Arcs of less than 15 cm are driven more slowly, in proportion to the radius.
-TEST(Tracker, TheNominalDurationIsThatOfItsSegmentsItsStartAndItsEnd) {
-  const auto nominal_s = [](std::vector<course::Segment> segments, double speed_mps) {
-    const course::Path path(make_course(std::move(segments)));
-    return Tracker(Parameters{}, path, {.speed_mps = speed_mps}).nominal_duration_s();
-  };
-  const Parameters p;
-  const double drive_s = 0.7 / 0.12 + 0.075 * 2.0 / 0.06 + 0.3 * 1.0 / 0.12;
-  const double turn_s = 1.2 / p.pivot_rate_radps +
-                        p.pivot_rate_radps / p.pivot_acceleration_radps2 + 2.0 * p.settle_s;
-  EXPECT_NEAR(nominal_s({course::Line{0.7}, course::Arc{0.075, 2.0}, course::Pivot{-1.2},
-                         course::Arc{0.3, -1.0}},
-                        0.12),
-              drive_s + turn_s + 0.12 / p.acceleration_mps2 + p.settle_s, 1e-9);
-  EXPECT_NEAR(nominal_s({course::Arc{0.01, 2.0}}, 0.1),
-              0.02 / p.min_speed_mps + 0.1 / p.acceleration_mps2 + p.settle_s, 1e-9);
-  EXPECT_NEAR(nominal_s({course::Arc{0.01, 2.0}}, 0.011),
-              0.02 / 0.011 + 0.011 / p.acceleration_mps2 + p.settle_s, 1e-9);
-}
-
 /// Lines, arcs and turns of all sizes, to both sides, away from the axes.
 course::Path winding_path() {
   course::Course course = make_course(
@@ -272,56 +252,6 @@ TEST(Tracker, APlaceIsAsFarOffAsFromThePathNearbyWithinTheSlack) {
   EXPECT_NEAR(tracker.off_path_m(0.53, 0.04, 0.1), 0.04, 1e-9);
   EXPECT_NEAR(tracker.off_path_m(0.64, 0.03, 0.1), 0.05, 1e-9);
   EXPECT_NEAR(tracker.off_path_m(0.36, 0.03, 0.1), 0.05, 1e-9);
-}
-
-TEST(DisturbanceDetector, ATurnIsOneThatDiffersFromTheTracksForFifteenMilliseconds) {
-  for (const double side : {1.0, -1.0}) {
-    DisturbanceDetector disturbance{Parameters{}};
-    disturbance.restart(0);
-    const auto update = [&](double differs_radps) {
-      return disturbance.update({.gyro_radps = -0.2 + side * differs_radps, .tracks_radps = -0.2},
-                                kDt);
-    };
-    for (int i = 0; i < 100; ++i) EXPECT_FALSE(update(0.499));
-    for (int i = 0; i < 100; ++i) EXPECT_FALSE(update(i % 3 == 0 ? 0.0 : 2.0)) << "noise";
-    for (const bool now : {false, false, true, true}) EXPECT_EQ(update(0.501), now);
-    EXPECT_FALSE(update(0.0));
-    EXPECT_FALSE(update(0.501));
-    disturbance.restart(0);
-    for (const bool now : {false, false, true}) EXPECT_EQ(update(0.501), now);
-  }
-}
-
-TEST(DisturbanceDetector, TheCameraThatContradictsIsOneOnce) {
-  DisturbanceDetector disturbance{Parameters{}};
-  disturbance.restart(3);
-  EXPECT_FALSE(disturbance.update({.contradictions = 3}, kDt));
-  EXPECT_TRUE(disturbance.update({.contradictions = 4}, kDt));
-  EXPECT_FALSE(disturbance.update({.contradictions = 4}, kDt));
-}
-
-TEST(Recovery, EndsOnceTheRobotHasBeenWithinACentimetreAndThreeDegreesForHalfASecond) {
-  for (const double side : {1.0, -1.0}) {
-    Recovery recovery;
-    EXPECT_FALSE(recovery.active());
-    const auto lasts = [&](double cross_track_m, double heading_deg, int steps) {
-      for (int i = 0; i < steps; ++i)
-        recovery.update(side * cross_track_m, side * heading_deg * kRadPerDeg, kDt);
-      return recovery.active();
-    };
-    recovery.begin();
-    EXPECT_TRUE(lasts(0.0101, 0.0, 1000));
-    EXPECT_TRUE(lasts(0.0, 3.01, 1000));
-    EXPECT_TRUE(lasts(0.0099, 2.99, 98));
-    recovery.begin();
-    EXPECT_TRUE(lasts(0.0099, 2.99, 98)) << "another disturbance begins the time anew";
-    EXPECT_TRUE(lasts(0.0101, 0.0, 1)) << "and so does leaving";
-    EXPECT_TRUE(lasts(0.0099, 2.99, 98));
-    EXPECT_FALSE(lasts(0.0099, 2.99, 4));
-    recovery.begin();
-    recovery.restart();
-    EXPECT_FALSE(recovery.active());
-  }
 }
 
 /// A drive along `path`, during which the robot is displaced at 6 s and the tracker is notified.

@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -17,31 +16,6 @@ namespace tp100::estimation {
 namespace {
 
 constexpr double kBaseM = 0.27;
-
-// Half of a slip difference d over a way s turns the robot by 2 d s over the wheelbase. Gyro, edges
-// and the error of the wheelbase explain a part of what is seen. Slip counts as even over 0.6 m.
-TEST(FloorSlip, APieceShowsTheSlipBeyondWhatTheSensorsExplain) {
-  FilterParameters noise;
-  noise.wheelbase_sd = 0.05;
-  noise.gyro_sd_rad_rts = 0.003;
-  noise.edge_m = 1.9e-4;  // a piece has 300 edges
-  FloorSlip slip(noise);
-  double density = 2e-5, seen_m = 0.02;
-  EXPECT_EQ(slip.slip_density_m(), density);
-  for (int i = 0; i < 50; ++i) {
-    const double beyond_rad = i % 4 == 3 ? 0.2 : 0.004 * (i % 4), way_m = 0.03 + 0.0005 * i;
-    slip.add(0.2, way_m, 0.04, 0.04 + beyond_rad, kBaseM);
-    EXPECT_EQ(slip.seen_m(), seen_m) << "too short";
-    slip.add(0.3, way_m, -0.06, -0.06, kBaseM);
-    const double explained =
-        square(0.05 * -0.02) + square(1.9e-4 / kBaseM) / 3.0 + square(0.003) * 0.5;
-    const double squares = (square(beyond_rad) - explained) * square(kBaseM / (2.0 * 2.0 * way_m));
-    seen_m = std::min(seen_m + 2.0 * way_m, 2.0);
-    density += (std::min(squares, square(0.02)) * 0.6 - density) * 2.0 * way_m / seen_m;
-    EXPECT_NEAR(slip.seen_m(), seen_m, 1e-12);
-    EXPECT_NEAR(slip.slip_density_m(), std::max(density, 0.0), 1e-12) << i;
-  }
-}
 
 TEST(FloorSlip, ARobotThatPausedWithinAPieceBeginsItAnew) {
   for (const auto& [pause_s, kept] : {std::pair{3.0, true}, std::pair{3.2, false}}) {
@@ -131,20 +105,6 @@ TEST(ModelCovariance, ARunBeginsAsTheRobotIsPlacedAndAnInterruptionAddsToIt) {
   covariance.interrupt();
   EXPECT_EQ(covariance.pose().yy, square(noise.start_sd_m) + square(noise.disturbed_sd_m));
   EXPECT_EQ(covariance.pose().yaw_yaw, square(noise.start_sd_rad) + square(noise.disturbed_sd_rad));
-}
-
-// What was seen of the floor just before, within a piece, is part of neither.
-TEST(ModelCovariance, GoesOnFromWhatWasCarriedAlsoFromTheStart) {
-  for (const bool from_start : {false, true}) {
-    ModelCovariance covariance({}, {}), again({}, {});
-    drive(covariance, from_start ? 1.03 : 1.0);
-    if (!from_start) covariance.interrupt();
-    again.resume(from_start ? covariance.carried_from_start() : covariance.carried());
-    if (from_start) covariance.begin();
-    for (ModelCovariance* each : {&covariance, &again}) drive(*each, 0.21, 0.01);
-    EXPECT_EQ(again.carried().errors, covariance.carried().errors);
-    EXPECT_EQ(again.carried().slip_density_m, covariance.carried().slip_density_m);
-  }
 }
 
 }  // namespace

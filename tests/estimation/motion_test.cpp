@@ -72,16 +72,6 @@ class MotionModelTest : public testing::Test {
   MotionModel model_{tracks_, noise_};
 };
 
-TEST_F(MotionModelTest, ThePriorIsTheOriginWithTheParametersDeviations) {
-  const FilterState prior = model_.prior();
-  EXPECT_EQ(prior.mean, StateVector::Zero());
-  StateVector sd;
-  sd << noise_.start_sd_m, noise_.start_sd_m, noise_.start_sd_rad, noise_.bias_sd_radps,
-      noise_.slip_sd, noise_.slip_difference_sd, noise_.turn_gain_sd, noise_.bias_per_degc_sd;
-  const StateMatrix right = sd.cwiseProduct(sd).asDiagonal();
-  EXPECT_EQ(prior.covariance, right);
-}
-
 TEST_F(MotionModelTest, MovesTheRobotAsItsTracksAndItsGyroSay) {
   for_many([&](FilterState state, const Motion& motion) {
     const StateVector before = state.mean;
@@ -123,37 +113,6 @@ TEST_F(MotionModelTest, MovesTheRobotAsItsTracksAndItsGyroSay) {
     expected[kBias] += before[kBiasPerDegc] * motion.warming_degc;
     expected[kCommonSlip] *= kept(motion);
     EXPECT_LT((state.mean - expected).cwiseAbs().maxCoeff(), 1e-8);
-  });
-}
-
-TEST_F(MotionModelTest, AnIntervalAddsTheNoiseOfItsParameters) {
-  for_many([&](FilterState state, const Motion& motion) {
-    const Twist twist = model_.twist(state.mean, motion);
-    const double middle = state.mean[kYaw] + twist.yaw_rate_radps * motion.dt_s / 2.0;
-    const double c = std::cos(middle), s = std::sin(middle), dt = motion.dt_s;
-    const double along = along_m2(twist, motion), across = across_m2(twist, motion);
-    const double rate = std::abs(twist.yaw_rate_radps);
-    StateMatrix noise = StateMatrix::Zero();
-    noise(kX, kX) = along * c * c + across * s * s;
-    noise(kY, kY) = along * s * s + across * c * c;
-    noise(kX, kY) = noise(kY, kX) = (along - across) * c * s;
-    if (motion.gyro) {
-      noise(kYaw, kYaw) = (square(noise_.gyro_sd_rad_rts) +
-                           square(noise_.gyro_scale_sd * rate) * noise_.gyro_scale_s) *
-                          dt;
-    } else if (moves(motion)) {
-      // Without a gyro, the error of the tracks lasts for 0.1 s.
-      noise(kYaw, kYaw) =
-          square(noise_.track_error_radps + noise_.track_error_share * rate) * 0.1 * dt;
-    }
-    noise(kBias, kBias) = square(noise_.bias_walk_radps_rts) * dt;
-    noise(kCommonSlip, kCommonSlip) = square(noise_.slip_sd) * (1.0 - square(kept(motion)));
-    if (moves(motion) && !motion.ground.hold_slip) {
-      const double way = std::abs(motion.tracks.left_mps) + std::abs(motion.tracks.right_mps);
-      noise(kSlipDifference, kSlipDifference) = square(motion.slip_walk_rtm) * way / 2.0 * dt;
-    }
-    model_.predict(state, motion);
-    EXPECT_LT((state.covariance - noise).cwiseAbs().maxCoeff(), 1e-12);
   });
 }
 
@@ -265,18 +224,6 @@ TEST_F(MotionModelTest, AResidualCorrectsTheBiasUnlessItIsTooLargeToBeTrue) {
   }
 }
 
-TEST_F(MotionModelTest, ATurnOfAnotherShapeMakesTheTurnGainUncertainAgain) {
-  FilterState state{StateVector::Zero(), StateMatrix::Zero()};
-  model_.measure(state, {.has_residual = true, .turn_change = -0.4});
-  EXPECT_NEAR(state.covariance(kTurnGain, kTurnGain), 0.4 * square(noise_.turn_gain_sd), 1e-15);
-  state.mean[kBias] = 0.1;
-  EXPECT_NEAR(
-      model_.turn_ratio(state.mean, {.left_radps = 0.3, .right_radps = -0.2, .gyro_z_radps = 0.35}),
-      0.5, 1e-12);
-  EXPECT_EQ(model_.turn_ratio(state.mean, {.left_radps = -0.1, .gyro_z_radps = -0.9}), -1.0);
-  EXPECT_EQ(model_.turn_ratio(state.mean, {.gyro_z_radps = 0.9}), 0.0);
-}
-
 constexpr double kStep = 1e-4;
 constexpr double kFastestGround = 0.33;  // [m/s] with the least slip and the largest turn gain
 
@@ -368,44 +315,6 @@ TEST_F(Jacobian, OfTheTwistsCovarianceIsThatOfTheTwist) {
           << round << "\n"
           << noise;
     }
-  }
-}
-
-// Without common slip, which an error of the wheelbase in a turn would otherwise change.
-TEST_F(Jacobian, OfTheResidualIsThatOfTheTracksYawRateAndTheBiasWithoutTheCommonSlip) {
-  for (int round = 0; round < 2000; ++round) {
-    FilterState state{any_.mean(), any_.covariance()};
-    Motion motion = any_.motion(true);
-    motion.slip_walk_rtm = any_.between(0.0, 0.01);
-    motion.has_residual = true;
-    const double base = model_.turn_of(motion).wheelbase_m;
-    const TrackSpeeds speeds = expected_speeds(motion.tracks, motion.ground);
-    motion.residual.left_radps = speeds.left_mps / base;
-    motion.residual.right_radps = speeds.right_mps / base;
-    const auto expected = [&](const StateVector& mean) {
-      Motion by_tracks = motion;
-      by_tracks.gyro = false;
-      return Eigen::Matrix<double, 1, 1>(model_.twist(mean, by_tracks).yaw_rate_radps +
-                                         mean[kBias]);
-    };
-    // The measurement equals its expected value, so that the gate accepts it.
-    motion.residual.gyro_z_radps = expected(state.mean)[0];
-    auto h = differences(expected, state.mean);
-    h(kCommonSlip) = 0.0;
-    const double rate = std::abs(motion.residual.gyro_z_radps - state.mean[kBias]);
-    const Eigen::Matrix<double, 1, 1> r(std::pow(
-        noise_.residual_sd_radps + (noise_.residual_share + motion.slip_walk_rtm) * rate, 2));
-    // The gain leaves the place alone, so the covariance is not the least one.
-    StateVector gain =
-        state.covariance * h.transpose() / (h * state.covariance * h.transpose() + r)(0, 0);
-    gain.head<2>().setZero();
-    const StateMatrix left = StateMatrix::Identity() - gain * h;
-    const StateMatrix right =
-        left * state.covariance * left.transpose() + gain * r(0, 0) * gain.transpose();
-    const StateVector before = state.mean;
-    model_.measure(state, motion);
-    ASSERT_LT((state.covariance - right).cwiseAbs().maxCoeff(), 1e-9) << round;
-    ASSERT_LT((state.mean - before).cwiseAbs().maxCoeff(), 1e-9) << round;
   }
 }
 

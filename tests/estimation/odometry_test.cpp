@@ -159,34 +159,12 @@ TEST_F(OdometryTest, AResumedRobotOnASlopeHasNotTipped) {
   EXPECT_EQ(odometry.advance(on_a_slope).ground.tilt_radps, 0.0);
 }
 
-TEST_F(OdometryTest, ACorrectionAtTheEndOfAnIntervalChangesItsTwistToo) {
-  Odometry odometry(tracks_, noise_);
-  drive(odometry, 0.1, 0.2, 0.0, 1.0);
-  FilterState state = odometry.state();
-  state.mean[kBias] += 0.05;
-  state.mean[kX] = 7.0;
-  const double rate = odometry.twist().yaw_rate_radps;
-  odometry.correct(state);
-  EXPECT_EQ(odometry.pose().x_m, 7.0);
-  EXPECT_NEAR(odometry.twist().yaw_rate_radps, rate - 0.05, 1e-12);
-}
-
 TEST_F(OdometryTest, ASensorThatWarmsUpByADegreeAtOnceIsNotBelieved) {
   for (const double degc : {0.99, -0.99, 1.01, -1.01}) {
     Odometry odometry(tracks_, noise_);
     EXPECT_EQ(odometry.advance({.dt_s = kDt, .warming_degc = degc}).warming_degc,
               std::abs(degc) < 1.0 ? degc : 0.0);
   }
-}
-
-TEST_F(OdometryTest, HeightAndAttitudeAreTheGrounds) {
-  Odometry odometry(tracks_, noise_);
-  odometry.advance({.dt_s = kDt, .ground = {.z_m = 0.1, .roll_rad = 0.2, .pitch_rad = 0.3}});
-  odometry.advance({.dt_s = kDt, .ground = {.z_m = 0.1, .roll_rad = 0.2, .pitch_rad = 0.29}});
-  EXPECT_EQ(odometry.pose().z_m, 0.1);
-  EXPECT_EQ(odometry.pose().roll_rad, 0.2);
-  EXPECT_EQ(odometry.pose().pitch_rad, 0.29);
-  EXPECT_NEAR(odometry.motion().ground.tilt_radps, 0.01 / kDt, 1e-9);
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <random>
-#include <utility>
 
 #include "any_motion.h"
 #include "estimation/odometry.h"
@@ -45,112 +44,6 @@ class Windows {
   HostNs end_ns_ = kNsPerS;
   Ground ground_{};
 };
-
-// The estimator under test compares tracks and gyro over windows; a second one, written out here,
-// does so too.
-TEST(OdometryWindows, ShowTheMeanOfTracksAndGyroOverTheirTime) {
-  model::TrackParameters tracks;
-  tracks.wheelbase_m = 0.3;
-  FilterParameters noise;
-  noise.residual_window_s = 0.3;
-  noise.edge_m = 1.0 / 3000.0;
-  Odometry odometry(tracks, noise);
-  SlipWalk walk;
-  Windows drive(5);
-  Residual sum, push, before;
-  double length_s = 0.0, push_s = 0.0;
-  int residuals = 0, disturbances = 0;
-  for (int i = 0; i < 20000; ++i) {
-    const FilterInput in = drive.next();
-    const StateVector mean = odometry.state().mean;
-    const Motion motion = odometry.advance(in);
-    ASSERT_NEAR(motion.slip_walk_rtm, walk.step_rtm(), 1e-9) << i;
-    const auto add = [&](Residual& to) {
-      to.left_radps += in.tracks.left_mps * (1.0 - in.ground.slip.left) / 0.3 * in.dt_s;
-      to.right_radps += in.tracks.right_mps * (1.0 - in.ground.slip.right) / 0.3 * in.dt_s;
-      to.gyro_z_radps += in.gyro_z_radps * in.dt_s;
-    };
-    const auto mean_of = [](const Residual& of, double over_s) {
-      return Residual{of.left_radps / over_s, of.right_radps / over_s, of.gyro_z_radps / over_s};
-    };
-    if (!in.gyro || !shows_slip(in.ground)) {
-      sum = push = before = {};
-      length_s = push_s = 0.0;
-      ASSERT_FALSE(motion.has_residual || motion.disturbed) << i;
-      continue;
-    }
-    add(sum);
-    add(push);
-    length_s += in.dt_s;
-    push_s += in.dt_s;
-    bool disturbed = false;
-    if (push_s >= noise.disturbance_window_s) {
-      disturbed = std::abs(odometry.model().innovation_radps(mean, mean_of(push, push_s))) >
-                  noise.disturbance_radps;
-      push = {};
-      push_s = 0.0;
-    }
-    ASSERT_EQ(motion.disturbed, disturbed) << i;
-    if (disturbed) {
-      ++disturbances;
-      sum = before = {};
-      length_s = 0.0;
-    }
-    if (length_s < noise.residual_window_s) {
-      ASSERT_FALSE(motion.has_residual) << i;
-      continue;
-    }
-    const Residual now = mean_of(std::exchange(sum, {}), std::exchange(length_s, 0.0));
-    const Residual last = std::exchange(before, now);
-    // A robot that stands may be carried.
-    const double both = now.left_radps + now.right_radps,
-                 both_last = last.left_radps + last.right_radps;
-    ASSERT_EQ(motion.has_residual, std::abs(both) >= 0.05) << i;
-    if (!motion.has_residual) continue;
-    ++residuals;
-    ASSERT_NEAR(motion.residual.left_radps, now.left_radps, 1e-12);
-    ASSERT_NEAR(motion.residual.right_radps, now.right_radps, 1e-12);
-    ASSERT_NEAR(motion.residual.gyro_z_radps, now.gyro_z_radps, 1e-12);
-    const MotionModel& model = odometry.model();
-    ASSERT_NEAR(motion.turn_change, model.turn_ratio(mean, now) - model.turn_ratio(mean, last),
-                1e-12);
-    // Two windows of the same turn at nearly the same speed show how much the slip changes.
-    const double turned = std::abs(now.gyro_z_radps - last.gyro_z_radps);
-    const double mean_both = std::abs(both + both_last) / 2.0;
-    if (std::abs(both - both_last) > 0.2 * mean_both || turned > 0.05) continue;
-    const auto by_gyro = [](const Residual& of) {
-      return of.gyro_z_radps - of.right_radps + of.left_radps;
-    };
-    const double sd =
-        std::sqrt(2.0) * model.residual_sd_radps(motion) + noise.residual_share * turned;
-    walk.add((by_gyro(now) - by_gyro(last)) / mean_both, sd / mean_both,
-             mean_both / 2.0 * 0.3 * noise.residual_window_s);
-  }
-  EXPECT_GT(residuals, 300);
-  EXPECT_GT(disturbances, 20);
-}
-
-TEST(OdometryWindows, AResumedEstimatorIsOneThatWasJustMadeWithThatState) {
-  Odometry used(uneven_tracks(), {.residual_window_s = 0.3}), fresh = used;
-  Windows before(6);
-  for (int i = 0; i < 2000; ++i) used.advance(before.next());
-  used.standstill({0.03, 0.003});
-  const CarriedEstimate carried = used.carried();
-  fresh.resume(carried);
-  EXPECT_EQ(fresh.carried().mean, carried.mean);
-  EXPECT_EQ(fresh.carried().covariance, carried.covariance);
-  EXPECT_EQ(fresh.carried().slip_walk, carried.slip_walk);
-  used.resume(carried);
-  EXPECT_EQ(used.twist().vx_mps, 0.0);
-  EXPECT_EQ(used.twist_covariance().xx, kUnknownVariance);
-  Windows after(7);
-  for (int i = 0; i < 500; ++i) {
-    const FilterInput in = after.next();
-    ASSERT_EQ(used.advance(in).end_ns, fresh.advance(in).end_ns);
-    ASSERT_EQ(used.state().mean, fresh.state().mean) << i;
-    ASSERT_EQ(used.state().covariance, fresh.state().covariance) << i;
-  }
-}
 
 // What was seen just before is part of no window after it.
 TEST(OdometryWindows, BeginAnewWithARunAndAfterAnInterruption) {

@@ -6,12 +6,9 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <deque>
 #include <limits>
-#include <memory>
 #include <utility>
 
 #include "core/arithmetic.h"
@@ -113,45 +110,6 @@ TEST_F(PoseFilterTest, LateSamplesDoWhatTheyWouldHaveDoneInTime) {
   }
   EXPECT_GT(late.figures(now_).camera_used, 300u);
   EXPECT_GT(late.figures(now_).camera_rejected, 10u);
-}
-
-TEST_F(PoseFilterTest, AResumedFilterIsOneThatWasJustMadeWithThatState) {
-  PoseFilter used = filter(), fresh = filter();
-  for (int i = 0; i < 400; ++i) {
-    used.advance(interval(0.1, 0.2));
-    Pose pose = used.pose();
-    pose.x_m += 0.002;
-    if (i % 10 == 0) used.camera(seen(pose));
-  }
-  used.camera(seen({.x_m = 9.0}));  // the first that finds it moved
-  CameraSample future = seen(used.pose());
-  future.measured_ns += 8 * kNsPerMs;
-  used.camera(future);
-  const auto figures = [this](const PoseFilter& of) {
-    const FilterFigures f = of.figures(now_);
-    return std::array{f.camera_used, f.camera_rejected, f.nis_count, of.recoveries()};
-  };
-  const FilterFigures before = used.figures(now_);
-  EXPECT_GT(before.camera_used, 30u);
-  fresh.resume(used.carried());
-  used.resume(used.carried());
-  EXPECT_EQ(fresh.figures(now_).nis, before.nis);
-  EXPECT_EQ(fresh.figures(now_).nis_mean, before.nis_mean);
-  EXPECT_EQ(fresh.figures(now_).nis_count, before.nis_count);
-  EXPECT_EQ(fresh.figures(now_).camera_rejected, before.camera_rejected);
-  EXPECT_EQ(fresh.figures(now_).camera_age_us, before.camera_age_us);
-  for (int i = 0; i < 60; ++i) {
-    const FilterInput in = interval(0.1, 0.2);
-    const CameraSample sample = seen(i == 3 ? Pose{.x_m = 9.0} : fresh.pose());
-    for (PoseFilter* each : {&used, &fresh}) {
-      each->advance(in);
-      if (i % 3 == 0) each->camera(sample);
-    }
-    ASSERT_EQ(used.state().mean, fresh.state().mean) << i;
-    ASSERT_EQ(figures(used), figures(fresh)) << i;
-    ASSERT_EQ(used.figures(now_).nis_mean, fresh.figures(now_).nis_mean) << i;
-    ASSERT_EQ(used.recoveries(), 0u) << "one image alone finds it moved";
-  }
 }
 
 TEST_F(PoseFilterTest, ASampleFromWithinAnIntervalIsPutThere) {
@@ -302,49 +260,6 @@ TEST_F(PoseFilterTest, CarriedFromAPlaceIsAsIfARunBeganThere) {
       fused->camera(seen(ahead_of(fused->pose())));
       EXPECT_GT(fused->figures(now_).nis, 0.0);
       EXPECT_EQ(fused->figures(now_).nis_mean, fused->figures(now_).nis) << "of one sample";
-    }
-  }
-}
-
-RewindEntry ends_at(HostNs end_ns) {
-  RewindEntry entry;
-  entry.motion.end_ns = end_ns;
-  return entry;
-}
-
-// Whatever is pushed, inserted and cleared, it holds what a list would hold that drops its oldest
-// entries, and finds the first that ends at or after a time.
-TEST(RewindBuffer, IsTheEndOfAnOrderedList) {
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    SCOPED_TRACE(testing::Message() << "seed " << seed);
-    test::Sequence any(seed);
-    const auto buffer = std::make_unique<RewindBuffer>();
-    std::deque<HostNs> ends;
-    for (int i = 1; i < 1000; ++i) {
-      buffer->push(ends_at(10 * i));
-      ends.push_back(10 * i);
-      if (ends.size() > RewindBuffer::kCapacity) ends.pop_front();
-      if (any.chance(0.002)) {
-        buffer->clear();
-        ends.clear();
-      } else if (ends.size() > 1 && any.chance(0.2)) {
-        const auto at = static_cast<std::size_t>(1 + any.below(static_cast<int>(ends.size()) - 1));
-        const HostNs end = ends[at] - 1;
-        const bool full = ends.size() == RewindBuffer::kCapacity;
-        ASSERT_EQ(buffer->insert(at, ends_at(end)), full ? at - 1 : at);
-        ends.insert(ends.begin() + static_cast<std::ptrdiff_t>(at), end);
-        if (full) ends.pop_front();
-      }
-      ASSERT_EQ(buffer->size(), ends.size());
-      ASSERT_EQ(buffer->empty(), ends.empty());
-      for (std::size_t n = 0; n < ends.size(); ++n) ASSERT_EQ((*buffer)[n].motion.end_ns, ends[n]);
-      if (!ends.empty()) {
-        ASSERT_EQ(buffer->back().motion.end_ns, ends.back());
-      }
-      const HostNs time = any.below(10 * i + 20);
-      std::size_t first = 0;
-      while (first < ends.size() && ends[first] < time) ++first;
-      ASSERT_EQ(buffer->find(time), first);
     }
   }
 }
