@@ -16,7 +16,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr std::uint32_t kA = 1, kB = 2;
+constexpr std::uint32_t kA = 1;
 
 class HandDriveTest : public ::testing::Test {
  protected:
@@ -92,57 +92,6 @@ INSTANTIATE_TEST_SUITE_P(Losses, DeadMan,
                            std::replace(name.begin(), name.end(), ' ', '_');
                            return name;
                          });
-
-TEST_F(HandDriveTest, AfterAStopVelocitiesOfRos2DriveOnlyOnceTheWheelIsTakenAnew) {
-  HandDriven drive({.loaded = load({})});
-  ASSERT_TRUE(drive.wait_until_ready());
-  drive.before_step = [&](HostNs) { drive.receive_velocity(0.1, 0.2); };
-  EXPECT_THAT(drive.take_by_ros2(), HasSubstr("takes the wheel"));
-  drive.step_for(0.5);
-  EXPECT_EQ(drive.state(), RunState::kDriving);
-  EXPECT_EQ(drive.shown().driver.by, "ROS 2 /cmd_vel");
-  EXPECT_FALSE(asks_for_standstill(drive.record()));
-  drive.call(kA, "stop");
-  drive.step_for(1.0);
-  EXPECT_EQ(drive.state(), RunState::kAborted);
-  // A repeated `true` does not take it either.
-  drive.before_step = [&](HostNs) {
-    drive.receive_drive(true);
-    drive.receive_velocity(0.1, 0.2);
-  };
-  drive.step_for(1.0);
-  EXPECT_EQ(drive.state(), RunState::kAborted);
-  EXPECT_THAT(drive.take_messages(), HasSubstr("send false, then true"));
-  drive.before_step = {};
-  EXPECT_THAT(drive.take_by_ros2(), HasSubstr("takes the wheel"));
-  EXPECT_EQ(drive.state(), RunState::kDriving);
-}
-
-TEST_F(HandDriveTest, TwoDriversNeverDriveAtOnceAndTheSecondIsToldOfTheFirst) {
-  HandDriven drive({.loaded = load({})});
-  ASSERT_TRUE(drive.wait_until_ready());
-  const std::string token = drive.take(kA);
-  drive.before_step = [&](HostNs) {
-    drive.drive(kA, token, 0.1, 0.0);
-    drive.receive_velocity(-0.1, 0.0);
-  };
-  drive.step_for(0.2);
-  EXPECT_THAT(drive.call(kB, "drive_take").value("refused", ""), HasSubstr("viewer 1 drives"));
-  drive.step_for(0.3);
-  EXPECT_EQ(drive.shown().driver.by, "viewer 1");
-  EXPECT_EQ(drive.shown().driver.asked_by, "viewer 2");
-  EXPECT_THAT(drive.take_by_ros2(), HasSubstr("viewer 1 drives"));
-  drive.step_for(0.3);
-  EXPECT_GT(drive.record().snapshot.command.speed_mps, 0.0);
-  drive.before_step = [&](HostNs) { drive.receive_velocity(-0.1, 0.0); };
-  drive.step_for(0.3);
-  EXPECT_TRUE(asks_for_standstill(drive.record()));
-  EXPECT_THAT(drive.take_by_ros2(), HasSubstr("takes the wheel"));
-  drive.step_for(0.3);
-  EXPECT_LT(drive.record().snapshot.command.speed_mps, 0.0);
-  EXPECT_THAT(drive.call(kA, "drive_take").value("refused", ""),
-              HasSubstr("ROS 2 /cmd_vel drives"));
-}
 
 TEST_F(HandDriveTest, ASecondWriterOfVelocitiesIsIgnored) {
   HandDriven drive({.loaded = load({})});

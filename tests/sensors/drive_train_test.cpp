@@ -48,16 +48,6 @@ TEST(Motor, AStalledMotorMakesNoMoreThanTheCurrentLimit) {
   EXPECT_EQ(motor.force_n(), 3.0);
 }
 
-TEST(Battery, SagsUnderLoadAndRecovers) {
-  Battery battery({});
-  battery.step(0.0);
-  const double rested = battery.volts();
-  battery.step(20.0);
-  EXPECT_NEAR(rested - battery.volts(), 0.12 * 0.10 * 20.0, 1e-4);
-  battery.step(0.0);
-  EXPECT_NEAR(battery.volts(), rested, 1e-4);
-}
-
 TEST(Battery, RunsDown) {
   course::EmulatedBattery values;
   values.capacity_as = 1.0;
@@ -85,17 +75,6 @@ struct DriveTrain {
   Battery battery{{}};
   Motor left, right;
 };
-
-TEST(DriveTrain, TheBodyLosesTheSlipOfItsTracks) {
-  DriveTrain robot;
-  robot.run(1.0, 1.0, 1500);
-  EXPECT_GT(robot.left.track_mps(), 0.14);
-  EXPECT_NEAR(robot.body->state().velocity_mps[0], 0.84 * robot.left.track_mps(), 1e-3);
-  const double straight_v = robot.battery.volts();
-  robot.run(-1.0, 1.0, 1500);
-  EXPECT_GT(robot.right.force_n(), 3.0) << "a spin takes both motors";
-  EXPECT_LT(robot.battery.volts(), straight_v - 0.02);
-}
 
 TEST(DriveTrain, AQuickMotorDoesNotFightTheBody) {
   course::EmulatedMotor quick;
@@ -165,17 +144,6 @@ TEST(QuadratureEncoder, EdgesDecodeToTheTravelUnderAnySpeedProfile) {
     EXPECT_EQ(firmware::extended_counts(counter), encoder.counts());
     EXPECT_NEAR(static_cast<double>(encoder.counts()), travel * values.counts_per_metre, 1.5);
   }
-}
-
-TEST(QuadratureEncoder, ForwardIsALeadingB) {
-  QuadratureEncoder encoder({}, 0, 1);
-  std::vector<EncoderEdge> edges;
-  encoder.move(4.0 / 11140.0, 0, 1'000'000, edges);
-  ASSERT_EQ(edges.size(), 4u);
-  EXPECT_EQ(edges[0].channel, 0);
-  EXPECT_TRUE(edges[0].level);
-  EXPECT_EQ(edges[1].channel, 1);
-  EXPECT_TRUE(edges[1].level);
 }
 
 }  // namespace
