@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 #include "core/arithmetic.h"
@@ -13,11 +14,11 @@ namespace {
 struct Namer {
   template <class T>
   void field(const char* name, const T&) {
-    if (index++ == wanted) found = name;
+    if (index++ == wanted) found = std::string(name, std::strcspn(name, ","));
   }
   unsigned wanted = 0;
   unsigned index = 0;
-  const char* found = "unknown";
+  std::string found = "unknown";
 };
 
 std::uint16_t rounded(double value) { return static_cast<std::uint16_t>(std::lround(value)); }
@@ -74,7 +75,7 @@ link::SessionSettings session_settings(const bridge::Parameters& parameters,
   return settings;
 }
 
-const char* parameter_name(unsigned index) {
+std::string parameter_name(unsigned index) {
   wire::Parameters parameters{};
   Namer namer{index};
   parameters.visit(namer);

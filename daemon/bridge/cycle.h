@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "bridge/step.h"
 #include "core/step_record.h"
@@ -23,7 +24,7 @@ link::SessionSettings session_settings(const bridge::Parameters& parameters,
 
 /// Name of a field of wire::Parameters by its index, as a refusal reports it; "unknown" beyond the
 /// last.
-const char* parameter_name(unsigned index);
+std::string parameter_name(unsigned index);
 
 /// An operator's change between two runs.
 struct SetupChange {

@@ -43,7 +43,7 @@ std::string refusal(const link::Acknowledged& answer) {
     case wire::Result::kOutOfRange:
       if (answer.request != wire::Type::kParameters)
         return "its expiry is out of range, the clock relation is wrong; start again";
-      return std::string("value out of range: ") + bridge::parameter_name(answer.detail) +
+      return "value out of range: " + bridge::parameter_name(answer.detail) +
              "; correct it in the robot file";
     case wire::Result::kWrongState:
       return "not in this state";

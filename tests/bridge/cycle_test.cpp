@@ -86,8 +86,8 @@ TEST(Cycle, SendsEachOfTheRobotsValuesInItsUnit) {
   EXPECT_EQ(sent.command_life_ms, 200);
   EXPECT_EQ(sent.yaw_window_ms, 200);
   EXPECT_EQ(sent.flags, wire::kUseGyro | wire::kInvertLeftEncoder | wire::kSwapTracks);
-  EXPECT_STREQ(parameter_name(3), "wheelbase_m") << "a robot that refuses one says its number";
-  EXPECT_STREQ(parameter_name(99), "unknown");
+  EXPECT_EQ(parameter_name(3), "wheelbase_m") << "a robot that refuses one says its number";
+  EXPECT_EQ(parameter_name(99), "unknown");
   parameters.drive = {
       .invert_left_motor = true, .invert_right_motor = true, .invert_right_encoder = true};
   parameters.setup = bridge::Setup::kStand;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <cstring>
 
 #include "all_messages.h"
 #include "support/wire_host.h"
@@ -17,11 +18,11 @@ class FromText {
   explicit FromText(const Line& line) : line_(line) {}
   template <class T>
   void field(const char* name, T& value) {
-    value = number<T>(line_.values.at(name));
+    value = number<T>(text(name));
   }
   template <class T, std::size_t N>
   void field(const char* name, T (&values)[N]) {
-    std::istringstream parts(line_.values.at(name));
+    std::istringstream parts(text(name));
     for (T& value : values) {
       std::string part;
       std::getline(parts, part, ',');
@@ -30,6 +31,9 @@ class FromText {
   }
 
  private:
+  const std::string& text(const char* name) const {
+    return line_.values.at(std::string(name, std::strcspn(name, ",")));
+  }
   template <class T>
   static T number(const std::string& text) {
     if constexpr (std::is_same_v<T, float>)

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -29,15 +30,16 @@ class Fields {
  public:
   template <class T>
   void field(const char* name, const T&) {
-    all.push_back({name, type_of<T>(), sizeof(T)});
+    all.push_back({text(name), type_of<T>(), sizeof(T)});
   }
   template <class T, std::size_t N>
   void field(const char* name, const T (&)[N]) {
-    all.push_back({name, type_of<T>() + "[" + std::to_string(N) + "]", N * sizeof(T)});
+    all.push_back({text(name), type_of<T>() + "[" + std::to_string(N) + "]", N * sizeof(T)});
   }
   std::vector<Field> all;
 
  private:
+  static std::string text(const char* name) { return {name, std::strcspn(name, ",")}; }
   template <class T>
   static std::string type_of() {
     const char* kind = std::is_same_v<T, float> ? "f" : std::is_signed_v<T> ? "i" : "u";

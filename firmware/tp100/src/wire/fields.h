@@ -1,5 +1,5 @@
-// Little-endian fields. A message lists its fields once, in visit(); writing, reading, size and the
-// schema hash all walk that list.
+// Little-endian fields. A message lists its fields once, with TP100_WIRE_FIELDS; writing, reading
+// and the schema hash all walk that list.
 #ifndef TP100_WIRE_FIELDS_H
 #define TP100_WIRE_FIELDS_H
 
@@ -7,15 +7,32 @@
 #include <stdint.h>
 #include <string.h>
 
-// The visitor receives names on the host only: on the Mega they would take RAM.
+/// Gives a message its visit(visitor), which calls visitor.field(name, field) for each of its
+/// fields in this order. A name ends at a comma or at its end. It is empty on the Mega, where it
+/// would take RAM.
+#define TP100_WIRE_FIELDS(...)                                                 \
+  template <class V>                                                           \
+  void visit(V& v) {                                                           \
+    ::tp100::wire::visit_each(v, TP100_WIRE_NAMES(#__VA_ARGS__), __VA_ARGS__); \
+  }
 #ifdef __AVR__
-#define TP100_WIRE_FIELD(visitor, name) (visitor).field("", name)
+#define TP100_WIRE_NAMES(names) ""
 #else
-#define TP100_WIRE_FIELD(visitor, name) (visitor).field(#name, name)
+#define TP100_WIRE_NAMES(names) names
 #endif
 
 namespace tp100 {
 namespace wire {
+
+template <class V>
+void visit_each(V&, const char*) {}
+template <class V, class Field, class... More>
+inline __attribute__((always_inline)) void visit_each(V& v, const char* names, Field& field,
+                                                      More&... more) {
+  v.field(names, field);
+  const char* const comma = strchr(names, ',');
+  visit_each(v, comma != nullptr ? comma + 2 : names, more...);
+}
 
 /// Writes fields to a buffer of at least Message::kSize bytes.
 class Writer {

@@ -101,17 +101,7 @@ struct Hello {
   uint8_t reset_cause;  ///< ResetCause
   uint8_t state;        ///< State
   uint16_t faults;      ///< latched robot faults
-  template <class V>
-  void visit(V& v) {
-    TP100_WIRE_FIELD(v, protocol);
-    TP100_WIRE_FIELD(v, firmware);
-    TP100_WIRE_FIELD(v, schema);
-    TP100_WIRE_FIELD(v, board);
-    TP100_WIRE_FIELD(v, boot_nonce);
-    TP100_WIRE_FIELD(v, reset_cause);
-    TP100_WIRE_FIELD(v, state);
-    TP100_WIRE_FIELD(v, faults);
-  }
+  TP100_WIRE_FIELDS(protocol, firmware, schema, board, boot_nonce, reset_cause, state, faults)
 };
 
 /// robot -> host, every kSamplePeriodUs once parameters are accepted.
@@ -132,23 +122,8 @@ struct Sample {
   uint16_t faults;        ///< latched robot faults
   uint16_t last_command;  ///< sequence of the last accepted command of this session; 0 none
   uint8_t imu_age;        ///< samples since the last new IMU values; 0 fresh, 255 never
-  template <class V>
-  void visit(V& v) {
-    TP100_WIRE_FIELD(v, sequence);
-    TP100_WIRE_FIELD(v, device_us);
-    TP100_WIRE_FIELD(v, left_counts);
-    TP100_WIRE_FIELD(v, right_counts);
-    TP100_WIRE_FIELD(v, gyro);
-    TP100_WIRE_FIELD(v, accel);
-    TP100_WIRE_FIELD(v, temperature);
-    TP100_WIRE_FIELD(v, battery_mv);
-    TP100_WIRE_FIELD(v, left_duty);
-    TP100_WIRE_FIELD(v, right_duty);
-    TP100_WIRE_FIELD(v, state);
-    TP100_WIRE_FIELD(v, faults);
-    TP100_WIRE_FIELD(v, last_command);
-    TP100_WIRE_FIELD(v, imu_age);
-  }
+  TP100_WIRE_FIELDS(sequence, device_us, left_counts, right_counts, gyro, accel, temperature,
+                    battery_mv, left_duty, right_duty, state, faults, last_command, imu_age)
 };
 
 /// robot -> host: answer to parameters, arm, disarm and stop.
@@ -159,13 +134,7 @@ struct Acknowledge {
   uint32_t token;   ///< its token
   uint8_t result;   ///< Result
   uint16_t detail;  ///< see Result
-  template <class V>
-  void visit(V& v) {
-    TP100_WIRE_FIELD(v, request);
-    TP100_WIRE_FIELD(v, token);
-    TP100_WIRE_FIELD(v, result);
-    TP100_WIRE_FIELD(v, detail);
-  }
+  TP100_WIRE_FIELDS(request, token, result, detail)
 };
 
 /// robot -> host: the two device times of a clock-sync exchange.
@@ -177,14 +146,7 @@ struct SyncReply {
   uint32_t sent_us;       ///< device time at which this reply was handed to the UART [us]
   uint16_t corrupted;     ///< corrupted frames received since the board's start, modulo 65536
   uint16_t missed_edges;  ///< of both encoders since the board's start, modulo 65536
-  template <class V>
-  void visit(V& v) {
-    TP100_WIRE_FIELD(v, id);
-    TP100_WIRE_FIELD(v, received_us);
-    TP100_WIRE_FIELD(v, sent_us);
-    TP100_WIRE_FIELD(v, corrupted);
-    TP100_WIRE_FIELD(v, missed_edges);
-  }
+  TP100_WIRE_FIELDS(id, received_us, sent_us, corrupted, missed_edges)
 };
 
 /// robot -> host, once when a fault latches.
@@ -195,13 +157,7 @@ struct FaultReport {
   uint8_t fault;       ///< Fault
   uint16_t faults;     ///< all latched robot faults
   int32_t detail;      ///< fault-specific number, see PROTOCOL.md
-  template <class V>
-  void visit(V& v) {
-    TP100_WIRE_FIELD(v, device_us);
-    TP100_WIRE_FIELD(v, fault);
-    TP100_WIRE_FIELD(v, faults);
-    TP100_WIRE_FIELD(v, detail);
-  }
+  TP100_WIRE_FIELDS(device_us, fault, faults, detail)
 };
 
 /// robot -> host: a short ASCII text, zero-padded.
@@ -212,12 +168,7 @@ struct Log {
   uint32_t device_us;  ///< [us]
   uint8_t level;       ///< 0 information, 1 warning, 2 error
   uint8_t text[kTextSize];
-  template <class V>
-  void visit(V& v) {
-    TP100_WIRE_FIELD(v, device_us);
-    TP100_WIRE_FIELD(v, level);
-    TP100_WIRE_FIELD(v, text);
-  }
+  TP100_WIRE_FIELDS(device_us, level, text)
 };
 
 /// host -> robot: asks for identification. Disarms and starts a new session.
@@ -226,11 +177,7 @@ struct HelloRequest {
   static constexpr size_t kSize = 6;
   uint16_t protocol;  ///< kProtocolVersion of the host
   uint32_t schema;    ///< kSchemaHash of the host
-  template <class V>
-  void visit(V& v) {
-    TP100_WIRE_FIELD(v, protocol);
-    TP100_WIRE_FIELD(v, schema);
-  }
+  TP100_WIRE_FIELDS(protocol, schema)
 };
 
 /// Bits of Parameters::flags.
@@ -274,33 +221,11 @@ struct Parameters {
   uint16_t command_life_ms;    ///< 20..kMaxCommandLifeMs
   uint16_t yaw_window_ms;      ///< greatest age of an answered sample, 20..200
   uint8_t flags;               ///< ParameterFlag bits
-  template <class V>
-  void visit(V& v) {
-    TP100_WIRE_FIELD(v, boot_nonce);
-    TP100_WIRE_FIELD(v, token);
-    TP100_WIRE_FIELD(v, counts_per_metre);
-    TP100_WIRE_FIELD(v, wheelbase_m);
-    TP100_WIRE_FIELD(v, wheelbase_tight_m);
-    TP100_WIRE_FIELD(v, wheelbase_spin_m);
-    TP100_WIRE_FIELD(v, turn_slip_share);
-    TP100_WIRE_FIELD(v, slip_left);
-    TP100_WIRE_FIELD(v, slip_right);
-    TP100_WIRE_FIELD(v, max_track_mps);
-    TP100_WIRE_FIELD(v, max_track_mps2);
-    TP100_WIRE_FIELD(v, feed_forward);
-    TP100_WIRE_FIELD(v, dead_band);
-    TP100_WIRE_FIELD(v, speed_kp);
-    TP100_WIRE_FIELD(v, speed_ki);
-    TP100_WIRE_FIELD(v, yaw_kp);
-    TP100_WIRE_FIELD(v, max_yaw_radps);
-    TP100_WIRE_FIELD(v, gyro_z_radps_per_lsb);
-    TP100_WIRE_FIELD(v, battery_cutoff_mv);
-    TP100_WIRE_FIELD(v, stall_duty);
-    TP100_WIRE_FIELD(v, stall_ms);
-    TP100_WIRE_FIELD(v, command_life_ms);
-    TP100_WIRE_FIELD(v, yaw_window_ms);
-    TP100_WIRE_FIELD(v, flags);
-  }
+  TP100_WIRE_FIELDS(boot_nonce, token, counts_per_metre, wheelbase_m, wheelbase_tight_m,
+                    wheelbase_spin_m, turn_slip_share, slip_left, slip_right, max_track_mps,
+                    max_track_mps2, feed_forward, dead_band, speed_kp, speed_ki, yaw_kp,
+                    max_yaw_radps, gyro_z_radps_per_lsb, battery_cutoff_mv, stall_duty, stall_ms,
+                    command_life_ms, yaw_window_ms, flags)
 };
 
 /// host -> robot, once per cycle. Streams in every state from kParameters on; moves only an armed
@@ -319,20 +244,8 @@ struct Command {
   float speed_mps;        ///< ground speed of the reference point, |value| <= 2
   uint32_t expiry_us;     ///< device time after which it must not be used [us]
   float gyro_bias_radps;  ///< of the z axis, subtracted while propagating the yaw, |value| <= 1
-  template <class V>
-  void visit(V& v) {
-    TP100_WIRE_FIELD(v, boot_nonce);
-    TP100_WIRE_FIELD(v, sequence);
-    TP100_WIRE_FIELD(v, answers);
-    TP100_WIRE_FIELD(v, x_m);
-    TP100_WIRE_FIELD(v, y_m);
-    TP100_WIRE_FIELD(v, yaw_rad);
-    TP100_WIRE_FIELD(v, desired_yaw_rad);
-    TP100_WIRE_FIELD(v, yaw_rate_radps);
-    TP100_WIRE_FIELD(v, speed_mps);
-    TP100_WIRE_FIELD(v, expiry_us);
-    TP100_WIRE_FIELD(v, gyro_bias_radps);
-  }
+  TP100_WIRE_FIELDS(boot_nonce, sequence, answers, x_m, y_m, yaw_rad, desired_yaw_rad,
+                    yaw_rate_radps, speed_mps, expiry_us, gyro_bias_radps)
 };
 
 /// host -> robot, one shot: clears latched faults whose cause is gone and enables the motors.
@@ -343,12 +256,7 @@ struct Arm {
   uint32_t token;      ///< above the last token of this boot; a repeated one is answered as before,
                        ///< without effect
   uint32_t expiry_us;  ///< device time after which it must not be used [us]
-  template <class V>
-  void visit(V& v) {
-    TP100_WIRE_FIELD(v, boot_nonce);
-    TP100_WIRE_FIELD(v, token);
-    TP100_WIRE_FIELD(v, expiry_us);
-  }
+  TP100_WIRE_FIELDS(boot_nonce, token, expiry_us)
 };
 
 /// host -> robot: motors off, no fault. Accepted in every state and from any boot.
@@ -356,10 +264,7 @@ struct Disarm {
   static constexpr Type kType = Type::kDisarm;
   static constexpr size_t kSize = 4;
   uint32_t token;  ///< comes back in the acknowledgement
-  template <class V>
-  void visit(V& v) {
-    TP100_WIRE_FIELD(v, token);
-  }
+  TP100_WIRE_FIELDS(token)
 };
 
 /// host -> robot: motors off and stop_requested latched. Accepted in every state and from any boot.
@@ -367,10 +272,7 @@ struct Stop {
   static constexpr Type kType = Type::kStop;
   static constexpr size_t kSize = 4;
   uint32_t token;  ///< comes back in the acknowledgement
-  template <class V>
-  void visit(V& v) {
-    TP100_WIRE_FIELD(v, token);
-  }
+  TP100_WIRE_FIELDS(token)
 };
 
 /// host -> robot: clock-sync request.
@@ -378,10 +280,7 @@ struct SyncRequest {
   static constexpr Type kType = Type::kSyncRequest;
   static constexpr size_t kSize = 2;
   uint16_t id;  ///< returned in the reply; replies to other ids are discarded
-  template <class V>
-  void visit(V& v) {
-    TP100_WIRE_FIELD(v, id);
-  }
+  TP100_WIRE_FIELDS(id)
 };
 
 }  // namespace wire
