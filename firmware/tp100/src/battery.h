@@ -51,7 +51,16 @@ class Supply {
 class Battery {
  public:
   /// Takes one reading; call once per sample. [mV]
-  void update(uint16_t reading_mv, uint16_t cutoff_mv);
+  void update(uint16_t reading_mv, uint16_t cutoff_mv) {
+    if (!started_) sixteenths_ = 16UL * reading_mv;
+    started_ = true;
+    sixteenths_ = sixteenths_ - sixteenths_ / 16 + reading_mv;
+    if (millivolts() >= cutoff_mv) {
+      low_samples_ = 0;
+    } else if (low_samples_ < kLowSamples) {
+      ++low_samples_;
+    }
+  }
   /// Voltage filtered over about 80 ms. [mV]
   uint16_t millivolts() const { return static_cast<uint16_t>(sixteenths_ / 16); }
   /// True while the voltage is below the cut-off.

@@ -16,15 +16,6 @@ bool in_range(const wire::Command& c) {
 
 }  // namespace
 
-CommandGate::CommandGate()
-    : current_(),
-      answered_(),
-      boot_nonce_(0),
-      received_us_(0),
-      life_us_(0),
-      any_(false),
-      fresh_(false) {}
-
 void CommandGate::open(uint32_t boot_nonce) {
   boot_nonce_ = boot_nonce;
   any_ = false;

@@ -19,7 +19,6 @@ enum class Verdict : uint8_t {
 
 class CommandGate {
  public:
-  CommandGate();
   /// Opens a session: any first sequence counts as new, and no command is fresh.
   void open(uint32_t boot_nonce);
   /// Judges a command received at `now_us`; an accepted command becomes the current one.
@@ -36,13 +35,13 @@ class CommandGate {
   uint16_t last_sequence() const { return any_ ? current_.sequence : 0; }
 
  private:
-  wire::Command current_;
-  TurnMark answered_;
-  uint32_t boot_nonce_;
-  uint32_t received_us_;
-  uint32_t life_us_;
-  bool any_;
-  bool fresh_;
+  wire::Command current_ = {};
+  TurnMark answered_ = {};
+  uint32_t boot_nonce_ = 0;
+  uint32_t received_us_ = 0;
+  uint32_t life_us_ = 0;
+  bool any_ = false;
+  bool fresh_ = false;
 };
 
 }  // namespace firmware

@@ -11,20 +11,6 @@ const int32_t kTickUs = 1000;
 
 }  // namespace
 
-FailSafe::FailSafe(Hal& hal)
-    : hal_(hal),
-      ticks_(0),
-      silent_ticks_(0),
-      enabled_(false),
-      watching_(false),
-      starved_(false),
-      fresh_(false),
-      grace_ms_(0),
-      fresh_us_(0),
-      life_us_(0),
-      tripped_(0),
-      tripped_us_(0) {}
-
 void FailSafe::tick() {
   ticks_ = static_cast<uint8_t>(ticks_ + 1);
   const uint32_t now_us = hal_.micros();

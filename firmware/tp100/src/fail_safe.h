@@ -28,7 +28,7 @@ inline uint16_t bit(wire::Fault fault) {
 
 class FailSafe {
  public:
-  explicit FailSafe(Hal& hal);
+  explicit FailSafe(Hal& hal) : hal_(hal) {}
 
   /// Timer interrupt, every millisecond.
   void tick();
@@ -58,17 +58,17 @@ class FailSafe {
   void trip(wire::Fault fault, uint32_t now_us);
 
   Hal& hal_;
-  volatile uint8_t ticks_;
-  volatile uint8_t silent_ticks_;
-  volatile bool enabled_;
-  volatile bool watching_;
-  volatile bool starved_;  // tripped, and no command received since
-  volatile bool fresh_;
-  volatile uint16_t grace_ms_;
-  volatile uint32_t fresh_us_;
-  volatile uint32_t life_us_;
-  volatile uint16_t tripped_;
-  volatile uint32_t tripped_us_;
+  volatile uint8_t ticks_ = 0;
+  volatile uint8_t silent_ticks_ = 0;
+  volatile bool enabled_ = false;
+  volatile bool watching_ = false;
+  volatile bool starved_ = false;  // tripped, and no command received since
+  volatile bool fresh_ = false;
+  volatile uint16_t grace_ms_ = 0;
+  volatile uint32_t fresh_us_ = 0;
+  volatile uint32_t life_us_ = 0;
+  volatile uint16_t tripped_ = 0;
+  volatile uint32_t tripped_us_ = 0;
 };
 
 }  // namespace firmware

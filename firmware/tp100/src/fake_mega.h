@@ -14,8 +14,6 @@ namespace firmware {
 /// The motor driver's pins stay low whatever the firmware commands.
 class FakeMegaHal final : public MegaHal {
  public:
-  FakeMegaHal() : left_duty_(0), right_duty_(0), at_us_(0) {}
-
   bool i2c_write(uint8_t, uint8_t, uint8_t) override { return true; }
   bool i2c_read(uint8_t address, uint8_t reg, uint8_t* bytes, uint8_t size) override {
     return robot_.imu_read(address, reg, bytes, size);
@@ -54,9 +52,9 @@ class FakeMegaHal final : public MegaHal {
   static const uint16_t kLongestUs = 20000;
 
   FakeRobot robot_;
-  volatile int16_t left_duty_;
-  volatile int16_t right_duty_;
-  uint32_t at_us_;
+  volatile int16_t left_duty_ = 0;
+  volatile int16_t right_duty_ = 0;
+  uint32_t at_us_ = 0;
 };
 
 }  // namespace firmware

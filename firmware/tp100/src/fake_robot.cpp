@@ -23,7 +23,6 @@ const float kAccelLsbPerMps2 = wire::kAccelLsbPerG / kGravityMps2;
 // Bias of the z axis, of the size that a real gyro has.
 const int16_t kGyroBias = 13;
 const float kTemperatureDegc = 27.0f;
-const uint16_t kBatteryMv = 7900;
 
 void put(uint8_t* bytes, int16_t value) {
   bytes[0] = static_cast<uint8_t>(static_cast<uint16_t>(value) >> 8);
@@ -35,9 +34,6 @@ int16_t lsb(float value) { return static_cast<int16_t>(value < 0 ? value - 0.5f 
 int16_t size_of(int16_t duty) { return static_cast<int16_t>(duty < 0 ? -duty : duty); }
 
 }  // namespace
-
-FakeRobot::FakeRobot()
-    : left_(), right_(), battery_mv_(kBatteryMv), measured_speed_(0), since_ms_(0), random_(1) {}
 
 void FakeRobot::Track::step(int16_t duty) {
   const int16_t above = static_cast<int16_t>(size_of(duty) - kDeadBand);

@@ -15,7 +15,6 @@ namespace firmware {
 /// change as broken.
 class FakeRobot {
  public:
-  FakeRobot();
   /// Advances by one millisecond with these duties, -kFullDuty..kFullDuty.
   void step(int16_t left_duty, int16_t right_duty);
 
@@ -38,12 +37,14 @@ class FakeRobot {
   void measure(uint8_t* bytes);
   int16_t noise();
 
-  Track left_;
-  Track right_;
-  uint16_t battery_mv_;
-  int32_t measured_speed_;  // sum of both tracks' speeds when the IMU was last read
-  uint16_t since_ms_;       // time since then
-  uint16_t random_;
+  static constexpr uint16_t kBatteryMv = 7900;
+
+  Track left_ = {};
+  Track right_ = {};
+  uint16_t battery_mv_ = kBatteryMv;
+  int32_t measured_speed_ = 0;  // sum of both tracks' speeds when the IMU was last read
+  uint16_t since_ms_ = 0;       // time since then
+  uint16_t random_ = 1;
 };
 
 }  // namespace firmware

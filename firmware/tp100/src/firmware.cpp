@@ -40,25 +40,7 @@ const char* name_of(Fault fault) {
 }  // namespace
 
 Firmware::Firmware(Hal& hal)
-    : hal_(hal),
-      fail_safe_(hal),
-      link_(hal),
-      imu_(hal),
-      parameters_(),
-      tracks_(hal, fail_safe_, parameters_),
-      state_(State::kHello),
-      faults_(0),
-      boot_nonce_(0),
-      last_verdict_(Verdict::kAccepted),
-      any_token_(false),
-      last_token_(0),
-      last_result_(Result::kAccepted),
-      last_detail_(0),
-      sequence_(0),
-      sampled_ticks_(0),
-      sampled_us_(0),
-      host_frame_us_(0),
-      hello_us_(0) {}
+    : hal_(hal), fail_safe_(hal), link_(hal), imu_(hal), tracks_(hal, fail_safe_, parameters_) {}
 
 void Firmware::setup() {
   fail_safe_.disable();

@@ -75,24 +75,24 @@ class Firmware {
   Battery battery_;
   TurnHistory history_;
   CommandGate gate_;
-  wire::Parameters parameters_;
+  wire::Parameters parameters_ = {};
   Tracks tracks_;
 
-  wire::State state_;
-  uint16_t faults_;
-  uint32_t boot_nonce_;
-  Verdict last_verdict_;
+  wire::State state_ = wire::State::kHello;
+  uint16_t faults_ = 0;
+  uint32_t boot_nonce_ = 0;
+  Verdict last_verdict_ = Verdict::kAccepted;
 
-  bool any_token_;
-  uint32_t last_token_;
-  wire::Result last_result_;
-  uint16_t last_detail_;
+  bool any_token_ = false;
+  uint32_t last_token_ = 0;
+  wire::Result last_result_ = wire::Result::kAccepted;
+  uint16_t last_detail_ = 0;
 
-  uint16_t sequence_;
-  uint8_t sampled_ticks_;
-  uint32_t sampled_us_;
-  uint32_t host_frame_us_;
-  uint32_t hello_us_;
+  uint16_t sequence_ = 0;
+  uint8_t sampled_ticks_ = 0;
+  uint32_t sampled_us_ = 0;
+  uint32_t host_frame_us_ = 0;
+  uint32_t hello_us_ = 0;
 };
 
 }  // namespace firmware

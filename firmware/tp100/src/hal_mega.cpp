@@ -12,7 +12,6 @@
 #include "quadrature.h"
 #include "twi_mega.h"
 #include "uart_mega.h"
-#include "work_flag.h"
 
 namespace {
 

@@ -16,16 +16,22 @@
 
 #if defined(__AVR__)
 
+#include <avr/io.h>
+
 #include "battery.h"
 #include "hal.h"
 
 namespace tp100 {
 namespace firmware {
 
+/// Tells the sleeping main loop that there is work. It is one bit that a single instruction sets or
+/// tests, because idle() tests it after every interrupt.
+inline void raise_work() { GPIOR0 |= _BV(0); }
+inline bool work_raised() { return (GPIOR0 & _BV(0)) != 0; }
+inline void clear_work() { GPIOR0 &= static_cast<uint8_t>(~_BV(0)); }
+
 class MegaHal : public Hal {
  public:
-  MegaHal() : battery_mv_(0), conversion_(0), nonce_(0) {}
-
   /// Switches the outputs off and the watchdog on, then does the rest. Call once, before any other
   /// call.
   void begin();
@@ -56,9 +62,9 @@ class MegaHal : public Hal {
 
  private:
   Supply supply_;
-  uint16_t battery_mv_;
-  uint8_t conversion_;  // of kConversions
-  uint32_t nonce_;
+  uint16_t battery_mv_ = 0;
+  uint8_t conversion_ = 0;  // of kConversions
+  uint32_t nonce_ = 0;
 };
 
 }  // namespace firmware

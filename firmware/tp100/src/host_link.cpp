@@ -14,17 +14,6 @@ constexpr uint8_t frame_length(uint8_t payload_size) {
 
 }  // namespace
 
-HostLink::HostLink(Hal& hal)
-    : hal_(hal),
-      received_us_(0),
-      counts_(),
-      sync_(),
-      acknowledges_(),
-      sample_(),
-      reports_(),
-      hello_(),
-      logs_() {}
-
 bool HostLink::receive(uint8_t& budget) {
   uint8_t byte;
   while (budget > 0 && hal_.uart_read(byte)) {

@@ -23,7 +23,7 @@ struct LinkCounts {
 
 class HostLink {
  public:
-  explicit HostLink(Hal& hal);
+  explicit HostLink(Hal& hal) : hal_(hal) {}
 
   /// Takes bytes until a good frame is complete or `budget` bytes are used up. True: type(),
   /// payload() and size() hold a frame until the next call.
@@ -97,15 +97,15 @@ class HostLink {
 
   Hal& hal_;
   wire::FrameDecoder decoder_;
-  uint32_t received_us_;
-  LinkCounts counts_;
-  Queue<wire::SyncReply, 1> sync_;
-  Queue<wire::Acknowledge, 6> acknowledges_;
-  Queue<wire::Sample, 1> sample_;
+  uint32_t received_us_ = 0;
+  LinkCounts counts_ = {};
+  Queue<wire::SyncReply, 1> sync_ = {};
+  Queue<wire::Acknowledge, 6> acknowledges_ = {};
+  Queue<wire::Sample, 1> sample_ = {};
   // One place per fault of the robot: a report is never lost.
-  Queue<wire::FaultReport, 13> reports_;
-  Queue<wire::Hello, 1> hello_;
-  Queue<wire::Log, 4> logs_;
+  Queue<wire::FaultReport, 13> reports_ = {};
+  Queue<wire::Hello, 1> hello_ = {};
+  Queue<wire::Log, 4> logs_ = {};
 };
 
 }  // namespace firmware

@@ -32,9 +32,6 @@ int16_t word(const uint8_t* bytes) {
 
 }  // namespace
 
-Imu::Imu(Hal& hal)
-    : hal_(hal), values_(), started_(false), age_(kNever), failures_(0), wait_(0), errors_(0) {}
-
 void Imu::start() {
   started_ = false;
   wait_ = kRetrySamples;

@@ -24,7 +24,7 @@ class Imu {
   static const uint8_t kMeasuredBytes = 14;
   static const uint8_t kNever = 255;
 
-  explicit Imu(Hal& hal);
+  explicit Imu(Hal& hal) : hal_(hal) {}
   /// Identifies and configures the sensor: gyro +-1000 deg/s, accelerometer +-4 g, 1 kHz, low pass
   /// of 42 Hz. About 1 ms.
   void start();
@@ -52,12 +52,12 @@ class Imu {
   void grow_old();
 
   Hal& hal_;
-  ImuValues values_;
-  bool started_;
-  uint8_t age_;
-  uint8_t failures_;
-  uint8_t wait_;
-  uint16_t errors_;
+  ImuValues values_ = {};
+  bool started_ = false;
+  uint8_t age_ = kNever;
+  uint8_t failures_ = 0;
+  uint8_t wait_ = 0;
+  uint16_t errors_ = 0;
 };
 
 }  // namespace firmware

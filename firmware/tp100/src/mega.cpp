@@ -6,13 +6,8 @@
 #include <avr/io.h>
 
 #include "../options.h"
-#include "firmware.h"
-#if defined(FAKE_ROBOT)
 #include "fake_mega.h"
-#else
-#include "hal_mega.h"
-#endif
-#include "work_flag.h"
+#include "firmware.h"
 
 namespace {
 

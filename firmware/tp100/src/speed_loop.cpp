@@ -17,22 +17,6 @@ const float kDeadBandRampPerMps = 200.0f;
 
 }  // namespace
 
-SpeedLoop::SpeedLoop()
-    : counts_(),
-      dt_us_(),
-      sum_counts_(0),
-      sum_us_(0),
-      counts_per_metre_(0.0f),
-      metres_per_count_(0.0f),
-      mps_per_count_us_(0.0f),
-      next_(0),
-      measured_(0),
-      last_counts_(0),
-      moved_m_(0.0f),
-      speed_mps_(0.0f),
-      lag_m_(0.0f),
-      standing_s_(0.0f) {}
-
 void SpeedLoop::measure(int32_t counts, uint16_t dt_us, const wire::Parameters& p) {
   if (measured_ == 0) {
     last_counts_ = counts;

@@ -12,7 +12,6 @@ namespace firmware {
 
 class SpeedLoop {
  public:
-  SpeedLoop();
   /// Takes the track position; call once per sample and in every state. [counts]
   void measure(int32_t counts, uint16_t dt_us, const wire::Parameters& parameters);
   /// Duty for the target. It is 0, with a cleared integrator, once the target has been a standstill
@@ -31,20 +30,20 @@ class SpeedLoop {
 
  private:
   static const uint8_t kWindow = 8;
-  int32_t counts_[kWindow];
-  uint16_t dt_us_[kWindow];
-  int32_t sum_counts_;
-  uint32_t sum_us_;
-  float counts_per_metre_;  // the value that metres_per_count_ was computed from
-  float metres_per_count_;
-  float mps_per_count_us_;
-  uint8_t next_;
-  uint8_t measured_;
-  int32_t last_counts_;
-  float moved_m_;
-  float speed_mps_;
-  float lag_m_;
-  float standing_s_;
+  int32_t counts_[kWindow] = {};
+  uint16_t dt_us_[kWindow] = {};
+  int32_t sum_counts_ = 0;
+  uint32_t sum_us_ = 0;
+  float counts_per_metre_ = 0.0f;  // the value that metres_per_count_ was computed from
+  float metres_per_count_ = 0.0f;
+  float mps_per_count_us_ = 0.0f;
+  uint8_t next_ = 0;
+  uint8_t measured_ = 0;
+  int32_t last_counts_ = 0;
+  float moved_m_ = 0.0f;
+  float speed_mps_ = 0.0f;
+  float lag_m_ = 0.0f;
+  float standing_s_ = 0.0f;
 };
 
 }  // namespace firmware

@@ -30,9 +30,8 @@ const float kMarginShare = 0.1f;
 
 // The gain (duty that a track takes) is learned while the track runs freely, evenly and not too
 // slowly: quickly downwards, but upwards only as fast as a battery sags, or a fault would be
-// learned. Values above the maximum are not learned; a run begins with the maximum.
+// learned.
 const float kMinGain = 0.7f;
-const float kMaxGain = 1.4f;
 const float kGainDownPerS = 3.0f;
 const float kGainUpPerS = 0.005f;
 // At a higher speed, friction takes a smaller share of the duty: the gain holds only up to this
@@ -98,23 +97,8 @@ float wheelbase_m(float left, float right, const wire::Parameters& p) {
 
 }  // namespace
 
-TrackMonitor::TrackMonitor()
-    : known_(false),
-      last_counts_(0),
-      jumped_ms_(0),
-      sign_(0),
-      start_counts_(0),
-      standing_ms_(0),
-      first_counts_(0),
-      best_counts_(0),
-      went_back_(false),
-      step_counts_(0),
-      step_duty_ms_(0),
-      step_ms_(0),
-      missing_m_(0.0f),
-      gain_(kMaxGain),
-      learned_duty_(0.0f),
-      slow_duty_(0.0f) {}
+// Not in the class: copies of it in its callers would take 200 bytes of flash.
+TrackMonitor::TrackMonitor() = default;
 
 void TrackMonitor::reset() { *this = TrackMonitor(); }
 
@@ -235,19 +219,7 @@ void TrackMonitor::learn(float above, float speed_duty, float load_duty, float s
   }
 }
 
-void TurnMonitor::reset() {
-  all_rad_ = 0.0f;
-  slow_rad_ = 0.0f;
-  slope_rad_ = 0.0f;
-  level_known_ = false;
-  level_rad_ = 0.0f;
-  slope_duty_ = 0.0f;
-  turn_duty_ = 0.0f;
-  left_ = 0.0f;
-  right_ = 0.0f;
-  accel_x_ = 0;
-  samples_ = 0;
-}
+void TurnMonitor::reset() { *this = TurnMonitor(); }
 
 TurnMonitor::Verdict TurnMonitor::update(const TurnMark& now, int16_t accel_x, float bias_radps,
                                          const wire::Parameters& p) {

@@ -16,6 +16,7 @@ class TrackMonitor {
   enum Verdict : uint8_t { kGood, kStalled, kReversed };
 
   TrackMonitor();
+
   /// Call once per sample. `duty`: applied during the last `dt_ms` [thousandths]. `counts`: now.
   /// `load_duty`: duty that slopes and turns may take now, beyond straight level driving. [0..1]
   /// `free`: the robot drives straight on level ground, so that the duty of a speed can be learned.
@@ -34,23 +35,26 @@ class TrackMonitor {
   void learn(float above, float speed_duty, float load_duty, float step_s,
              const wire::Parameters& parameters);
 
-  bool known_;
-  int32_t last_counts_;
-  uint16_t jumped_ms_;  // time left in which another jump is a repeated one
-  int8_t sign_;
-  int32_t start_counts_;  // where the standstill began
-  uint16_t standing_ms_;
-  int32_t first_counts_;  // when the duty last changed its sign
-  int32_t best_counts_;   // furthest position in the direction of the duty
-  bool went_back_;        // by a jump, since best_counts_ was reached
+  /// Values above it are not learned; a run begins with it.
+  static constexpr float kMaxGain = 1.4f;
+
+  bool known_ = false;
+  int32_t last_counts_ = 0;
+  uint16_t jumped_ms_ = 0;  // time left in which another jump is a repeated one
+  int8_t sign_ = 0;
+  int32_t start_counts_ = 0;  // where the standstill began
+  uint16_t standing_ms_ = 0;
+  int32_t first_counts_ = 0;  // when the duty last changed its sign
+  int32_t best_counts_ = 0;   // furthest position in the direction of the duty
+  bool went_back_ = false;    // by a jump, since best_counts_ was reached
   // Sums over one step of many samples.
-  int32_t step_counts_;
-  uint32_t step_duty_ms_;
-  uint16_t step_ms_;
-  float missing_m_;     // distance that the duty implies beyond what was counted
-  float gain_;          // duty that the track takes, relative to the parameters
-  float learned_duty_;  // duty by the parameters for the speed at which gain_ was learned
-  float slow_duty_;     // duty by the parameters for its speed, over some steps
+  int32_t step_counts_ = 0;
+  uint32_t step_duty_ms_ = 0;
+  uint16_t step_ms_ = 0;
+  float missing_m_ = 0.0f;     // distance that the duty implies beyond what was counted
+  float gain_ = kMaxGain;      // duty that the track takes, relative to the parameters
+  float learned_duty_ = 0.0f;  // duty by the parameters for the speed at which gain_ was learned
+  float slow_duty_ = 0.0f;     // duty by the parameters for its speed, over some steps
 };
 
 /// Compares the rotation by the gyro with the rotation by the tracks. It finds an encoder that
@@ -60,7 +64,6 @@ class TurnMonitor {
   /// Which track counts too little.
   enum Verdict : uint8_t { kGood, kLeftShort, kRightShort };
 
-  TurnMonitor() : then_() { reset(); }
   /// Call once per sample while the gyro may be used; every eighth call judges. `accel_x` is the
   /// raw IMU value, `bias_radps` the gyro's bias.
   Verdict update(const TurnMark& now, int16_t accel_x, float bias_radps,
@@ -76,18 +79,18 @@ class TurnMonitor {
  private:
   void weigh(float turn_rad, float driven_rad, float elapsed_s);
 
-  TurnMark then_;
-  float all_rad_;   // gyro minus tracks, minus what slip explains
-  float slow_rad_;  // the same with its rate limited, so that a disturbance adds little
-  bool level_known_;
-  float level_rad_;  // pitch by the accelerometer when the robot started
-  float slope_rad_;
-  float slope_duty_;
-  float turn_duty_;
-  float left_;  // counts per step, less slip, averaged over some steps
-  float right_;
-  int32_t accel_x_;  // sum over the step
-  uint8_t samples_;
+  TurnMark then_ = {};
+  float all_rad_ = 0.0f;   // gyro minus tracks, minus what slip explains
+  float slow_rad_ = 0.0f;  // the same with its rate limited, so that a disturbance adds little
+  bool level_known_ = false;
+  float level_rad_ = 0.0f;  // pitch by the accelerometer when the robot started
+  float slope_rad_ = 0.0f;
+  float slope_duty_ = 0.0f;
+  float turn_duty_ = 0.0f;
+  float left_ = 0.0f;  // counts per step, less slip, averaged over some steps
+  float right_ = 0.0f;
+  int32_t accel_x_ = 0;  // sum over the step
+  uint8_t samples_ = 0;
 };
 
 }  // namespace firmware

@@ -11,9 +11,6 @@ const float kFreeDuty = 0.05f;
 
 }  // namespace
 
-Tracks::Tracks(Hal& hal, FailSafe& fail_safe, const wire::Parameters& parameters)
-    : hal_(hal), fail_safe_(fail_safe), parameters_(parameters), left_(), right_(), target_() {}
-
 void Tracks::restart() {
   left_.loop.restart();
   right_.loop.restart();

@@ -17,8 +17,8 @@ class Tracks {
   struct Track {
     SpeedLoop loop;
     TrackMonitor monitor;
-    int32_t counts;
-    int16_t duty;  ///< applied, forward positive [thousandths]
+    int32_t counts = 0;
+    int16_t duty = 0;  ///< applied, forward positive [thousandths]
   };
   /// What the monitors found.
   struct Verdicts {
@@ -27,7 +27,8 @@ class Tracks {
   };
 
   /// `parameters` are those of the session.
-  Tracks(Hal& hal, FailSafe& fail_safe, const wire::Parameters& parameters);
+  Tracks(Hal& hal, FailSafe& fail_safe, const wire::Parameters& parameters)
+      : hal_(hal), fail_safe_(fail_safe), parameters_(parameters) {}
 
   const Track& left() const { return left_; }
   const Track& right() const { return right_; }
@@ -63,7 +64,7 @@ class Tracks {
   Track right_;
   TrackMonitor mean_monitor_;
   TurnMonitor turn_monitor_;
-  TrackSpeeds target_;
+  TrackSpeeds target_ = {};
 };
 
 }  // namespace firmware

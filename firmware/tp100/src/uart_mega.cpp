@@ -5,9 +5,8 @@
 #include <avr/interrupt.h>
 #include <avr/io.h>
 
+#include "hal_mega.h"
 #include "wire/frame.h"
-#include "wire/messages.h"
-#include "work_flag.h"
 
 namespace {
 

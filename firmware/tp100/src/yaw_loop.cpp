@@ -11,8 +11,6 @@ const float kSecondsPerUnit = 8e-6f;
 
 }  // namespace
 
-TurnHistory::TurnHistory() : marks_(), newest_(), last_sequence_(0), last_gyro_z_(0), size_(0) {}
-
 void TurnHistory::add(uint16_t sequence, uint32_t device_us, int16_t gyro_z, int32_t left_counts,
                       int32_t right_counts) {
   // Differences are taken of the divided times, so that no remainder is lost between samples.

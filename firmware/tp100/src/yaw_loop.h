@@ -23,7 +23,6 @@ struct TurnMark {
 /// Marks of the last samples, looked up by the sequence that a command answers.
 class TurnHistory {
  public:
-  TurnHistory();
   /// Adds a sample. `gyro_z` is held over samples for which the IMU did not answer.
   void add(uint16_t sequence, uint32_t device_us, int16_t gyro_z, int32_t left_counts,
            int32_t right_counts);
@@ -35,11 +34,11 @@ class TurnHistory {
 
  private:
   static const uint8_t kCapacity = 64;
-  TurnMark marks_[kCapacity];
-  TurnMark newest_;
-  uint16_t last_sequence_;
-  int16_t last_gyro_z_;
-  uint8_t size_;
+  TurnMark marks_[kCapacity] = {};
+  TurnMark newest_ = {};
+  uint16_t last_sequence_ = 0;
+  int16_t last_gyro_z_ = 0;
+  uint8_t size_ = 0;
 };
 
 /// Rotation from `then` to `now`: by the gyro minus its bias if `use_gyro`, else by the tracks and

@@ -91,8 +91,6 @@ enum class DecodeResult : uint8_t {
 /// any bytes. A corrupted byte costs its own frame and, if it is a delimiter, also the next one.
 class FrameDecoder {
  public:
-  FrameDecoder() : buffer_(), used_(0), skipping_(false), type_(0), size_(0) {}
-
   DecodeResult push(uint8_t byte) {
     if (byte != kDelimiter) {
       if (skipping_) return DecodeResult::kNothing;
@@ -141,11 +139,11 @@ class FrameDecoder {
     return DecodeResult::kFrame;
   }
 
-  uint8_t buffer_[kMaxFrame];
-  size_t used_;
-  bool skipping_;
-  uint8_t type_;
-  size_t size_;
+  uint8_t buffer_[kMaxFrame] = {};
+  size_t used_ = 0;
+  bool skipping_ = false;
+  uint8_t type_ = 0;
+  size_t size_ = 0;
 };
 
 }  // namespace wire
