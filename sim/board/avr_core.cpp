@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
+#include <string>
 
 #include "core/error.h"
 
@@ -15,6 +16,8 @@ namespace {
 
 constexpr std::uint16_t kMcusr = 0x54;
 constexpr std::uint8_t kExternalInterrupts = 8;
+// The most cycles between two checks of simavr's timers; results do not depend on it.
+constexpr std::uint32_t kRunCycleLimit = 16000;
 
 void say_nothing(avr_t*, int, const char*, va_list) {}
 
@@ -31,12 +34,12 @@ avr_t* make_chip() {
 
 }  // namespace
 
-AvrCore::AvrCore(const AvrImage& image, std::uint32_t run_cycle_limit)
-    : avr_(make_chip()), run_cycle_limit_(run_cycle_limit) {
+AvrCore::AvrCore(const AvrImage& image) : avr_(make_chip()) {
   avr_->custom.data = this;
   avr_->frequency = kHz;
   avr_->vcc = avr_->avcc = avr_->aref = 5000;
-  avr_->sleep = on_sleep;
+  // The default would let the host's thread sleep.
+  avr_->sleep = [](avr_t*, CpuCycles) {};
   chip_reset_ = avr_->reset;
   avr_->reset = on_chip_reset;
   repair_timers();
@@ -91,9 +94,6 @@ void AvrCore::on_chip_reset(avr_t* avr) {
   if (core.chip_reset_ != nullptr) core.chip_reset_(avr);
 }
 
-// simavr's default would let the host's thread sleep.
-void AvrCore::on_sleep(avr_t* avr, CpuCycles cycles) { owner(avr).slept_ += cycles + 1; }
-
 CpuCycles AvrCore::on_timer(avr_t* avr, CpuCycles, void* self) {
   AvrCore& core = *static_cast<AvrCore*>(self);
   const CpuCycles now = core.cycle();
@@ -108,7 +108,7 @@ CpuCycles AvrCore::on_timer(avr_t* avr, CpuCycles, void* self) {
 
 // Restores everything that a reset clears.
 void AvrCore::arm() {
-  avr_->run_cycle_limit = run_cycle_limit_;
+  avr_->run_cycle_limit = kRunCycleLimit;
   // Otherwise simavr would check a low pin in every cycle until its interrupt is configured.
   for (std::uint8_t i = 0; i < kExternalInterrupts; ++i) {
     avr_extint_set_strict_lvl_trig(avr_, i, 0);
@@ -152,6 +152,13 @@ void AvrCore::run_until(CpuCycles until) {
     }
   }
   avr_cycle_timer_cancel(avr_, on_timer, this);
+}
+
+avr_io_t* AvrCore::module(const char* kind, const std::function<bool(avr_io_t*)>& is) const {
+  for (avr_io_t* io = avr_->io_port; io != nullptr; io = io->next)
+    if (std::strcmp(io->kind, kind) == 0 && is(io)) return io;
+  throw SetupError(std::string("libsimavr: its atmega2560 lacks a ") + kind +
+                   "; install libsimavr-dev 1.6");
 }
 
 CpuCycles AvrCore::cycle() const { return avr_->cycle + offset_; }

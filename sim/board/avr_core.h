@@ -8,6 +8,7 @@
 
 #include "sim/board/avr_image.h"
 
+struct avr_io_t;
 struct avr_t;
 
 namespace tp100::sim {
@@ -20,9 +21,8 @@ class AvrCore {
   static constexpr std::uint32_t kHz = 16'000'000;
   static constexpr CpuCycles kNever = ~CpuCycles{0};
 
-  /// `run_cycle_limit` is simavr's: the most cycles between two checks of its timers. Results do
-  /// not depend on it. Throws SetupError.
-  AvrCore(const AvrImage& image, std::uint32_t run_cycle_limit);
+  /// Throws SetupError.
+  explicit AvrCore(const AvrImage& image);
   ~AvrCore();
   AvrCore(const AvrCore&) = delete;
   AvrCore& operator=(const AvrCore&) = delete;
@@ -43,8 +43,6 @@ class AvrCore {
   void run_until(CpuCycles cycle);
 
   CpuCycles cycle() const;
-  /// Cycles that the CPU spent asleep.
-  CpuCycles slept() const { return slept_; }
   /// Number of resets by the chip's own watchdog.
   std::uint64_t own_resets() const { return own_resets_; }
   /// Registers, I/O and SRAM by data address.
@@ -54,20 +52,21 @@ class AvrCore {
   std::uint32_t program_counter() const;
   bool asleep() const;
   avr_t* chip() const { return avr_; }
+  /// The chip's module of that kind ("uart", "port", ...) that `is` accepts. Throws SetupError.
+  avr_io_t* module(
+      const char* kind,
+      const std::function<bool(avr_io_t*)>& is = [](avr_io_t*) { return true; }) const;
 
  private:
   static void on_chip_reset(avr_t* avr);
   static CpuCycles on_timer(avr_t* avr, CpuCycles when, void* core);
-  static void on_sleep(avr_t* avr, CpuCycles cycles);
   void repair_timers();
   void free_what_terminate_leaves();
   void arm();
 
   avr_t* avr_;
-  std::uint32_t run_cycle_limit_;
   void (*chip_reset_)(avr_t*) = nullptr;
   CpuCycles offset_ = 0;  // cycle() minus simavr's own count
-  CpuCycles slept_ = 0;
   CpuCycles until_ = 0;
   CpuCycles next_ = kNever;
   bool reached_ = true;

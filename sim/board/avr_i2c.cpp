@@ -4,11 +4,6 @@
 #include <avr_twi.h>
 #include <sim_avr.h>
 
-#include <algorithm>
-#include <cstring>
-
-#include "core/error.h"
-
 namespace tp100::sim {
 namespace {
 
@@ -34,18 +29,13 @@ constexpr std::uint8_t kClocksToFree = 9;
 // The MPU6050 latches its registers for the length of a burst (register map rev 4.2, 4.17).
 constexpr std::size_t kBurst = 14;
 
-avr_twi_t* find_twi(avr_t* avr) {
-  for (avr_io_t* io = avr->io_port; io != nullptr; io = io->next) {
-    if (std::strcmp(io->kind, "twi") == 0) return reinterpret_cast<avr_twi_t*>(io);
-  }
-  throw SetupError(
-      "libsimavr: its atmega2560 lacks a two-wire interface; install libsimavr-dev 1.6");
-}
-
 }  // namespace
 
 AvrI2c::AvrI2c(AvrCore& core, I2cSlave* slave, std::uint8_t address)
-    : core_(core), slave_(slave), address_(address), twi_(find_twi(core.chip())) {
+    : core_(core),
+      slave_(slave),
+      address_(address),
+      twi_(reinterpret_cast<avr_twi_t*>(core.module("twi"))) {
   avr_t* avr = core.chip();
   // Set directly: simavr would abort if asked to replace its own handler.
   avr->io[AVR_DATA_TO_IO(kTwcr)].w = {this, on_control};
@@ -96,9 +86,6 @@ void AvrI2c::begin_step(std::uint8_t value) {
   const bool low = fault_ == I2cFault::kHeld || fault_ == I2cFault::kStuck;
   if ((value & kStop) != 0) {
     if (low) return;  // no edge of SDA: the bit stays set
-    if (state_ != State::kIdle) {
-      longest_transfer_ = std::max(longest_transfer_, core_.cycle() - began_);
-    }
     finish_transfer();
     control = static_cast<std::uint8_t>(control & ~kStop);
     core_.data()[kTwsr] = static_cast<std::uint8_t>(core_.data()[kTwsr] | kStatusMask);
@@ -106,7 +93,6 @@ void AvrI2c::begin_step(std::uint8_t value) {
   if ((value & kStart) != 0) {
     if (low) return;  // the master waits for a free bus
     const bool repeated = state_ != State::kIdle;
-    if (!repeated) began_ = core_.cycle();
     finish_transfer();
     state_ = State::kStarted;
     complete(1, repeated ? kRepeatedStartSent : kStartSent);
@@ -121,12 +107,10 @@ void AvrI2c::next_byte(std::uint8_t value) {
     case State::kStarted:
       return address_byte(data);
     case State::kSending:
-      ++bytes_;
       written_.push_back(data);
       next_data_ = data;
       return complete(kByteBits, fault_ == I2cFault::kNone ? 0x28 : 0x30);
     case State::kReceiving:
-      ++bytes_;
       next_data_ = fault_ == I2cFault::kNone ? take_byte() : 0xFF;
       return complete(kByteBits, (value & kAcknowledge) != 0 ? 0x50 : 0x58);
     case State::kRefused:
@@ -136,7 +120,6 @@ void AvrI2c::next_byte(std::uint8_t value) {
 }
 
 void AvrI2c::address_byte(std::uint8_t byte) {
-  ++bytes_;
   next_data_ = byte;
   const bool reads = (byte & 1U) != 0;
   if (!acknowledges(byte)) {

@@ -27,13 +27,8 @@ class AvrI2c {
   AvrI2c(AvrCore& core, I2cSlave* slave, std::uint8_t address);
 
   void set_fault(I2cFault fault);
-  I2cFault fault() const { return fault_; }
   /// Call after a reset of the chip.
   void restore();
-  /// Number of bytes, addresses included, since the core was created.
-  std::uint64_t bytes() const { return bytes_; }
-  /// Duration from the first START to STOP.
-  CpuCycles longest_transfer() const { return longest_transfer_; }
 
  private:
   enum class State { kIdle, kStarted, kSending, kReceiving, kRefused };
@@ -63,9 +58,6 @@ class AvrI2c {
   std::vector<std::uint8_t> written_;
   std::vector<std::uint8_t> latched_;
   std::size_t next_latched_ = 0;
-  std::uint64_t bytes_ = 0;
-  CpuCycles began_ = 0;
-  CpuCycles longest_transfer_ = 0;
 };
 
 }  // namespace tp100::sim

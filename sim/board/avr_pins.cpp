@@ -7,9 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 
-#include "core/error.h"
 #include "sim/board/avr_core.h"
 #include "sim/body/seed.h"
 
@@ -27,14 +25,7 @@ struct Place {
 };
 constexpr std::array<Place, 4> kPlaces = {{{'E', 4}, {'E', 5}, {'D', 3}, {'D', 2}}};
 
-avr_ioport_t* find_port(avr_t* avr, char name) {
-  for (avr_io_t* io = avr->io_port; io != nullptr; io = io->next) {
-    if (std::strcmp(io->kind, "port") != 0) continue;
-    auto* port = reinterpret_cast<avr_ioport_t*>(io);
-    if (port->name == name) return port;
-  }
-  throw SetupError("libsimavr: its atmega2560 lacks a port; install libsimavr-dev 1.6");
-}
+avr_ioport_t* port_of(avr_io_t* io) { return reinterpret_cast<avr_ioport_t*>(io); }
 
 constexpr std::uint16_t kDdra = 0x21;
 constexpr std::uint16_t kPorta = 0x22;
@@ -98,7 +89,8 @@ void AvrAdc::put(int channel, std::uint32_t steps) {
 AvrEncoderPins::AvrEncoderPins(AvrCore& core) : core_(core) {
   for (std::size_t i = 0; i < pins_.size(); ++i) {
     Pin& pin = pins_[i];
-    pin.port = find_port(core.chip(), kPlaces[i].port);
+    pin.port = port_of(
+        core.module("port", [&](avr_io_t* io) { return port_of(io)->name == kPlaces[i].port; }));
     pin.irq = pin.port->io.irq + kPlaces[i].bit;
     pin.mask = static_cast<std::uint8_t>(1U << kPlaces[i].bit);
     pin.port->external.pull_mask |= pin.mask;

@@ -4,9 +4,6 @@
 #include <sim_avr.h>
 
 #include <algorithm>
-#include <cstring>
-
-#include "core/error.h"
 
 namespace tp100::sim {
 namespace {
@@ -16,18 +13,13 @@ constexpr std::uint16_t kUbrr0h = 0xC5;
 constexpr CpuCycles kFrameBits = 10;  // 8N1
 constexpr std::size_t kReceiver = 3;
 
-avr_uart_t* find_uart(avr_t* avr) {
-  for (avr_io_t* io = avr->io_port; io != nullptr; io = io->next) {
-    if (std::strcmp(io->kind, "uart") != 0) continue;
-    auto* uart = reinterpret_cast<avr_uart_t*>(io);
-    if (uart->name == '0') return uart;
-  }
-  throw SetupError("libsimavr: its atmega2560 lacks a UART; install libsimavr-dev 1.6");
-}
+avr_uart_t* uart_of(avr_io_t* io) { return reinterpret_cast<avr_uart_t*>(io); }
 
 }  // namespace
 
-AvrUart::AvrUart(AvrCore& core) : core_(core), uart_(find_uart(core.chip())) {
+AvrUart::AvrUart(AvrCore& core)
+    : core_(core),
+      uart_(uart_of(core.module("uart", [](avr_io_t* io) { return uart_of(io)->name == '0'; }))) {
   avr_t* avr = core.chip();
   // No echo on the console, no sleeping on the host while the chip polls.
   uart_->flags = 0;
@@ -60,10 +52,7 @@ void AvrUart::on_send(avr_irq_t*, std::uint32_t value, void* self) {
 
 void AvrUart::receive(std::uint8_t value) {
   avr_t* avr = core_.chip();
-  if (avr_regbit_get(avr, uart_->rxen) == 0) {
-    ++while_off_;
-    return;
-  }
+  if (avr_regbit_get(avr, uart_->rxen) == 0) return;
   if (received_.size() >= kReceiver) {
     ++overruns_;
     return;

@@ -32,9 +32,6 @@ class AvrUart {
   void restore();
 
   std::uint64_t overruns() const { return overruns_; }
-  /// Number of bytes that arrived while the receiver was off.
-  std::uint64_t while_off() const { return while_off_; }
-  std::size_t waiting() const { return received_.size(); }
 
  private:
   static void on_baud(avr_irq_t*, std::uint32_t, void* uart);
@@ -48,7 +45,6 @@ class AvrUart {
   std::vector<SentByte> sent_;
   CpuCycles transmitter_free_ = 0;
   std::uint64_t overruns_ = 0;
-  std::uint64_t while_off_ = 0;
 };
 
 }  // namespace tp100::sim

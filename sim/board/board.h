@@ -7,6 +7,7 @@
 
 #include "core/time.h"
 #include "sim/sensors/quadrature_encoder.h"
+#include "wire/messages.h"
 
 namespace tp100::sim {
 
@@ -16,7 +17,8 @@ struct TimedByte {
   std::uint8_t value;
 };
 
-enum class PowerUp { kPowerOn, kExternal, kBrownOut, kWatchdog };
+/// Why a board starts; none is unknown.
+using PowerUp = wire::ResetCause;
 
 /// Signed duties at the motor driver, -1..1.
 struct MotorDuty {

@@ -1,11 +1,10 @@
-// The daemon's cycle over the bytes of an emulated Mega: the image when the board restarts in the
-// middle of a run, and the image built with FAKE_ROBOT on a board with nothing attached.
+// The daemon's cycle over the bytes of an emulated Mega with nothing attached, whose image was
+// built with FAKE_ROBOT.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <memory>
 #include <string>
-#include <tuple>
 
 #include "bridge/cycle.h"
 #include "core/board.h"
@@ -19,15 +18,15 @@ namespace {
 
 constexpr HostNs kPeriodNs = 5 * kNsPerMs;  // of the daemon's cycle
 
-class DaemonRig {
+/// A bare Mega with the image built with FAKE_ROBOT, and the daemon's cycle.
+class BareMega {
  public:
-  explicit DaemonRig(const std::string& course_name)
-      : course(std::make_shared<const course::Course>(load_course(course_name))) {
+  explicit BareMega(const std::string& course_name, bool bootloader = false)
+      : course(std::make_shared<const course::Course>(load_course(course_name))),
+        board({.image = build_path("firmware/tp100_fake.elf"), .bootloader = bootloader}, nullptr) {
     cycle.session().open(0);
+    board.reset(PowerUp::kPowerOn, 0);
   }
-  virtual ~DaemonRig() = default;
-  DaemonRig(const DaemonRig&) = delete;
-  DaemonRig& operator=(const DaemonRig&) = delete;
 
   bool run_until(auto&& done, double limit_s) {
     const HostNs end_ns = now_ns + from_s(limit_s);
@@ -47,23 +46,22 @@ class DaemonRig {
   std::shared_ptr<const course::Course> course;
   bridge::Parameters parameters = config::bridge_parameters(loaded.configuration, loaded.robot);
   bridge::Cycle cycle{bridge::session_settings(parameters, course.get()), parameters, course};
+  AvrBoard board;
   HostNs now_ns = 0;
   std::int64_t longest_us = 0;  ///< between two samples
-
- protected:
-  /// Advances the board to `now_ns` and returns what it sent.
-  virtual std::vector<TimedByte> advance() = 0;
-  virtual void receive(std::span<const std::uint8_t> bytes) = 0;
 
  private:
   void step() {
     now_ns += kNsPerMs;
-    for (const TimedByte& byte : advance())
+    board.advance(now_ns, {}, to_board_.take(now_ns));
+    EXPECT_EQ(board.motor_duty().left, 0.0) << "a motor's pin is driven";
+    EXPECT_EQ(board.motor_duty().right, 0.0) << "a motor's pin is driven";
+    for (const TimedByte& byte : board.take_sent())
       cycle.session().receive(std::span(&byte.value, 1), byte.at_ns);
     if (now_ns % kPeriodNs != 0) return;
     cycle.step(now_ns);
     cycle.session().take_events();
-    receive(cycle.session().output());
+    to_board_.send(cycle.session().output(), now_ns);
     cycle.session().written(cycle.session().output().size());
     for (const Sample& sample : cycle.inputs().samples) {
       if (last_us_ >= 0) longest_us = std::max(longest_us, sample.device_us - last_us_);
@@ -71,81 +69,23 @@ class DaemonRig {
     }
   }
 
+  UartLine to_board_{wire::kBaud};
   std::int64_t last_us_ = -1;
 };
 
-class EmulatedRobotRig final : public DaemonRig {
- public:
-  explicit EmulatedRobotRig(bool bootloader)
-      : DaemonRig("1-straight"),
-        robot(
-            {.values = loaded.robot.emulated, .board = BoardKind::kAvr, .bootloader = bootloader}) {
-    robot.reset(PowerUp::kPowerOn);
-  }
-  bool moves() const { return robot.motor_duty().left != 0.0 || robot.motor_duty().right != 0.0; }
-
-  EmulatedRobot robot;
-
- protected:
-  std::vector<TimedByte> advance() override { return robot.advance(); }
-  void receive(std::span<const std::uint8_t> bytes) override { robot.receive(bytes, now_ns); }
-};
-
-class AvrReset : public ::testing::TestWithParam<std::tuple<PowerUp, bool>> {};
-
-TEST_P(AvrReset, EndsTheRunAndANewOneCanBegin) {
-  const auto [cause, bootloader] = GetParam();
-  EmulatedRobotRig rig(bootloader);
-  rig.start();
-  ASSERT_TRUE(rig.run_until(RunState::kRunning, 5.0));
-  rig.run(0.5);
-  ASSERT_TRUE(rig.moves());
-
-  rig.robot.reset(cause);
-  EXPECT_FALSE(rig.run_until([&] { return rig.moves(); }, 3.0));
-  EXPECT_EQ(rig.state(), RunState::kAborted);
-  // The silence of the bootloader ends the link, and a new link begins without a detected reboot.
-  EXPECT_EQ(rig.cycle.session().counters().reboots, bootloader ? 0U : 1U);
-
-  rig.start();
-  EXPECT_TRUE(rig.run_until(RunState::kRunning, 5.0));
-  rig.run(0.5);
-  EXPECT_TRUE(rig.moves());
+// The silence of the bootloader ends the link, and a new link begins without a detected reboot.
+TEST(BareMegaThroughItsBootloader, AResetEndsTheRunAndANewOneCanBegin) {
+  BareMega mega("1-straight", true);
+  mega.start();
+  ASSERT_TRUE(mega.run_until(RunState::kRunning, 5.0));
+  mega.run(0.5);
+  mega.board.reset(PowerUp::kExternal, mega.now_ns);
+  ASSERT_TRUE(mega.run_until(RunState::kAborted, 1.0));
+  EXPECT_FALSE(mega.run_until([&] { return mega.state() != RunState::kAborted; }, 3.0));
+  EXPECT_EQ(mega.cycle.session().counters().reboots, 0U);
+  mega.start();
+  EXPECT_TRUE(mega.run_until(RunState::kRunning, 5.0));
 }
-
-std::string name_of(const ::testing::TestParamInfo<std::tuple<PowerUp, bool>>& test) {
-  const char* const causes[] = {"PowerOn", "External", "BrownOut", "Watchdog"};
-  return std::string(causes[static_cast<std::size_t>(std::get<0>(test.param))]) +
-         (std::get<1>(test.param) ? "ThroughTheBootloader" : "");
-}
-
-INSTANTIATE_TEST_SUITE_P(Causes, AvrReset,
-                         ::testing::Combine(::testing::Values(PowerUp::kPowerOn, PowerUp::kExternal,
-                                                              PowerUp::kBrownOut,
-                                                              PowerUp::kWatchdog),
-                                            ::testing::Bool()),
-                         name_of);
-
-class BareMega final : public DaemonRig {
- public:
-  explicit BareMega(const std::string& course_name) : DaemonRig(course_name) {
-    board.reset(PowerUp::kPowerOn, 0);
-  }
-
-  AvrBoard board{{.image = build_path("firmware/tp100_fake.elf")}, nullptr};
-
- protected:
-  std::vector<TimedByte> advance() override {
-    board.advance(now_ns, {}, to_board_.take(now_ns));
-    EXPECT_EQ(board.motor_duty().left, 0.0) << "a motor's pin is driven";
-    EXPECT_EQ(board.motor_duty().right, 0.0) << "a motor's pin is driven";
-    return board.take_sent();
-  }
-  void receive(std::span<const std::uint8_t> bytes) override { to_board_.send(bytes, now_ns); }
-
- private:
-  UartLine to_board_{wire::kBaud};
-};
 
 class FakeRobotCourse : public testing::TestWithParam<const char*> {};
 

@@ -29,6 +29,8 @@ class BoardRig : public test::WireHost {
 
   explicit BoardRig(std::uint64_t seed);
   virtual Board& hardware() = 0;
+  /// Bytes that found the receiver full.
+  virtual std::uint64_t overruns() const = 0;
 
   /// Puts the bytes on the wire from now on.
   void send_bytes(const std::vector<std::uint8_t>& bytes) override;
@@ -77,6 +79,7 @@ class RigWith final : public BoardRig {
   explicit RigWith(const Settings& settings = {})
       : BoardRig(settings.seed), board(settings, &imu) {}
   Board& hardware() override { return board; }
+  std::uint64_t overruns() const override { return board.counters().rx_overruns; }
 
   Hardware board;
 };
