@@ -42,7 +42,7 @@ void ByteFaults::carry(TimedByte byte) {
     for (Planned& planned : faults_) {
       planned.hits_frame =
           planned.fault.active(byte.at_ns) && random_share() < planned.fault.number;
-      if (planned.fault.kind == FaultKind::kJitter && planned.fault.active(byte.at_ns))
+      if (planned.fault.kind == fault_kind("jitter") && planned.fault.active(byte.at_ns))
         frame_late_ns_ = ns_of_ms(random_share() * planned.fault.number);
     }
   }
@@ -54,8 +54,8 @@ void ByteFaults::carry(TimedByte byte) {
     at_ns = late(planned, at_ns);
     if (!planned.fault.active(byte.at_ns)) continue;
     lost = !corruption(planned, byte) || lost;
-    if (kind == FaultKind::kDuplicate && random_share() < planned.fault.number) ++copies;
-    if (kind == FaultKind::kInsert && random_share() < planned.fault.number)
+    if (kind == fault_kind("duplicate") && random_share() < planned.fault.number) ++copies;
+    if (kind == fault_kind("insert") && random_share() < planned.fault.number)
       put({at_ns, random_byte()});
   }
   for (int i = 0; i < copies && !lost; ++i) put({at_ns, byte.value});
@@ -64,20 +64,20 @@ void ByteFaults::carry(TimedByte byte) {
 
 bool ByteFaults::corruption(Planned& planned, TimedByte& byte) {
   switch (planned.fault.kind) {
-    case FaultKind::kFlip:
+    case fault_kind("flip"):
       if (random_share() < planned.fault.number)
         byte.value = static_cast<std::uint8_t>(byte.value ^ (1U << (random_byte() & 7U)));
       return true;
-    case FaultKind::kDelimiter:
+    case fault_kind("delimiter"):
       if (random_share() < planned.fault.number) byte.value = wire::kDelimiter;
       return true;
-    case FaultKind::kDrop:
+    case fault_kind("drop"):
       return random_share() >= planned.fault.number;
-    case FaultKind::kTruncate:
+    case fault_kind("truncate"):
       return !planned.hits_frame || in_frame_ <= kStump || byte.value == wire::kDelimiter;
-    case FaultKind::kFuse:
+    case fault_kind("fuse"):
       return !planned.hits_frame || byte.value != wire::kDelimiter;
-    case FaultKind::kCut:
+    case fault_kind("cut"):
       return false;
     default:
       return true;
@@ -88,13 +88,13 @@ HostNs ByteFaults::late(const Planned& planned, HostNs at_ns) const {
   const PlannedFault& fault = planned.fault;
   if (!fault.active(at_ns)) return at_ns;
   switch (fault.kind) {
-    case FaultKind::kDelay:
+    case fault_kind("delay"):
       return at_ns + ns_of_ms(fault.number);
-    case FaultKind::kBatch: {
+    case fault_kind("batch"): {
       const HostNs period_ns = ns_of_ms(fault.number);
       return (at_ns + period_ns - 1) / period_ns * period_ns;
     }
-    case FaultKind::kStall:
+    case fault_kind("stall"):
       return std::max(at_ns, fault.begin_ns + ns_of_ms(fault.number));
     default:
       return at_ns;
@@ -105,11 +105,11 @@ void ByteFaults::speak(HostNs until_ns) {
   for (Planned& planned : faults_) {
     const PlannedFault& fault = planned.fault;
     if (planned.next_ns > until_ns || !fault.active(planned.next_ns)) continue;
-    if (fault.kind == FaultKind::kNoise) {
+    if (fault.kind == fault_kind("noise")) {
       const auto count = static_cast<std::int64_t>(fault.number);
       for (std::int64_t i = 0; i < count; ++i) put({planned.next_ns, random_byte()});
       planned.next_ns = fault.end_ns;
-    } else if (fault.kind == FaultKind::kChatter) {
+    } else if (fault.kind == fault_kind("chatter")) {
       for (const char letter : kChatterText)
         put({planned.next_ns, static_cast<std::uint8_t>(letter)});
       planned.next_ns += ns_of_ms(fault.number);

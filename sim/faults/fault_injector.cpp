@@ -1,5 +1,8 @@
 #include "sim/faults/fault_injector.h"
 
+#include <algorithm>
+#include <array>
+
 #include "core/time.h"
 
 namespace tp100::sim {
@@ -7,21 +10,13 @@ namespace {
 
 using Faults = std::vector<PlannedFault>;
 
+constexpr std::array kOfFrames = {
+    fault_kind("clock-step"),      fault_kind("sync-late"), fault_kind("sync-twice"),
+    fault_kind("version"),         fault_kind("schema"),    fault_kind("board"),
+    fault_kind("unknown-message"), fault_kind("replay"),    fault_kind("sequence")};
+
 bool of_frames(FaultKind kind) {
-  switch (kind) {
-    case FaultKind::kClockStep:
-    case FaultKind::kSyncLate:
-    case FaultKind::kSyncTwice:
-    case FaultKind::kVersion:
-    case FaultKind::kSchema:
-    case FaultKind::kBoard:
-    case FaultKind::kUnknownMessage:
-    case FaultKind::kReplay:
-    case FaultKind::kSequence:
-      return true;
-    default:
-      return false;
-  }
+  return std::find(kOfFrames.begin(), kOfFrames.end(), kind) != kOfFrames.end();
 }
 
 Faults of_direction(const Faults& faults, bool to_host, bool frames) {
@@ -71,7 +66,7 @@ void FaultInjector::edges(std::vector<EncoderEdge>& edges, HostNs from_ns) {
 
 double FaultInjector::battery(double volts, HostNs now_ns) const {
   for (const Planned& planned : faults_)
-    if (begin_ns_ && planned.fault.kind == FaultKind::kBattery &&
+    if (begin_ns_ && planned.fault.kind == fault_kind("battery") &&
         planned.fault.active(now_ns - *begin_ns_))
       return planned.fault.number;
   return volts;
@@ -90,7 +85,7 @@ std::optional<double> FaultInjector::take(FaultKind kind, HostNs now_ns) {
     if (!begin_ns_ || planned.fault.kind != kind || !planned.fault.active(at_ns) ||
         at_ns < planned.next_ns)
       continue;
-    planned.next_ns = injectable_fault(kind).at_once
+    planned.next_ns = kInjectableFaults[kind].at_once
                           ? planned.fault.end_ns
                           : planned.next_ns + from_s(planned.fault.number);
     return planned.fault.number;

@@ -59,8 +59,8 @@ void FrameFaults::finish(wire::DecodeResult received, std::vector<TimedByte>& ou
   for (Planned& planned : faults_) {
     if (!planned.fault.active(at_ns)) continue;
     edit(planned, type, payload);
-    if (sync && planned.fault.kind == FaultKind::kSyncLate) late_ms = planned.fault.number;
-    if (sync && planned.fault.kind == FaultKind::kSyncTwice) copies = 2;
+    if (sync && planned.fault.kind == fault_kind("sync-late")) late_ms = planned.fault.number;
+    if (sync && planned.fault.kind == fault_kind("sync-twice")) copies = 2;
   }
   const std::vector<TimedByte> frame = coded(type, payload, at_ns);
   if (late_ms > 0.0) {
@@ -71,9 +71,9 @@ void FrameFaults::finish(wire::DecodeResult received, std::vector<TimedByte>& ou
   for (const Planned& planned : faults_) {
     if (!planned.fault.active(at_ns)) continue;
     const auto number = static_cast<std::size_t>(planned.fault.number);
-    if (planned.fault.kind == FaultKind::kUnknownMessage)
+    if (planned.fault.kind == fault_kind("unknown-message"))
       give(coded(static_cast<std::uint8_t>(number), payload, at_ns));
-    if (planned.fault.kind == FaultKind::kReplay && sent_.size() >= number) {
+    if (planned.fault.kind == fault_kind("replay") && sent_.size() >= number) {
       std::vector<TimedByte> old = sent_[sent_.size() - number];
       for (TimedByte& byte : old) byte.at_ns = at_ns;
       give(old);
@@ -86,17 +86,17 @@ void FrameFaults::finish(wire::DecodeResult received, std::vector<TimedByte>& ou
 void FrameFaults::edit(Planned& planned, std::uint8_t type, std::vector<std::uint8_t>& payload) {
   const double number = planned.fault.number;
   switch (planned.fault.kind) {
-    case FaultKind::kVersion:
+    case fault_kind("version"):
       return change<wire::Hello>(type, payload, [&](wire::Hello& hello) {
         hello.protocol = static_cast<std::uint16_t>(number);
       });
-    case FaultKind::kSchema:
+    case fault_kind("schema"):
       return change<wire::Hello>(type, payload, [](wire::Hello& hello) { hello.schema ^= 1; });
-    case FaultKind::kBoard:
+    case fault_kind("board"):
       return change<wire::Hello>(type, payload, [&](wire::Hello& hello) {
         hello.board = static_cast<std::uint8_t>(number);
       });
-    case FaultKind::kClockStep: {
+    case fault_kind("clock-step"): {
       const auto by_us = static_cast<std::uint32_t>(std::llround(number * 1e3));
       change<wire::Sample>(type, payload, [&](wire::Sample& sample) { sample.device_us += by_us; });
       return change<wire::SyncReply>(type, payload, [&](wire::SyncReply& reply) {
@@ -104,7 +104,7 @@ void FrameFaults::edit(Planned& planned, std::uint8_t type, std::vector<std::uin
         reply.sent_us += by_us;
       });
     }
-    case FaultKind::kSequence:
+    case fault_kind("sequence"):
       return change<wire::Sample>(type, payload, [&](wire::Sample& sample) {
         if (!planned.began) planned.first_sequence = sample.sequence;
         planned.began = true;

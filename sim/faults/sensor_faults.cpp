@@ -31,7 +31,7 @@ std::size_t next_phase(const std::array<bool, 2>& levels, bool forward) {
 
 EncoderFaults::EncoderFaults(const std::vector<PlannedFault>& faults) {
   for (const PlannedFault& fault : faults) {
-    const int cycles = fault.kind == FaultKind::kEncoderJump
+    const int cycles = fault.kind == fault_kind("encoder-jump")
                            ? static_cast<int>(std::lround(fault.number / 4.0))
                            : 0;
     faults_.push_back({fault, {fault.left ? cycles : 0, fault.right ? cycles : 0}});
@@ -46,15 +46,15 @@ void EncoderFaults::pass(std::vector<EncoderEdge>& edges, HostNs from_ns, HostNs
     const auto hit = [&](const EncoderEdge& edge) {
       return fault.active(edge.at_ns + shift_ns) && of_side(fault, edge.channel);
     };
-    if (fault.kind == FaultKind::kEncoderStuck) std::erase_if(edges, hit);
-    if (fault.kind == FaultKind::kEncoderSilent)
+    if (fault.kind == fault_kind("encoder-stuck")) std::erase_if(edges, hit);
+    if (fault.kind == fault_kind("encoder-silent"))
       std::erase_if(edges,
                     [&](const EncoderEdge& edge) { return hit(edge) && edge.channel % 2 == 1; });
-    if (fault.kind == FaultKind::kEncoderLose) lose(edges, shift_ns, planned);
-    if (fault.kind == FaultKind::kEncoderFlip)
+    if (fault.kind == fault_kind("encoder-lose")) lose(edges, shift_ns, planned);
+    if (fault.kind == fault_kind("encoder-flip"))
       for (EncoderEdge& edge : edges)
         if (hit(edge)) edge.channel ^= 1U;
-    if (fault.kind == FaultKind::kEncoderJump && fault.active(from_ns + shift_ns))
+    if (fault.kind == fault_kind("encoder-jump") && fault.active(from_ns + shift_ns))
       for (std::uint8_t side = 0; side < 2; ++side)
         jump(edges, from_ns, static_cast<std::uint8_t>(2 * side), planned.cycles[side]);
   }

@@ -48,9 +48,9 @@ std::uint32_t start_before_wrap_us(HostNs wrap_ns) {
 BoardClock clock_of(const EmulatedRobotSettings& settings) {
   BoardClock clock{settings.values.clock_ppm, settings.start_us};
   for (const PlannedFault& fault : settings.faults) {
-    if (fault.kind == FaultKind::kDrift) clock.ppm += fault.number;
-    if (fault.kind == FaultKind::kWrap) clock.start_us = start_before_wrap_us(fault.begin_ns);
-    if (fault.kind == FaultKind::kHang && settings.board != BoardKind::kAvr)
+    if (fault.kind == fault_kind("drift")) clock.ppm += fault.number;
+    if (fault.kind == fault_kind("wrap")) clock.start_us = start_before_wrap_us(fault.begin_ns);
+    if (fault.kind == fault_kind("hang") && settings.board != BoardKind::kAvr)
       throw SetupError("--fault hang: only an emulated chip can hang; add --board avr");
   }
   return clock;
@@ -133,12 +133,13 @@ void EmulatedRobot::disturbance(double sideways_m, double yaw_rad, double durati
 }
 
 void EmulatedRobot::inject() {
-  imu_.freeze(faults_.active(FaultKind::kImuFrozen, now_ns_));
-  bus_.set_missing(faults_.active(FaultKind::kImuMissing, now_ns_));
-  bus_.set_saturated(faults_.active(FaultKind::kImuSaturated, now_ns_));
-  if (faults_.take(FaultKind::kReboot, now_ns_) || faults_.take(FaultKind::kRebootLoop, now_ns_))
+  imu_.freeze(faults_.active(fault_kind("imu-frozen"), now_ns_));
+  bus_.set_missing(faults_.active(fault_kind("imu-missing"), now_ns_));
+  bus_.set_saturated(faults_.active(fault_kind("imu-saturated"), now_ns_));
+  if (faults_.take(fault_kind("reboot"), now_ns_) ||
+      faults_.take(fault_kind("reboot-loop"), now_ns_))
     board_->reset(PowerUp::kBrownOut, now_ns_);
-  if (faults_.take(FaultKind::kHang, now_ns_)) dynamic_cast<AvrBoard&>(*board_).hang_main_loop();
+  if (faults_.take(fault_kind("hang"), now_ns_)) dynamic_cast<AvrBoard&>(*board_).hang_main_loop();
 }
 
 std::vector<TimedByte> EmulatedRobot::advance() {

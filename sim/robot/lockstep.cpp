@@ -192,12 +192,12 @@ void Lockstep::cable() {
     robot_.reset(PowerUp::kExternal);
     cycle_.session().open(robot_.now_ns());
   }
-  if (const std::optional<double> away_s = robot_.take_fault(FaultKind::kUnplug)) {
+  if (const std::optional<double> away_s = robot_.take_fault(fault_kind("unplug"))) {
     plugged_ns_ = robot_.now_ns() + from_s(*away_s);
     arriving_.clear();
     cycle_.session().close(robot_.now_ns());
   }
-  if (const std::optional<double> stall_ms = robot_.take_fault(FaultKind::kHostStall))
+  if (const std::optional<double> stall_ms = robot_.take_fault(fault_kind("host-stall")))
     host_awake_ns_ = robot_.now_ns() + from_s(*stall_ms * 1e-3);
 }
 

@@ -175,7 +175,7 @@ class Cable {
 
   /// Removes and restores the port as the robot's faults require.
   void plug() {
-    if (const std::optional<double> away_s = robot_.take_fault(FaultKind::kUnplug)) {
+    if (const std::optional<double> away_s = robot_.take_fault(fault_kind("unplug"))) {
       std::printf("robot: %.6f s: unplugged for %g s\n", to_s(robot_.now_ns() - reset_ns_),
                   *away_s);
       std::fflush(stdout);
@@ -290,7 +290,7 @@ int run_robot(const RobotCommand& command) {
   }
   const std::vector<PlannedFault> faults = parse_faults(command.faults);
   for (const PlannedFault& fault : faults)
-    if (fault.kind == FaultKind::kHostStall)
+    if (fault.kind == fault_kind("host-stall"))
       throw SetupError(
           "--fault host-stall: only for tp100-sim course; here stop the daemon itself");
   course::Course course;

@@ -91,14 +91,14 @@ int run_faults(const FaultsCommand& command) {
   if (command.drive) return drive_all(board);
   if (command.encoders) return sweep_encoders(command, board);
   if (command.json) {
-    for (const InjectableFault& row : injectable_faults()) print_json(row);
+    for (const InjectableFault& row : kInjectableFaults) print_json(row);
     return 0;
   }
   std::printf(
       "--fault NAME[:NUMBER][:WORD][@T[+D]], from T s after the port was opened (0) for D s "
       "(for ever)\n");
   std::string_view group;
-  for (const InjectableFault& row : injectable_faults()) {
+  for (const InjectableFault& row : kInjectableFaults) {
     if (row.group != group)
       std::printf("\n%.*s\n", static_cast<int>(row.group.size()), row.group.data());
     group = row.group;
