@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/clock.h"
-#include "link/camera_image.h"
+#include "link/camera_message.h"
 
 namespace tp100::camera {
 namespace {

@@ -1,5 +1,5 @@
 #pragma once
-// Sends images to be shown to people, beside the poses (link/camera_image.h).
+// Sends images to be shown to people, beside the poses (link/camera_message.h).
 
 #include <cstdint>
 #include <opencv2/core.hpp>

@@ -8,7 +8,6 @@
 #include <string_view>
 
 #include "core/sample.h"
-#include "link/camera_image.h"
 #include "link/camera_message.h"
 
 namespace tp100::link {

@@ -18,7 +18,6 @@
 #include "core/arithmetic.h"
 #include "core/clock.h"
 #include "core/time.h"
-#include "link/camera_image.h"
 #include "link/camera_message.h"
 #include "link/udp.h"
 #include "marker_scene.h"

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "byte_source.h"
-#include "link/camera_image.h"
 #include "link/camera_intake.h"
 #include "link/camera_message.h"
 

@@ -32,6 +32,12 @@ struct Sender {
     message.x_m = 1.0;
     return encode(message);
   }
+  /// An image that was taken then.
+  std::string image(HostNs taken_ns) {
+    return encode(ImageMessage{stream, clock, ++sequence, taken_ns / kNsPerUs, 0, kJpeg});
+  }
+
+  static inline const std::string kJpeg = test::jpeg(64, 48);
 };
 
 class CameraIntakeTest : public ::testing::Test {
@@ -121,17 +127,38 @@ TEST_F(CameraIntakeTest, OneDatagramWithAnAbsurdSequenceDoesNotDeafenItForLong) 
   EXPECT_EQ(intake.counters().streams, 1U);
 }
 
+TEST(ImageIntake, AtMostTheRateThatIsAskedForIsTakenAndNoneIsLostAtThatRate) {
+  constexpr HostNs kInterval = 100 * kNsPerMs;
+  for (const HostNs period : {kInterval / 9, kInterval}) {
+    CameraIntake intake("here", kNsPerS);
+    Sender camera;
+    std::mt19937 random(3);
+    const HostNs most = period / 5;
+    std::uniform_int_distribution<HostNs> jitter(-most, most);
+    HostNs now = 100 * kNsPerS;
+    const auto first = intake.receive_image(camera.image(now - kNsPerMs), kInterval, now);
+    ASSERT_TRUE(first.has_value());
+    EXPECT_EQ(first->taken_ns, now - kNsPerMs);
+    EXPECT_EQ(first->jpeg, Sender::kJpeg);
+    for (int i = 1; i < 900; ++i) {
+      now += period;
+      intake.receive_image(camera.image(now + jitter(random)), kInterval, now + most);
+    }
+    EXPECT_NEAR(static_cast<double>(intake.counters().accepted),
+                static_cast<double>(900 * period / kInterval), 2.0);
+    EXPECT_EQ(intake.counters().accepted + intake.counters().dropped, 900U);
+  }
+}
+
 TEST_F(CameraIntakeTest, WhateverComesIsCountedOnceAndWhatIsUsedIsInRange) {
   std::mt19937 random(7);
-  const std::string jpeg = test::jpeg(64, 48);
   CameraIntake images("here", 400 * kNsPerMs);
   for (int i = 0; i < 20'000; ++i) {
     now += 30 * kNsPerMs;
-    const auto number = static_cast<std::uint32_t>(i);
-    const ImageMessage image{1, "here", number, (now - kAge) / kNsPerUs, 0, jpeg};
     const auto seen =
         intake.receive(test::corrupted(sender.datagram(now - kAge), i, 5, random), now);
-    const auto shown = images.receive_image(test::corrupted(encode(image), i, 5, random), 0, now);
+    const auto shown =
+        images.receive_image(test::corrupted(sender.image(now - kAge), i, 5, random), 0, now);
     if (seen) {
       EXPECT_LE(std::abs(seen->x_m), 1000.0);
       EXPECT_LE(std::abs(seen->yaw_rad), 100.0);
