@@ -26,8 +26,8 @@ class OutputQueue {
   /// so that it cannot be joined to half a frame of an earlier writer.
   void reset() {
     begin_ = end_ = 0;
-    mid_frame_ = true;
-    lead_ = cut_ = false;
+    leads_ = true;
+    cut_ = false;
   }
 
   /// Queues one frame, or drops and counts it if there is no room. Returns the frame's size on the
@@ -45,11 +45,7 @@ class OutputQueue {
       ++counters_.unwritten;
       return 0;
     }
-    if (mid_frame_) {
-      bytes_[end_++] = wire::kDelimiter;
-      lead_ = true;
-      mid_frame_ = false;
-    }
+    if (leads_ && begin_ == end_) bytes_[end_++] = wire::kDelimiter;
     for (std::size_t i = 0; i < size; ++i) bytes_[end_ + i] = frame[i];
     end_ += size;
     return size;
@@ -74,7 +70,7 @@ class OutputQueue {
     counters_.frames_out += frame_ends(n);
     counters_.bytes_out += n;
     cut_ = bytes_[begin_ + n - 1] != wire::kDelimiter;
-    lead_ = false;
+    leads_ = false;
     begin_ += n;
     if (begin_ == end_) begin_ = end_ = 0;
   }
@@ -82,8 +78,7 @@ class OutputQueue {
   /// Drops what the port did not accept and counts its frames.
   void drop() {
     counters_.unwritten += frame_ends(end_ - begin_);
-    mid_frame_ = cut_ || lead_;
-    lead_ = false;
+    leads_ = leads_ || cut_;
     cut_ = false;
     begin_ = end_ = 0;
   }
@@ -110,9 +105,9 @@ class OutputQueue {
   std::array<std::uint8_t, kCapacity> bytes_{};
   std::size_t begin_ = 0;
   std::size_t end_ = 0;
-  bool mid_frame_ = true;  // the bytes sent so far may end inside a frame
-  bool lead_ = false;      // the first byte is a delimiter that does not end one of our frames
-  bool cut_ = false;       // the port's last byte did not end a frame
+  bool leads_ =
+      true;           // the bytes sent so far may end inside a frame, and nothing was written since
+  bool cut_ = false;  // the port's last byte did not end a frame
 };
 
 }  // namespace tp100::link

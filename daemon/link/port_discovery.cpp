@@ -12,15 +12,8 @@
 namespace tp100::link {
 namespace {
 
-struct Known {
-  int vendor_id;
-  int product_id;
-  PortKind kind;
-  const char* name;
-};
-
 // The same ids as in the rules of config/udev.
-constexpr auto kKnown = std::to_array<Known>({
+constexpr auto kKnown = std::to_array<KnownPort>({
     {0x2341, 0x0042, PortKind::kMega, "Arduino Mega 2560"},
     {0x2341, 0x0010, PortKind::kMega, "Arduino Mega 2560"},
     {0x2341, 0x0210, PortKind::kMega, "Arduino Mega 2560"},
@@ -37,7 +30,7 @@ constexpr auto kKnown = std::to_array<Known>({
 });
 
 std::size_t rank(const PortInfo& port) {
-  const auto at = std::find_if(kKnown.begin(), kKnown.end(), [&](const Known& known) {
+  const auto at = std::find_if(kKnown.begin(), kKnown.end(), [&](const KnownPort& known) {
     return known.vendor_id == port.vendor_id && known.product_id == port.product_id;
   });
   return static_cast<std::size_t>(at - kKnown.begin());
@@ -58,12 +51,7 @@ std::string describe(const PortInfo& port) {
   return port.product.empty() ? "serial port" : port.product;
 }
 
-std::vector<UsbId> known_ids() {
-  std::vector<UsbId> ids;
-  ids.reserve(kKnown.size());
-  for (const Known& known : kKnown) ids.push_back({known.vendor_id, known.product_id});
-  return ids;
-}
+std::span<const KnownPort> known_ports() { return kKnown; }
 
 std::vector<PortInfo> candidates(std::vector<PortInfo> ports) {
   std::erase_if(ports, [](const PortInfo& port) { return classify(port) == PortKind::kOther; });
@@ -120,7 +108,6 @@ std::vector<PortInfo> list_ports() {
       info.vendor_id = info.product_id = -1;
     }
     info.serial = text(sp_get_port_usb_serial(*at));
-    info.manufacturer = text(sp_get_port_usb_manufacturer(*at));
     info.product = text(sp_get_port_usb_product(*at));
     ports.push_back(info);
   }

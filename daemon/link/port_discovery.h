@@ -1,9 +1,9 @@
 #pragma once
 // Lists the serial ports and finds those that may be a TP100. Set-up only.
 
-#include <compare>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,7 +17,6 @@ struct PortInfo {
   int vendor_id = -1;  ///< USB ids; -1 unknown
   int product_id = -1;
   std::string serial;  ///< empty if unknown
-  std::string manufacturer;
   std::string product;
 };
 
@@ -28,15 +27,15 @@ enum class PortKind {
   kOther,   ///< anything else
 };
 
-/// Identification of a USB device.
-struct UsbId {
+/// A USB device that may be a TP100's board.
+struct KnownPort {
   int vendor_id;
   int product_id;
-
-  auto operator<=>(const UsbId&) const = default;
+  PortKind kind;
+  const char* name;
 };
-/// All that are not kOther, most likely first.
-std::vector<UsbId> known_ids();
+/// All of them, most likely first.
+std::span<const KnownPort> known_ports();
 
 PortKind classify(const PortInfo& port);
 /// A short description for people: "Arduino Mega 2560", "CH340 bridge", ...

@@ -10,25 +10,19 @@
 #include <fstream>
 
 #include "core/error.h"
+#include "text/format.h"
 
 namespace tp100::link {
 namespace {
 
 constexpr std::size_t kMaxHost = 253;
 
-std::string printable(std::string_view text) {
-  std::string line(text.substr(0, 100));
-  for (char& c : line)
-    if (c < 0x20 || c > 0x7e) c = '?';
-  return line;
-}
-
 }  // namespace
 
 UdpAddress parse_udp(std::string_view text, const std::string& where) {
   constexpr std::string_view kScheme = "udp:";
   const auto wrong = [&] {
-    return SetupError(where + " " + printable(text) +
+    return SetupError(where + " " + tp100::text::one_line(text, 100) +
                       ": not an address; use udp:PORT or udp:HOST:PORT, as in udp:47100");
   };
   if (!text.starts_with(kScheme)) throw wrong();
@@ -57,7 +51,7 @@ sockaddr_in resolve(const UdpAddress& address) {
   addrinfo* found = nullptr;
   const int error = ::getaddrinfo(address.host.c_str(), nullptr, &hints, &found);
   if (error != 0 || found == nullptr) {
-    throw SetupError("udp:" + printable(to_string(address)) + ": no such host (" +
+    throw SetupError("udp:" + tp100::text::one_line(to_string(address), 100) + ": no such host (" +
                      ::gai_strerror(error) + "); use its IPv4 address");
   }
   sockaddr_in out{};

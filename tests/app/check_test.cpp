@@ -85,15 +85,15 @@ TEST(Check, TheExitStatusIs2IfAnyFileIsWrong) {
 }
 
 TEST(Ports, GivesTheLineToCopyForALikelyRobot) {
-  link::PortInfo mega{"/dev/ttyACM0", 0x2341, 0x0042, "7583", "Arduino", "Mega"};
+  link::PortInfo mega{"/dev/ttyACM0", 0x2341, 0x0042, "7583", "Mega"};
   const std::string text = ports_text({mega}, {"/dev/serial/by-id/usb-Arduino-7583"}, {});
   EXPECT_THAT(text, HasSubstr("/dev/ttyACM0  2341:0042  Arduino Mega 2560, serial 7583\n"));
   EXPECT_THAT(text, HasSubstr("port = \"/dev/serial/by-id/usb-Arduino-7583\"\n"));
 }
 
 TEST(Ports, FallsBackToThePathAndDoesNotAdviseOtherPorts) {
-  link::PortInfo bridge{"/dev/ttyUSB0", 0x1a86, 0x7523, "", "", ""};
-  link::PortInfo other{"/dev/ttyS0", -1, -1, "", "", ""};
+  link::PortInfo bridge{"/dev/ttyUSB0", 0x1a86, 0x7523, "", ""};
+  link::PortInfo other{"/dev/ttyS0", -1, -1, "", ""};
   const std::string text = ports_text({bridge, other}, {"", ""}, {});
   EXPECT_THAT(text, HasSubstr("port = \"/dev/ttyUSB0\""));
   EXPECT_THAT(text, HasSubstr("/dev/ttyS0  -  serial port\n"));
@@ -102,7 +102,7 @@ TEST(Ports, FallsBackToThePathAndDoesNotAdviseOtherPorts) {
 }
 
 TEST(Ports, SaysWhyAutoPassesAPortOverAndWhatToDo) {
-  link::PortInfo bridge{"/dev/ttyUSB0", 0x1a86, 0x7523, "", "", ""};
+  link::PortInfo bridge{"/dev/ttyUSB0", 0x1a86, 0x7523, "", ""};
   const std::string text = ports_text({bridge}, {""}, {{bridge, "held open by octoprint (pid 7)"}});
   EXPECT_THAT(text, HasSubstr("port = \"/dev/ttyUSB0\"\n    auto skips it: held open by "
                               "octoprint (pid 7); if it is the robot, name it with --port or "

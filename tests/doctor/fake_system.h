@@ -48,7 +48,7 @@ class FakeSystem {
     link("/sys/class/tty/ttyACM0", "../../devices/usb1/1-1/1-1:1.0/tty/ttyACM0");
   }
   static link::PortInfo mega(const std::string& path = "/dev/ttyACM0") {
-    return {path, 0x2341, 0x0042, "7583", "Arduino", "Mega"};
+    return {path, 0x2341, 0x0042, "7583", "Mega"};
   }
 
   static inline const std::string kUsb = "/sys/devices/usb1/1-1";

@@ -130,7 +130,7 @@ TEST_F(Port, MayBePutToSleepOrKeepBytesBackOrBeBehindACh340) {
                  "echo 1 | sudo tee /sys/class/tty/ttyACM0/device/latency_timer");
   fake_.write(timer, "1\n");
   expect_finding(findings(), "latency-timer", Severity::kOk);
-  const link::PortInfo clone{kDevice, 0x1a86, 0x7523, "", "", ""};
+  const link::PortInfo clone{kDevice, 0x1a86, 0x7523, "", ""};
   expect_finding(usb_findings(fake_.system(), kDevice, clone), "bridge", Severity::kNote, "CH340");
 }
 

@@ -151,7 +151,7 @@ TEST(OutputQueueTest, FramesLeaveWholeAndInOrderOrAreCountedHoweverThePortTakesT
           waiting.pop_front();
         }
         queue.written(what == 21 ? kRoom : n);
-      } else if (what == 22 && !begins_anew) {
+      } else if (what == 22) {
         unwritten += waiting.size();
         forget();
         queue.drop();

@@ -42,7 +42,7 @@ TEST(Udp, WhatIsNoAddressIsAnErrorOfOneLineInPrintableCharacters) {
   EXPECT_NE(refused(with_host(254)), "");
   EXPECT_THAT(refused("a\x1f z~\x7f\xff."), HasSubstr("--send a? z~??.: not an address"));
   EXPECT_THAT(refused(std::string(100, 'x') + "y"),
-              HasSubstr(" " + std::string(100, 'x') + ": not an address"));
+              HasSubstr(" " + std::string(100, 'x') + "...: not an address"));
 }
 
 TEST(Udp, AHostIsLookedUpWithItsPortAndAWrongOneIsAnErrorAtOnce) {
