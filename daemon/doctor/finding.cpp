@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "doctor/robot.h"
+#include "text/format.h"
 
 namespace tp100::doctor {
 namespace {
@@ -16,10 +17,6 @@ std::string padded(std::string_view text, std::size_t width) {
   std::string out(text);
   out.resize(std::max(width, out.size()), ' ');
   return out;
-}
-
-std::string counted(std::size_t number, const char* noun) {
-  return std::to_string(number) + " " + noun + (number == 1 ? "" : "s");
 }
 
 Json json_of(const Percentiles& times) {
@@ -67,6 +64,14 @@ Finding ok(std::string name, std::string seen) {
   return {Severity::kOk, std::move(name), std::move(seen), {}};
 }
 
+Finding warning(std::string name, std::string seen, std::string fix) {
+  return {Severity::kWarning, std::move(name), std::move(seen), std::move(fix)};
+}
+
+Finding error(std::string name, std::string seen, std::string fix) {
+  return {Severity::kError, std::move(name), std::move(seen), std::move(fix)};
+}
+
 std::size_t count(const Findings& findings, Severity severity) {
   return static_cast<std::size_t>(
       std::count_if(findings.begin(), findings.end(),
@@ -81,16 +86,16 @@ std::string table(const Findings& findings) {
   std::size_t name_width = 0;
   for (const Finding& finding : findings) name_width = std::max(name_width, finding.name.size());
   const std::size_t severity_width = to_string(Severity::kWarning).size();
-  std::string text;
+  std::string table;
   for (const Finding& finding : findings) {
-    text += padded(to_string(finding.severity), severity_width) + "  " +
-            padded(finding.name, name_width) + "  " + finding.seen + "\n";
+    table += padded(to_string(finding.severity), severity_width) + "  " +
+             padded(finding.name, name_width) + "  " + finding.seen + "\n";
     if (!finding.fix.empty())
-      text += std::string(severity_width + 2 + name_width, ' ') + "  fix: " + finding.fix + "\n";
+      table += std::string(severity_width + 2 + name_width, ' ') + "  fix: " + finding.fix + "\n";
   }
-  return text + counted(count(findings, Severity::kError), "error") + ", " +
-         counted(count(findings, Severity::kWarning), "warning") + ", " +
-         counted(count(findings, Severity::kNote), "note") + "\n";
+  return table + text::counted(count(findings, Severity::kError), "error") + ", " +
+         text::counted(count(findings, Severity::kWarning), "warning") + ", " +
+         text::counted(count(findings, Severity::kNote), "note") + "\n";
 }
 
 std::string json(const Findings& findings, const std::string& port) {

@@ -42,6 +42,8 @@ struct Finding {
 using Findings = std::vector<Finding>;
 
 Finding ok(std::string name, std::string seen);
+Finding warning(std::string name, std::string seen, std::string fix);
+Finding error(std::string name, std::string seen, std::string fix);
 
 /// Number of findings of that severity.
 std::size_t count(const Findings& findings, Severity severity);

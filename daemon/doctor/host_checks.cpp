@@ -68,8 +68,7 @@ Findings real_time_findings(const std::vector<loop::Privilege>& privileges) {
     if (privilege.granted) {
       granted += (granted.empty() ? "" : ", ") + privilege.what;
     } else {
-      findings.push_back(
-          {Severity::kWarning, "real-time", "not granted: " + privilege.what, privilege.fix});
+      findings.push_back(warning("real-time", "not granted: " + privilege.what, privilege.fix));
     }
   }
   if (!granted.empty()) findings.insert(findings.begin(), ok("real-time", granted));
@@ -87,11 +86,12 @@ Findings clock_source_findings(const System& system) {
   const auto better = std::find_if(others.begin(), others.end(), [](const std::string& other) {
     return std::find(kPoorClocks.begin(), kPoorClocks.end(), other) == kPoorClocks.end();
   });
-  return {{Severity::kWarning, "clock-source", *current + " is slow to read",
-           better != others.end()
-               ? "echo " + *better + " | sudo tee " + folder + "current_clocksource"
-               : "boot with tsc=reliable if this processor's TSC is constant (grep constant_tsc "
-                 "/proc/cpuinfo), else use another machine"}};
+  return {
+      warning("clock-source", *current + " is slow to read",
+              better != others.end()
+                  ? "echo " + *better + " | sudo tee " + folder + "current_clocksource"
+                  : "boot with tsc=reliable if this processor's TSC is constant (grep constant_tsc "
+                    "/proc/cpuinfo), else use another machine")};
 }
 
 Findings governor_findings(const System& system) {
@@ -108,8 +108,8 @@ Findings governor_findings(const System& system) {
   if (governors.empty()) return {ok("governor", "performance")};
   std::string seen;
   for (const std::string& governor : governors) seen += (seen.empty() ? "" : ", ") + governor;
-  return {{Severity::kWarning, "governor", seen + ": processors slow down between steps",
-           "echo performance | sudo tee " + folder + "cpu*/cpufreq/scaling_governor"}};
+  return {warning("governor", seen + ": processors slow down between steps",
+                  "echo performance | sudo tee " + folder + "cpu*/cpufreq/scaling_governor")};
 }
 
 Findings page_port_findings(const System& system, std::uint16_t port) {
@@ -119,10 +119,10 @@ Findings page_port_findings(const System& system, std::uint16_t port) {
     if (inode.empty()) continue;
     const std::string holder =
         link::port_holder("socket:[" + inode + "]", system.file("/proc")).name;
-    return {
-        {Severity::kWarning, "page-port",
-         "TCP port " + number + " of the page is taken" + (holder.empty() ? "" : " by " + holder),
-         "end that program, or give another port with tp100d run --listen 127.0.0.1:0"}};
+    return {warning(
+        "page-port",
+        "TCP port " + number + " of the page is taken" + (holder.empty() ? "" : " by " + holder),
+        "end that program, or give another port with tp100d run --listen 127.0.0.1:0")};
   }
   return {ok("page-port", "TCP port " + number + " is free")};
 }
@@ -130,15 +130,14 @@ Findings page_port_findings(const System& system, std::uint16_t port) {
 Findings disk_findings(const Disk& disk) {
   const std::string elsewhere = "record to another disk: record.directory in the configuration";
   if (!disk.error.empty())
-    return {{Severity::kWarning, "disk", disk.folder + ": cannot be written (" + disk.error + ")",
-             elsewhere}};
+    return {warning("disk", disk.folder + ": cannot be written (" + disk.error + ")", elsewhere)};
   const std::string figures =
       text_of(disk.written_mb_per_s, "MB/s") + ", " + text_of(disk.free_mb, "MB free");
   if (disk.free_mb < kLittleSpaceMb)
-    return {{Severity::kWarning, "disk", disk.folder + ": little space, " + figures,
-             "delete old recordings, or " + elsewhere}};
+    return {warning("disk", disk.folder + ": little space, " + figures,
+                    "delete old recordings, or " + elsewhere)};
   if (disk.written_mb_per_s < kSlowDiskMbPerS)
-    return {{Severity::kWarning, "disk", disk.folder + ": slow, " + figures, elsewhere}};
+    return {warning("disk", disk.folder + ": slow, " + figures, elsewhere)};
   return {ok("disk", disk.folder + ": " + figures)};
 }
 

@@ -22,7 +22,7 @@ constexpr const char* kById = "/dev/serial/by-id";
 
 ChosenPort missing(std::string seen, std::string fix) {
   ChosenPort none;
-  none.findings = {{Severity::kError, "device", std::move(seen), std::move(fix)}};
+  none.findings = {error("device", std::move(seen), std::move(fix))};
   return none;
 }
 
@@ -33,10 +33,10 @@ void add_stable_name(const System& system, ChosenPort& port, std::size_t candida
         {Severity::kNote, "by-id", port.device + ": no name in " + kById + " leads to it",
          "with several boards, set link.port again each time it is plugged in (see tp100d ports)"});
   } else if (candidates > 1 && port.path != stable) {
-    port.findings.push_back(
-        {Severity::kWarning, "by-id",
-         std::to_string(candidates) + " boards may be the robot, and auto opens none of several",
-         "set link.port = \"" + stable + "\" in the configuration"});
+    port.findings.push_back(warning(
+        "by-id",
+        std::to_string(candidates) + " boards may be the robot, and auto opens none of several",
+        "set link.port = \"" + stable + "\" in the configuration"));
   } else {
     port.findings.push_back(ok("by-id", stable));
   }
@@ -95,10 +95,10 @@ std::string stable_name(const System& system, const std::string& device) {
 Findings holder_findings(const System& system, const std::string& device) {
   const link::PortHolder holder = link::port_holder(device, system.file("/proc"));
   if (!holder.name.empty())
-    return {
-        {Severity::kError, "holder", device + ": held open by " + holder.name,
-         "end that program (a service: `sudo systemctl stop 'tp100d@*'`), or choose another port "
-         "with --port"}};
+    return {error(
+        "holder", device + ": held open by " + holder.name,
+        "end that program (a service: `sudo systemctl stop 'tp100d@*'`), or choose another port "
+        "with --port")};
   return {ok("holder", device + ": no other program " +
                            (holder.others_hidden ? "of this account " : "") + "has it open")};
 }
@@ -148,27 +148,27 @@ Findings permission_findings(const System& system, const std::string& device,
   const std::optional<Group> group = group_of(system, file->gid);
   const std::string name = group ? group->name : std::to_string(file->gid);
   if (!granted(file->mode, S_IRGRP | S_IWGRP))
-    return {
-        {Severity::kError, "permission",
-         device + ": mode " + mode_text(file->mode) + " allows only its owner to use it",
-         "unplug the robot and plug it in again; if that does not help: sudo chmod 660 " + device}};
+    return {error(
+        "permission",
+        device + ": mode " + mode_text(file->mode) + " allows only its owner to use it",
+        "unplug the robot and plug it in again; if that does not help: sudo chmod 660 " + device)};
   const bool in_group =
       std::find(account.groups.begin(), account.groups.end(), file->gid) != account.groups.end();
   // With an access list, the mode's group bits are the list's mask, not the group's permissions.
   if (in_group)
-    return {{Severity::kError, "permission",
-             device + ": the kernel denies access to " + account.name + ", who is in group " + name,
-             "look at its access list with getfacl " + device + "; sudo setfacl -b " + device +
-                 " removes it"}};
+    return {error(
+        "permission",
+        device + ": the kernel denies access to " + account.name + ", who is in group " + name,
+        "look at its access list with getfacl " + device + "; sudo setfacl -b " + device +
+            " removes it")};
   const bool member = group && std::find(group->members.begin(), group->members.end(),
                                          account.name) != group->members.end();
   if (member)
-    return {{Severity::kError, "group",
-             account.name + " is in group " + name + ", but not in this session",
-             "log out and in again, or only here: newgrp " + name}};
-  return {{Severity::kError, "permission",
-           device + ": " + account.name + " is not in group " + name + ", which may use it",
-           "sudo adduser " + account.name + " " + name + ", then log out and in again"}};
+    return {error("group", account.name + " is in group " + name + ", but not in this session",
+                  "log out and in again, or only here: newgrp " + name)};
+  return {error("permission",
+                device + ": " + account.name + " is not in group " + name + ", which may use it",
+                "sudo adduser " + account.name + " " + name + ", then log out and in again")};
 }
 
 namespace {
@@ -219,13 +219,13 @@ Findings modem_manager_findings(const System& system, const std::string& device,
   if (!runs(system, "ModemManager")) return {ok("modem-manager", "does not run")};
   if (left_alone(system, device)) return {ok("modem-manager", "runs, but leaves the port alone")};
   if (info.vendor_id < 0 || info.product_id < 0)
-    return {{Severity::kWarning, "modem-manager", "runs and may write to " + device,
-             "without a modem in this machine: sudo systemctl disable --now ModemManager"}};
-  return {{Severity::kWarning, "modem-manager",
-           "runs and may write to " + device + " whenever it is plugged in",
-           "echo '" + rule_for(info) +
-               "' | sudo tee /etc/udev/rules.d/70-tp100.rules && sudo udevadm control --reload, "
-               "then plug the robot in again"}};
+    return {warning("modem-manager", "runs and may write to " + device,
+                    "without a modem in this machine: sudo systemctl disable --now ModemManager")};
+  return {
+      warning("modem-manager", "runs and may write to " + device + " whenever it is plugged in",
+              "echo '" + rule_for(info) +
+                  "' | sudo tee /etc/udev/rules.d/70-tp100.rules && sudo udevadm control --reload, "
+                  "then plug the robot in again")};
 }
 
 namespace {
@@ -255,9 +255,9 @@ void add_autosuspend(const System& system, const std::string& usb, Findings& fin
   const auto control = system.text(file);
   if (!control) return;
   if (*control == "auto") {
-    findings.push_back({Severity::kWarning, "autosuspend",
-                        "the robot's USB device may be put to sleep (" + file + " is auto)",
-                        write_command("on", file)});
+    findings.push_back(warning("autosuspend",
+                               "the robot's USB device may be put to sleep (" + file + " is auto)",
+                               write_command("on", file)));
   } else {
     findings.push_back(ok("autosuspend", "off for the robot's USB device"));
   }
@@ -270,9 +270,8 @@ void add_latency_timer(const System& system, const std::string& tty, Findings& f
   int ms = 0;
   std::from_chars(text->data(), text->data() + text->size(), ms);
   if (ms > 1) {
-    findings.push_back({Severity::kWarning, "latency-timer",
-                        "the bridge delays bytes by up to " + *text + " ms",
-                        write_command("1", file)});
+    findings.push_back(warning("latency-timer", "the bridge delays bytes by up to " + *text + " ms",
+                               write_command("1", file)));
   } else {
     findings.push_back(ok("latency-timer", *text + " ms"));
   }

@@ -12,7 +12,6 @@
 #include "core/clock.h"
 #include "core/error.h"
 #include "core/faults.h"
-#include "core/histogram.h"
 #include "doctor/hello.h"
 
 namespace tp100::doctor {
@@ -32,34 +31,6 @@ constexpr double kBootloaderS = 2.0;
 // Enough time to detect a bad sensor or a low battery.
 constexpr double kLookS = 0.2;
 
-doctor::LinkTest test_link(ProbeSession& robot, double duration_s) {
-  Histogram age;
-  Histogram round_trip;
-  std::size_t samples = 0;
-  robot.on_sample = [&](const Sample& sample, HostNs now) {
-    ++samples;
-    age.add(now - sample.measured_ns);
-  };
-  robot.on_confirmed = [&](HostNs took) { round_trip.add(took); };
-  const LinkCounters before = robot.session().counters();
-  const HostNs begun = monotonic_now();
-  robot.turn(duration_s, [] { return false; });
-  doctor::LinkTest test;
-  test.duration_s = to_s(monotonic_now() - begun);
-  robot.on_sample = [](const Sample&, HostNs) {};
-  robot.on_confirmed = [](HostNs) {};
-  test.samples = samples;
-  test.expected_samples = test.duration_s * 1e6 / wire::kSamplePeriodUs;
-  test.counters = robot.session().counters() - before;
-  test.age = percentiles(age);
-  test.round_trip = percentiles(round_trip);
-  test.confirmed = static_cast<std::size_t>(round_trip.count());
-  test.clock_known = robot.session().clock().valid;
-  test.clock_uncertainty_us = robot.session().clock().uncertainty_us;
-  test.clock_drift_ppm = robot.session().clock().drift * 1e6;
-  return test;
-}
-
 void listen(ProbeSession& robot, const ProbeOptions& options, doctor::ProbeResult& probe) {
   const link::Session& session = robot.session();
   const auto in_state = [&session](SessionState state) { return session.state() == state; };
@@ -78,7 +49,7 @@ void listen(ProbeSession& robot, const ProbeOptions& options, doctor::ProbeResul
     probe.refused = bridge::parameter_name(static_cast<unsigned>(robot.refused_parameter()));
   if (probe.ready) {
     robot.turn(kLookS, [] { return false; });
-    if (options.link_test_s > 0.0) probe.link = test_link(robot, options.link_test_s);
+    if (options.link_test_s > 0.0) probe.link = robot.test_link(options.link_test_s);
     add_sample(robot.newest(), probe);
     probe.moved_unasked = robot.moved_unasked();
   }
@@ -100,6 +71,12 @@ bool ProbeSession::turn(double limit_s, const std::function<bool()>& enough) {
     turn_once();
   }
   return true;
+}
+
+LinkTest ProbeSession::test_link(double duration_s) {
+  meter_.begin(session_.counters(), monotonic_now());
+  turn(duration_s, [] { return false; });
+  return meter_.end(session_.counters(), session_.clock(), monotonic_now());
 }
 
 void ProbeSession::command(double speed_mps, double yaw_rate_radps) {
@@ -152,17 +129,12 @@ void ProbeSession::take(HostNs now) {
   for (const Sample& sample : session_.take_samples()) {
     newest_ = sample;
     if (session_.session_number() != session_number_) {
-      // Nothing was sent in this session yet; sequence numbers continue from here.
       session_number_ = session_.session_number();
-      sequence_ = sample.last_command;
-      awaiting_ = false;
+      meter_.restart({&sample, 1});
     }
-    if (awaiting_ && wrapped_difference(sample.last_command, awaited_) >= 0) {
-      awaiting_ = false;
-      on_confirmed(now - awaited_since_ns_);
-    }
+    meter_.on_sample(sample, now);
     watch(sample, now);
-    on_sample(sample, now);
+    on_sample(sample);
   }
 }
 
@@ -212,11 +184,7 @@ void ProbeSession::send(HostNs now) {
   command.yaw_rate_radps = yaw_rate_radps_;
   command.expiry_us = session_.clock().to_device(now) + kCommandLifeUs;
   session_.send(command, now);
-  ++sequence_;
-  if (awaiting_) return;
-  awaiting_ = true;
-  awaited_ = sequence_;
-  awaited_since_ns_ = now;
+  meter_.on_command(now);
 }
 
 void ProbeSession::write() {

@@ -36,10 +36,11 @@ class ProbeSession {
   /// too. False: not acknowledged.
   bool disarm();
 
-  /// Called with each sample and the time at which it was read.
-  std::function<void(const Sample&, HostNs)> on_sample = [](const Sample&, HostNs) {};
-  /// Called with the time from writing a command to reading the first sample that confirms it. [ns]
-  std::function<void(HostNs)> on_confirmed = [](HostNs) {};
+  /// Measures the link for a while, as far as turn() goes.
+  LinkTest test_link(double duration_s);
+
+  /// Called with each sample.
+  std::function<void(const Sample&)> on_sample = [](const Sample&) {};
 
   const link::Session& session() const { return session_; }
   const Sample& newest() const { return newest_; }
@@ -80,11 +81,8 @@ class ProbeSession {
   double speed_mps_ = 0.0;
   double yaw_rate_radps_ = 0.0;
   std::uint32_t session_number_ = 0;
-  std::uint16_t sequence_ = 0;  // of the last command written
-  std::uint16_t awaited_ = 0;   // command waiting for its confirmation
-  HostNs awaited_since_ns_ = 0;
-  bool awaiting_ = false;
   HostNs next_command_ns_ = 0;
+  LinkMeter meter_{};
 };
 
 struct ProbeOptions {

@@ -26,14 +26,6 @@ std::string text_of(const Percentiles& times) {
                 times.p99_us * 1e-3, times.max_us * 1e-3);
 }
 
-Finding error(std::string name, std::string seen, std::string fix) {
-  return {Severity::kError, std::move(name), std::move(seen), std::move(fix)};
-}
-
-Finding warning(std::string name, std::string seen, std::string fix) {
-  return {Severity::kWarning, std::move(name), std::move(seen), std::move(fix)};
-}
-
 /// Explains the missing hello.
 Finding silent(const ProbeResult& probe) {
   const std::string flash = flash_command(probe.port);
@@ -139,11 +131,54 @@ void add_link(const LinkTest& link, Findings& findings) {
   }
 }
 
-}  // namespace
-
 Percentiles percentiles(const Histogram& times) {
   return {times.percentile_us(0.5), times.percentile_us(0.9), times.percentile_us(0.99),
           times.max_us()};
+}
+
+}  // namespace
+
+void LinkMeter::restart(std::span<const Sample> samples) {
+  awaited_.reset();
+  for (const Sample& sample : samples) sent_ = sample.last_command;
+}
+
+void LinkMeter::on_sample(const Sample& sample, HostNs now) {
+  ++samples_;
+  if (age_) age_->add(now - sample.measured_ns);
+  if (!awaited_ || wrapped_difference(sample.last_command, *awaited_) < 0) return;
+  if (round_trip_) round_trip_->add(now - awaited_since_ns_);
+  awaited_.reset();
+}
+
+void LinkMeter::on_command(HostNs now) {
+  ++sent_;
+  if (awaited_) return;
+  awaited_ = sent_;
+  awaited_since_ns_ = now;
+}
+
+void LinkMeter::begin(const LinkCounters& counters, HostNs now) {
+  before_ = counters;
+  begun_ns_ = now;
+  samples_ = 0;
+  age_.emplace();
+  round_trip_.emplace();
+}
+
+LinkTest LinkMeter::end(const LinkCounters& counters, const ClockState& clock, HostNs now) const {
+  LinkTest test;
+  test.duration_s = to_s(now - begun_ns_);
+  test.samples = samples_;
+  test.expected_samples = test.duration_s * 1e6 / wire::kSamplePeriodUs;
+  test.counters = counters - before_;
+  test.age = percentiles(*age_);
+  test.round_trip = percentiles(*round_trip_);
+  test.confirmed = static_cast<std::size_t>(round_trip_->count());
+  test.clock_known = clock.valid;
+  test.clock_uncertainty_us = clock.uncertainty_us;
+  test.clock_drift_ppm = clock.drift * 1e6;
+  return test;
 }
 
 void add_hello(wire::Hello hello, ProbeResult& probe) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "core/faults.h"
@@ -23,9 +24,6 @@ struct Percentiles {
   double max_us = 0.0;
 };
 
-/// The percentiles of a histogram of nanoseconds.
-Percentiles percentiles(const Histogram& times);
-
 /// Statistics over an interval of samples and of zero commands.
 struct LinkTest {
   double duration_s = 0.0;
@@ -40,6 +38,31 @@ struct LinkTest {
   bool clock_known = false;   ///< at its end
   double clock_uncertainty_us = 0.0;
   double clock_drift_ppm = 0.0;
+};
+
+/// Measures the link of a robot to which commands stream: the robot confirms the sequence of the
+/// last one. One thread.
+class LinkMeter {
+ public:
+  /// Sequence numbers of commands continue from those of `samples`, the first of a session.
+  void restart(std::span<const Sample> samples);
+  void on_sample(const Sample& sample, HostNs now);
+  void on_command(HostNs now);
+  /// So many commands were sent at unknown times.
+  void skip(std::uint64_t commands) { sent_ = static_cast<std::uint16_t>(sent_ + commands); }
+
+  /// A measurement begins, in place of an earlier one.
+  void begin(const LinkCounters& counters, HostNs now);
+  LinkTest end(const LinkCounters& counters, const ClockState& clock, HostNs now) const;
+
+ private:
+  std::uint16_t sent_ = 0;
+  std::optional<std::uint16_t> awaited_{};
+  HostNs awaited_since_ns_ = 0;
+  HostNs begun_ns_ = 0;
+  LinkCounters before_{};
+  std::size_t samples_ = 0;
+  std::optional<Histogram> age_{}, round_trip_{};  ///< none before begin()
 };
 
 /// Result of a probe: how far the handshake got, and the robot's state.

@@ -70,55 +70,55 @@ Shown shown(Side side, const TrackDrive& drive) {
           seen_of(side, drive), figures(drive)};
 }
 
-Finding error(const Shown& drive, const std::string& what, std::string fix) {
-  return {Severity::kError, name_of(drive.side) + "-track", what + " (" + drive.figures + ")",
-          std::move(fix)};
+Finding track_error(const Shown& drive, const std::string& what, std::string fix) {
+  return error(name_of(drive.side) + "-track", what + " (" + drive.figures + ")", std::move(fix));
 }
 
 Finding judge_unseen(const Shown& drive, const Wiring& wiring) {
   const std::string side = name_of(drive.side);
   if (drive.forward()) return ok(side + "-track", drive.figures);
   if (drive.back())
-    return error(drive, side + " encoder counts against its motor",
-                 "if the track ran forward first: " + encoder_fix(drive.side, wiring) +
-                     "; else: " + motor_fix(drive.side, wiring));
+    return track_error(drive, side + " encoder counts against its motor",
+                       "if the track ran forward first: " + encoder_fix(drive.side, wiring) +
+                           "; else: " + motor_fix(drive.side, wiring));
   if (drive.crossed())
-    return error(drive, "driving the " + side + " track, the other encoder counts",
-                 "swap the plugs of the two encoders, or of the two motors" + std::string(kAgain));
-  return error(drive, side + " track driven, but no encoder counts",
-               "check the plugs of its motor and its encoder, and the motors' battery");
+    return track_error(
+        drive, "driving the " + side + " track, the other encoder counts",
+        "swap the plugs of the two encoders, or of the two motors" + std::string(kAgain));
+  return track_error(drive, side + " track driven, but no encoder counts",
+                     "check the plugs of its motor and its encoder, and the motors' battery");
 }
 
 Finding judge_as_asked(const Shown& drive, const Wiring& wiring) {
   const std::string side = name_of(drive.side);
   if (drive.forward()) return ok(side + "-track", drive.figures);
   if (drive.back())
-    return error(drive, side + " encoder counts backwards", encoder_fix(drive.side, wiring));
+    return track_error(drive, side + " encoder counts backwards", encoder_fix(drive.side, wiring));
   if (drive.crossed())
-    return error(drive, "the " + side + " track ran, but the other encoder counted",
-                 "swap the plugs of the two encoders");
-  return error(drive, "the " + side + " track ran, but its encoder did not count",
-               "check the plug and the two signals of the " + side + " encoder");
+    return track_error(drive, "the " + side + " track ran, but the other encoder counted",
+                       "swap the plugs of the two encoders");
+  return track_error(drive, "the " + side + " track ran, but its encoder did not count",
+                     "check the plug and the two signals of the " + side + " encoder");
 }
 
 Finding judge_backwards(const Shown& drive, const Wiring& wiring) {
   const std::string side = name_of(drive.side);
   const std::string motor = motor_fix(drive.side, wiring);
-  if (drive.back()) return error(drive, side + " motor runs backwards", motor);
+  if (drive.back()) return track_error(drive, side + " motor runs backwards", motor);
   if (drive.forward())
-    return error(drive, side + " motor and encoder are both backwards",
-                 motor + ", and " + encoder_fix(drive.side, wiring));
-  return error(drive, side + " motor runs backwards, and its encoder does not count",
-               motor + kAgain);
+    return track_error(drive, side + " motor and encoder are both backwards",
+                       motor + ", and " + encoder_fix(drive.side, wiring));
+  return track_error(drive, side + " motor runs backwards, and its encoder does not count",
+                     motor + kAgain);
 }
 
 Finding judge_other(const Shown& drive, const Wiring& wiring) {
   const std::string side = name_of(drive.side);
   if (drive.crossed())
-    return error(drive, "driving the " + side + " track, the other one runs and counts",
-                 "swap the plugs of the two motors");
-  return error(drive, "left and right are plugged the wrong way round",
-               turned_over("swap_tracks", wiring.swap_tracks) + kAgain);
+    return track_error(drive, "driving the " + side + " track, the other one runs and counts",
+                       "swap the plugs of the two motors");
+  return track_error(drive, "left and right are plugged the wrong way round",
+                     turned_over("swap_tracks", wiring.swap_tracks) + kAgain);
 }
 
 Finding judge(const Shown& drive, const Wiring& wiring) {
@@ -130,8 +130,8 @@ Finding judge(const Shown& drive, const Wiring& wiring) {
     case ObservedMotion::kOtherTrack:
       return judge_other(drive, wiring);
     case ObservedMotion::kNothing:
-      return error(drive, "the " + name_of(drive.side) + " track does not run",
-                   "check the plug of its motor and that the motors' battery is switched on");
+      return track_error(drive, "the " + name_of(drive.side) + " track does not run",
+                         "check the plug of its motor and that the motors' battery is switched on");
     case ObservedMotion::kUnknown:
       break;
   }
@@ -152,9 +152,10 @@ Findings track_findings(const TrackDrive& left, const TrackDrive& right, const W
   const bool mirrored =
       first.seen == ObservedMotion::kBackwards && second.seen == ObservedMotion::kBackwards;
   if (nobody_looked && mirrored && first.forward() && second.forward())
-    return {{Severity::kError, "tracks",
-             "left and right are plugged the wrong way round (driving left: " + first.figures + ")",
-             turned_over("swap_tracks", wiring.swap_tracks) + kAgain}};
+    return {error(
+        "tracks",
+        "left and right are plugged the wrong way round (driving left: " + first.figures + ")",
+        turned_over("swap_tracks", wiring.swap_tracks) + kAgain)};
   return {judge(first, wiring), judge(second, wiring)};
 }
 
@@ -163,19 +164,20 @@ Findings gyro_findings(std::optional<double> hand_rad, double spin_rad, bool tra
     if (on_floor(spin_rad) && tracks_well)
       return {ok("gyro",
                  text::format("tracks turning left, it reads %+.0f deg", spin_rad * kDegPerRad))};
-    return {{Severity::kWarning, "gyro", "its sign was not tested",
-             tracks_well ? "run this test in a terminal, and turn the robot when it asks for it"
-                         : "fix the tracks, then run this test again"}};
+    return {warning("gyro", "its sign was not tested",
+                    tracks_well
+                        ? "run this test in a terminal, and turn the robot when it asks for it"
+                        : "fix the tracks, then run this test again")};
   }
   const std::string seen =
       text::format("turned left by hand, the gyro reads %+.0f deg", *hand_rad * kDegPerRad);
   if (*hand_rad > kHandTurnedRad) return {ok("gyro", seen)};
   if (*hand_rad < -kHandTurnedRad)
-    return {{Severity::kError, "gyro", seen,
-             "mount the MPU6050 level, chip side up (firmware/WIRING.md)"}};
-  return {{Severity::kError, "gyro", seen,
-           "run this test again and turn the robot by a quarter to the left; if it reads the same, "
-           "check that the MPU6050 lies level"}};
+    return {error("gyro", seen, "mount the MPU6050 level, chip side up (firmware/WIRING.md)")};
+  return {error(
+      "gyro", seen,
+      "run this test again and turn the robot by a quarter to the left; if it reads the same, "
+      "check that the MPU6050 lies level")};
 }
 
 }  // namespace tp100::doctor

@@ -45,7 +45,7 @@ class WheelsUp {
         stop_(stop),
         person_(person),
         session_(link::open_port(options.port, options.serial), open_loop(options.session), stop) {
-    session_.on_sample = [this](const Sample& sample, HostNs) { add(sample); };
+    session_.on_sample = [this](const Sample& sample) { add(sample); };
   }
   // The motors are switched off in any case.
   ~WheelsUp() {
@@ -241,7 +241,7 @@ class WheelsUp {
 }  // namespace
 
 Findings wheels_up_broken_off(std::string seen, std::string fix) {
-  return {{Severity::kError, "wheels-up", std::move(seen), std::move(fix)}};
+  return {error("wheels-up", std::move(seen), std::move(fix))};
 }
 
 Findings try_wheels_up(const WheelsUpOptions& options, Operator& person,

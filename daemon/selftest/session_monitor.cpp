@@ -32,7 +32,7 @@ void SessionMonitor::on_event(const link::SessionEvent& event, const wire::Hello
 
 void SessionMonitor::take(const StepRecord& record) {
   session_ = record.inputs.session;
-  follow_commands(record);
+  follow(record);
   if (probing_ == Probing::kAsked) {
     probing_ = Probing::kWaiting;
     begun_ns_ = record.now_ns;
@@ -41,12 +41,7 @@ void SessionMonitor::take(const StepRecord& record) {
   if (probing_ == Probing::kWaiting && session_ == SessionState::kReady) {
     probing_ = Probing::kMeasuring;
     ready_ns_ = record.now_ns;
-    ready_before_ = record.link;
-    samples_ = 0;
-    age_.emplace();
-    round_trip_.emplace();
-  } else if (probing_ == Probing::kMeasuring) {
-    measure(record);
+    meter_.begin(record.link, record.now_ns);
   }
   const bool measured = probing_ == Probing::kMeasuring && record.now_ns - ready_ns_ >= kTestNs;
   const bool waited = probing_ == Probing::kWaiting && record.now_ns - begun_ns_ >= kTimeoutNs;
@@ -60,53 +55,19 @@ void SessionMonitor::take(const StepRecord& record) {
   faults_ = record.snapshot.faults;
 }
 
-void SessionMonitor::measure(const StepRecord& record) {
-  for (const Sample& sample : record.inputs.samples) {
-    ++samples_;
-    age_->add(record.now_ns - sample.measured_ns);
-  }
-}
-
-void SessionMonitor::follow_commands(const StepRecord& record) {
+void SessionMonitor::follow(const StepRecord& record) {
   // A record that was dropped on its way to this thread most likely contained a command.
-  const std::uint64_t missing = record.step > step_ + 1 ? record.step - step_ - 1 : 0;
+  if (record.step > step_ + 1) meter_.skip(record.step - step_ - 1);
   step_ = record.step;
   if (session_ != SessionState::kReady || record.inputs.session_number != session_number_) {
     session_number_ = record.inputs.session_number;
-    awaited_.reset();
-    // Nothing was sent in this session yet; sequence numbers continue from here.
-    for (const Sample& sample : record.inputs.samples) sent_ = sample.last_command;
-  } else {
-    sent_ = static_cast<std::uint16_t>(sent_ + missing);
+    meter_.restart(record.inputs.samples);
   }
-  for (const Sample& sample : record.inputs.samples) {
-    if (!awaited_ || wrapped_difference(sample.last_command, *awaited_) < 0) continue;
-    if (probing_ == Probing::kMeasuring) round_trip_->add(record.now_ns - awaited_since_ns_);
-    awaited_.reset();
-  }
-  if (!record.command_valid) return;
-  ++sent_;
-  if (awaited_) return;
-  awaited_ = sent_;
-  awaited_since_ns_ = record.now_ns;
+  for (const Sample& sample : record.inputs.samples) meter_.on_sample(sample, record.now_ns);
+  if (record.command_valid) meter_.on_command(record.now_ns);
 }
 
 void SessionMonitor::begin() { probing_ = Probing::kAsked; }
-
-doctor::LinkTest SessionMonitor::link_test() const {
-  doctor::LinkTest test;
-  test.duration_s = to_s(ended_ns_ - ready_ns_);
-  test.samples = samples_;
-  test.expected_samples = test.duration_s * 1e6 / wire::kSamplePeriodUs;
-  test.counters = after_ - ready_before_;
-  test.age = doctor::percentiles(*age_);
-  test.round_trip = doctor::percentiles(*round_trip_);
-  test.confirmed = static_cast<std::size_t>(round_trip_->count());
-  test.clock_known = clock_.valid;
-  test.clock_uncertainty_us = clock_.uncertainty_us;
-  test.clock_drift_ppm = clock_.drift * 1e6;
-  return test;
-}
 
 std::optional<doctor::ProbeResult> SessionMonitor::done() {
   if (probing_ != Probing::kDone) return std::nullopt;
@@ -127,7 +88,7 @@ std::optional<doctor::ProbeResult> SessionMonitor::done() {
   if (!probe.ready) return probe;
   doctor::add_sample(newest_, probe);
   probe.moved_unasked = (faults_ & fault_bit(Fault::moves_unasked)) != 0;
-  probe.link = link_test();
+  probe.link = meter_.end(after_, clock_, ended_ns_);
   return probe;
 }
 

@@ -7,7 +7,6 @@
 #include <optional>
 #include <string>
 
-#include "core/histogram.h"
 #include "core/step_record.h"
 #include "doctor/robot.h"
 #include "link/session_event.h"
@@ -38,9 +37,7 @@ class SessionMonitor {
   SessionState session() const { return session_; }
 
  private:
-  void follow_commands(const StepRecord& record);
-  void measure(const StepRecord& record);
-  doctor::LinkTest link_test() const;
+  void follow(const StepRecord& record);
 
   OpenPort port_{};
   wire::Hello hello_{};
@@ -48,21 +45,16 @@ class SessionMonitor {
   int refused_parameter_ = -1;
   SessionState session_ = SessionState::kClosed;
 
-  // State of the commands: the robot confirms the sequence of the last one.
   std::uint64_t step_ = 0;
   std::uint32_t session_number_ = 0;
-  std::uint16_t sent_ = 0;
-  std::optional<std::uint16_t> awaited_{};
-  HostNs awaited_since_ns_ = 0;
+  doctor::LinkMeter meter_{};
 
   // State of a probe.
   enum class Probing { kNo, kAsked, kWaiting, kMeasuring, kDone };
   Probing probing_ = Probing::kNo;
   HostNs begun_ns_ = 0, ready_ns_ = 0, ended_ns_ = 0;
-  LinkCounters before_{}, ready_before_{}, after_{};
+  LinkCounters before_{}, after_{};
   ClockState clock_{};
-  std::size_t samples_ = 0;
-  std::optional<Histogram> age_{}, round_trip_{};
   Sample newest_{};
   bool has_sample_ = false;
   FaultMask faults_ = 0;
