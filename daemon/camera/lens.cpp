@@ -47,11 +47,8 @@ Lens parse_opencv(const std::string& text, const std::string& path) {
   try {
     const cv::FileStorage file(text, cv::FileStorage::READ | cv::FileStorage::MEMORY);
     cv::Mat matrix, distortion;
-    Lens lens;
     file["camera_matrix"] >> matrix;
     file["distortion_coefficients"] >> distortion;
-    lens.width_px = static_cast<int>(file["image_width"]);
-    lens.height_px = static_cast<int>(file["image_height"]);
     if (matrix.rows != 3 || matrix.cols != 3 || matrix.channels() != 1)
       fail(path, "no camera_matrix of 3 by 3");
     const auto count = distortion.total();
@@ -59,17 +56,9 @@ Lens parse_opencv(const std::string& text, const std::string& path) {
       fail(path, "distortion_coefficients must be 4 or 5 numbers");
     matrix.convertTo(matrix, CV_64F);
     distortion.convertTo(distortion, CV_64F);
-    distortion = distortion.reshape(1, 1);
-    lens.fx_px = matrix.at<double>(0, 0);
-    lens.fy_px = matrix.at<double>(1, 1);
-    lens.cx_px = matrix.at<double>(0, 2);
-    lens.cy_px = matrix.at<double>(1, 2);
-    lens.k1 = distortion.at<double>(0);
-    lens.k2 = distortion.at<double>(1);
-    lens.p1 = distortion.at<double>(2);
-    lens.p2 = distortion.at<double>(3);
-    lens.k3 = count == 5 ? distortion.at<double>(4) : 0.0;
-    return lens;
+    const cv::Size size(static_cast<int>(file["image_width"]),
+                        static_cast<int>(file["image_height"]));
+    return opencv_lens(matrix, distortion.reshape(1, 1), size);
   } catch (const cv::Exception&) {
     fail(path, "not a file of OpenCV");
   }
@@ -132,6 +121,20 @@ cv::Point2d Lens::ray(const cv::Point2d& pixel) const {
     if (std::abs(step.x) + std::abs(step.y) < 1e-12) break;
   }
   return ray;
+}
+
+Lens opencv_lens(const cv::Mat& matrix, const cv::Mat& distortion, cv::Size size) {
+  return {.width_px = size.width,
+          .height_px = size.height,
+          .fx_px = matrix.at<double>(0, 0),
+          .fy_px = matrix.at<double>(1, 1),
+          .cx_px = matrix.at<double>(0, 2),
+          .cy_px = matrix.at<double>(1, 2),
+          .k1 = distortion.at<double>(0),
+          .k2 = distortion.at<double>(1),
+          .p1 = distortion.at<double>(2),
+          .p2 = distortion.at<double>(3),
+          .k3 = distortion.total() > 4 ? distortion.at<double>(4) : 0.0};
 }
 
 Lens read_lens(const std::string& path) {

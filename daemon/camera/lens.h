@@ -24,6 +24,10 @@ struct Lens {
   cv::Point2d pixel(const cv::Point2d& ray) const;
 };
 
+/// OpenCV's description of a lens: a camera matrix of 3 by 3 and at least four coefficients of
+/// distortion in one row, all of double.
+Lens opencv_lens(const cv::Mat& matrix, const cv::Mat& distortion, cv::Size size);
+
 /// Reads a lens file: TOML as written by write_lens, or OpenCV's YAML or XML with camera_matrix,
 /// distortion_coefficients, image_width and image_height. Throws SetupError, also for a lens whose
 /// distortion folds the image over.

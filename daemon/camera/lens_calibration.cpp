@@ -1,10 +1,8 @@
 #include "camera/lens_calibration.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <opencv2/aruco.hpp>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
@@ -189,31 +187,20 @@ LensFit fit_lens(const std::vector<BoardCorners>& views, cv::Size size) {
     pixels.push_back(view.pixels);
   }
   cv::Mat matrix, distortion, deviations;
-  LensFit fit;
+  double rms_px = 0.0;
   try {
-    fit.lens.rms_px = cv::calibrateCamera(board, pixels, size, matrix, distortion, cv::noArray(),
-                                          cv::noArray(), deviations, cv::noArray(), cv::noArray());
+    rms_px = cv::calibrateCamera(board, pixels, size, matrix, distortion, cv::noArray(),
+                                 cv::noArray(), deviations, cv::noArray(), cv::noArray());
   } catch (const cv::Exception&) {
     throw SetupError("no lens fits the images of the board; take more images from other angles");
   }
-  fit.lens.width_px = size.width;
-  fit.lens.height_px = size.height;
-  fit.lens.fx_px = matrix.at<double>(0, 0);
-  fit.lens.fy_px = matrix.at<double>(1, 1);
-  fit.lens.cx_px = matrix.at<double>(0, 2);
-  fit.lens.cy_px = matrix.at<double>(1, 2);
-  fit.lens.k1 = distortion.at<double>(0);
-  fit.lens.k2 = distortion.at<double>(1);
-  fit.lens.p1 = distortion.at<double>(2);
-  fit.lens.p2 = distortion.at<double>(3);
-  fit.lens.k3 = distortion.at<double>(4);
-  fit.views = views.size();
-  fit.covered = cover(views, size);
-  fit.focal_sd_px = deviations.at<double>(0);
-  if (!(fit.lens.rms_px <= kLargestRmsPx)) {
-    throw SetupError("the corners miss the lens by " + std::to_string(fit.lens.rms_px) +
+  if (!(rms_px <= kLargestRmsPx)) {
+    throw SetupError("the corners miss the lens by " + std::to_string(rms_px) +
                      " px; check --board, keep the board flat and the images sharp");
   }
+  LensFit fit{opencv_lens(matrix, distortion, size), views.size(), cover(views, size),
+              deviations.at<double>(0)};
+  fit.lens.rms_px = rms_px;
   return fit;
 }
 

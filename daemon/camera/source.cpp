@@ -70,28 +70,6 @@ bool has_image_name(const fs::path& path) {
   return std::find(kEnds.begin(), kEnds.end(), end) != kEnds.end();
 }
 
-/// Natural order: "a2" before "a10".
-bool comes_before(const std::string& a, const std::string& b) {
-  const auto digit = [](char c) { return c >= '0' && c <= '9'; };
-  std::size_t i = 0, j = 0;
-  while (i < a.size() && j < b.size()) {
-    if (!digit(a[i]) || !digit(b[j])) {
-      if (a[i] != b[j]) return a[i] < b[j];
-      ++i, ++j;
-      continue;
-    }
-    while (i < a.size() && a[i] == '0') ++i;
-    while (j < b.size() && b[j] == '0') ++j;
-    std::size_t m = i, n = j;
-    while (m < a.size() && digit(a[m])) ++m;
-    while (n < b.size() && digit(b[n])) ++n;
-    if (m - i != n - j) return m - i < n - j;
-    if (const int order = a.compare(i, m - i, b, j, n - j); order != 0) return order < 0;
-    i = m, j = n;
-  }
-  return a.size() - i != b.size() - j ? a.size() - i < b.size() - j : a < b;
-}
-
 std::map<std::string, HostNs> read_times(const std::string& path) {
   std::istringstream text(course::read_text_file(path).text);
   std::map<std::string, HostNs> times;
@@ -125,9 +103,7 @@ void set(Image& image, const cv::Mat& shown) {
     image.grey = shown;
 }
 
-/// Images in a folder, in the order of their names, with the times in times.csv or at a fixed
-/// rate.
-
+/// Images in a folder, in the order of their names, with the times in times.csv or at a fixed rate.
 class FolderSource : public Source {
  public:
   FolderSource(const std::string& folder, std::optional<double> fps)
@@ -221,7 +197,6 @@ bool VideoSource::next(Image& image) {
 }
 
 /// A camera device (Video4Linux).
-
 class DeviceSource : public Source {
  public:
   /// Throws SetupError: device missing or busy, or size not supported.
@@ -303,7 +278,9 @@ std::vector<ImageFile> list_images(const std::string& folder, std::optional<doub
   if (names.empty()) throw SetupError(folder + ": no images in this folder");
   if (!timed && !fps)
     throw SetupError(folder + ": no times.csv; add it or give the rate with --fps");
-  std::sort(names.begin(), names.end(), comes_before);
+  std::sort(names.begin(), names.end(), [](const std::string& a, const std::string& b) {
+    return ::strverscmp(a.c_str(), b.c_str()) < 0;
+  });
 
   const fs::path base(folder);
   std::vector<ImageFile> files;
@@ -333,8 +310,6 @@ HostNs image_time(double driver_ms, HostNs grabbed_ns, HostNs delay_ns) {
   const bool plausible = driver_ms > 0.0 && age_ms >= 0.0 && age_ms < 1000.0;
   return (plausible ? from_s(driver_ms * 1e-3) : grabbed_ns) - delay_ns;
 }
-
-namespace fs = std::filesystem;
 
 std::unique_ptr<Source> open_source(const std::string& name, const SourceOptions& options) {
   if (name == "-") return open_image_pipe(STDIN_FILENO, "standard input", options);

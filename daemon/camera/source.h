@@ -52,10 +52,10 @@ struct ImageFile {
   HostNs taken_ns = 0;
 };
 
-/// Lists a folder. Numbers in names are compared by value: 2 comes before 10. times.csv has lines
-/// FILE,SECONDS (optionally after a header file,t_s), strictly later from line to line; images that
-/// it does not name are an error, and so is anything in the folder that is neither image, times.csv
-/// nor hidden. Without it `fps` gives the times. Throws SetupError.
+/// Lists a folder. Names are in the order of strverscmp(3): 2 comes before 10, 09 before 10.
+/// times.csv has lines FILE,SECONDS (optionally after a header file,t_s), strictly later from line
+/// to line; images that it does not name are an error, and so is anything in the folder that is
+/// neither image, times.csv nor hidden. Without it `fps` gives the times. Throws SetupError.
 std::vector<ImageFile> list_images(const std::string& folder, std::optional<double> fps);
 
 /// Time of an image, monotonic clock: the driver's stamp if it is valid (a monotonic time within

@@ -23,90 +23,18 @@
 #include "core/time.h"
 #include "link/camera_message.h"
 #include "link/udp.h"
+#include "text/atomic_file.h"
+#include "text/format.h"
 
 namespace tp100::camera {
 namespace {
 
-/// Detections as datagrams (link/camera_message.h).
-class PoseStream {
- public:
-  /// Throws SetupError.
-  PoseStream(const link::UdpAddress& to, int marker_id);
-
-  /// Sends the pose of image `number`, taken at `taken_ns`, now: both monotonic clock.
-  void send(const MarkerPose& pose, std::uint32_t number, HostNs taken_ns, HostNs now);
-
- private:
-  link::UdpSender sender_;
-  link::CameraMessage message_{};
-};
-
-PoseStream::PoseStream(const link::UdpAddress& to, int marker_id) : sender_(to) {
-  message_.stream = std::random_device{}();
-  message_.clock = link::monotonic_clock_name();
-  message_.marker = static_cast<std::uint32_t>(marker_id);
-}
-
-void PoseStream::send(const MarkerPose& pose, std::uint32_t number, HostNs taken_ns, HostNs now) {
-  message_.sequence = number;
-  message_.stamp_us = std::max<HostNs>(0, taken_ns / kNsPerUs);
-  message_.age_us = std::max<HostNs>(0, (now - taken_ns) / kNsPerUs);
-  message_.x_m = pose.x_m;
-  message_.y_m = pose.y_m;
-  message_.yaw_rad = pose.yaw_rad;
-  sender_.send(link::encode(message_));
-}
-
-/// Poses as a TUM file: one line each, "t x y z qx qy qz qw", seconds and metres, for evo and
-/// others. Written under a temporary name beside `path`, and renamed by finish().
-class TumFile {
- public:
-  /// Throws SetupError.
-  explicit TumFile(const std::string& path);
-  ~TumFile();
-  TumFile(const TumFile&) = delete;
-  TumFile& operator=(const TumFile&) = delete;
-
-  /// z is 0: the reference point is on the floor.
-  void add(const MarkerPose& pose, HostNs taken_ns);
-  /// Throws SetupError if it could not be written completely.
-  void finish();
-
- private:
-  std::string path_, temporary_;
-  std::FILE* file_ = nullptr;
-};
-
-TumFile::TumFile(const std::string& path)
-    : path_(path), temporary_(path + "." + std::to_string(::getpid()) + ".tmp") {
-  file_ = std::fopen(temporary_.c_str(), "we");
-  if (file_ == nullptr)
-    throw SetupError(path + ": cannot be written (" + std::strerror(errno) +
-                     "); choose another file for --tum");
-  std::fprintf(file_, "# t_s x_m y_m z_m qx qy qz qw\n");
-}
-
-TumFile::~TumFile() {
-  if (file_ == nullptr) return;
-  std::fclose(file_);
-  std::remove(temporary_.c_str());
-}
-
-void TumFile::add(const MarkerPose& pose, HostNs taken_ns) {
+/// A line of a TUM file, for evo and others: "t x y z qx qy qz qw", seconds and metres. z is 0: the
+/// reference point is on the floor.
+std::string tum_line(const MarkerPose& pose, HostNs taken_ns) {
   const double half = pose.yaw_rad / 2.0;
-  std::fprintf(file_, "%.6f %.6f %.6f 0 0 0 %.9f %.9f\n", to_s(taken_ns), pose.x_m, pose.y_m,
-               std::sin(half), std::cos(half));
-}
-
-void TumFile::finish() {
-  const bool good = std::ferror(file_) == 0;
-  const bool closed = std::fclose(file_) == 0;
-  file_ = nullptr;
-  if (good && closed && std::rename(temporary_.c_str(), path_.c_str()) == 0) return;
-  const int error = errno;
-  std::remove(temporary_.c_str());
-  throw SetupError(path_ + ": cannot be written (" + std::strerror(error) +
-                   "); choose another file for --tum");
+  return text::format("%.6f %.6f %.6f 0 0 0 %.9f %.9f\n", to_s(taken_ns), pose.x_m, pose.y_m,
+                      std::sin(half), std::cos(half));
 }
 
 // Limits a long pause, so that the number stays far from overflow.
@@ -139,10 +67,16 @@ class MarkerTracking {
       : view_(options.view.empty() ? View{} : read_view(options.view)),
         source_(open_source(options.source, with_delay(options.images))) {
     if (!options.view.empty()) observer_.emplace(read_lens(view_.lens), view_);
-    if (!options.tum.empty()) tum_.emplace(options.tum);
+    if (!options.tum.empty()) {
+      tum_.emplace(options.tum);
+      tum_->write("# t_s x_m y_m z_m qx qy qz qw\n");
+    }
     if (options.send.empty()) return;
     const link::UdpAddress to = link::parse_udp(options.send, "--send");
-    stream_.emplace(to, view_.marker_id);
+    sender_.emplace(to);
+    message_.stream = std::random_device{}();
+    message_.clock = link::monotonic_clock_name();
+    message_.marker = static_cast<std::uint32_t>(view_.marker_id);
     if (view_.images.rate_hz > 0.0) image_sender_.emplace(to, view_.images);
   }
 
@@ -166,9 +100,10 @@ class MarkerTracking {
   View view_;
   std::optional<Observer> observer_;  // nothing: images only
   std::unique_ptr<Source> source_;
-  std::optional<PoseStream> stream_;
+  std::optional<link::UdpSender> sender_;
+  link::CameraMessage message_{};
   std::optional<ImageSender> image_sender_;
-  std::optional<TumFile> tum_;
+  std::optional<text::FileReplacement> tum_;
   ImageGaps gaps_;
   HostNs begin_ns_ = 0;  ///< offset added to a recording's times
   HostNs next_report_ns_ = 0;
@@ -215,7 +150,7 @@ void MarkerTracking::report_progress(HostNs now) {
 
 /// Waits for the time of a recorded image. False: it has already passed.
 bool MarkerTracking::in_time(HostNs taken_ns) const {
-  if (source_->live() || !stream_) return true;
+  if (source_->live() || !sender_) return true;
   const HostNs due_ns = begin_ns_ + taken_ns;
   if (monotonic_now() - due_ns > kBehindNs) return false;
   sleep_until(due_ns);
@@ -240,12 +175,20 @@ void MarkerTracking::process(const Image& image, std::uint32_t number) {
   const std::optional<MarkerPose> pose = observer_->look(image.grey);
   if (!pose) return;
   ++found_;
-  if (tum_) tum_->add(*pose, image.taken_ns);
-  if (stream_) stream_->send(*pose, number, begin_ns_ + image.taken_ns, monotonic_now());
+  if (tum_) tum_->write(tum_line(*pose, image.taken_ns));
+  if (!sender_) return;
+  const HostNs taken_ns = begin_ns_ + image.taken_ns;
+  message_.sequence = number;
+  message_.stamp_us = std::max<HostNs>(0, taken_ns / kNsPerUs);
+  message_.age_us = std::max<HostNs>(0, (monotonic_now() - taken_ns) / kNsPerUs);
+  message_.x_m = pose->x_m;
+  message_.y_m = pose->y_m;
+  message_.yaw_rad = pose->yaw_rad;
+  sender_->send(link::encode(message_));
 }
 
 int MarkerTracking::finish(bool gone) {
-  if (tum_) tum_->finish();
+  if (tum_) tum_->commit();
   std::printf("images %llu, dropped %llu, left out %llu%s\n",
               static_cast<unsigned long long>(images_),
               static_cast<unsigned long long>(gaps_.missing()),
@@ -263,12 +206,12 @@ int MarkerTracking::finish(bool gone) {
 
 int MarkerTracking::run() {
   Image image;
-  begin_ns_ = source_->live() || !stream_ ? 0 : monotonic_now();
+  begin_ns_ = source_->live() || !sender_ ? 0 : monotonic_now();
   bool more = true;
   try {
     while (g_stop == 0 && (more = source_->next(image))) take(image);
   } catch (const SetupError&) {
-    if (tum_) tum_->finish();
+    if (tum_) tum_->commit();
     throw;
   }
   return finish(!more && !source_->ends());
