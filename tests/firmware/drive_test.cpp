@@ -241,22 +241,6 @@ TEST(TurnHistory, TellsTheRotationSinceASample) {
   }
 }
 
-TEST(Drive, ReachesTheSpeedThatEquationsOneAndFiveAsk) {
-  for (const float speed : {0.03f, 0.1f, 0.14f, -0.08f}) {
-    Rig rig;
-    rig.parameters.yaw_kp = 0.0f;
-    rig.tracks_follow = true;
-    rig.drive(speed);
-    rig.run(1500);
-    const std::int32_t left = rig.hal.left_counts, right = rig.hal.right_counts;
-    rig.run(1000);
-    const double counts = static_cast<double>(speed) * 11140.0;
-    EXPECT_NEAR(rig.hal.left_counts - left, counts / 0.84, 0.03 * std::abs(counts)) << speed;
-    EXPECT_NEAR(rig.hal.right_counts - right, counts / 0.90, 0.03 * std::abs(counts)) << speed;
-    EXPECT_EQ(rig.program.faults(), 0);
-  }
-}
-
 TEST(Drive, AccelerationIsLimited) {
   Rig rig;
   rig.tracks_follow = true;

@@ -47,37 +47,6 @@ TEST(FailSafe, SilenceSwitchesARobotOffInTheLifeOfItsLastCommand) {
   }
 }
 
-TEST(FailSafe, ADisarmedRobotWaits700MsForItsFirstCommandAndNotBeforeASession) {
-  Rig rig;
-  rig.run(3000);
-  rig.send(wire::HelloRequest{wire::kProtocolVersion, wire::kSchemaHash});
-  rig.run(900);
-  rig.send(rig.parameters);
-  rig.run(700);
-  EXPECT_EQ(rig.program.state(), State::kDisarmed);
-  EXPECT_EQ(rig.program.faults(), 0);
-  rig.run(5);
-  EXPECT_EQ(rig.program.state(), State::kFaulted);
-  EXPECT_TRUE(rig.has(Fault::command_timeout));
-  EXPECT_EQ(rig.reports.size(), 1U);
-  EXPECT_EQ(rig.count_logs("motors off"), 0) << "the motors were not on";
-}
-
-TEST(FailSafe, RefusedCommandsDoNotKeepARobotRunning) {
-  Rig rig;
-  rig.drive();
-  rig.run(50);
-  rig.streams = false;
-  for (int i = 0; i < 50; ++i) {
-    wire::Command command = rig.command();
-    command.boot_nonce += 1;
-    rig.send(command);
-    rig.run(5);
-  }
-  EXPECT_FALSE(rig.motors_on());
-  EXPECT_TRUE(rig.has(Fault::command_timeout));
-}
-
 TEST(FailSafe, AHangIsLoggedAndFeedsNoWatchdog) {
   Rig rig;
   rig.drive();

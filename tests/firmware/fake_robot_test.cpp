@@ -65,17 +65,5 @@ TEST_F(FakeRobotTest, TurnsByTheDifferenceOfItsTracks) {
   EXPECT_NEAR(mean(3) / 340.0 + 36.53, 27.0, 0.1) << "degrees";
 }
 
-TEST_F(FakeRobotTest, ItsSensorsAreNeverStillAndAnswerOnlyAtTheirAddress) {
-  int same = 0;
-  for (int i = 0; i < 1000; ++i) {
-    same += word(6) == word(6) && word(0) == word(0) && word(1) == word(1) && word(4) == word(4);
-  }
-  EXPECT_LT(same, 10);
-  std::uint8_t identity = 0;
-  EXPECT_TRUE(robot.imu_read(Imu::kAddress, Imu::kWhoAmI, &identity, 1));
-  EXPECT_EQ(identity, std::uint8_t{Imu::kAddress});
-  EXPECT_FALSE(robot.imu_read(0x69, Imu::kWhoAmI, &identity, 1));
-}
-
 }  // namespace
 }  // namespace tp100::firmware

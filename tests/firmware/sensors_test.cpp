@@ -1,13 +1,11 @@
-// Tests what the board measures: encoder edges, battery and IMU.
+// Tests what the board measures: battery and IMU. Encoder edges: tests/board.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "firmware/battery.h"
-#include "firmware/quadrature.h"
 #include "rig.h"
 
 namespace tp100::firmware {
@@ -15,46 +13,6 @@ namespace {
 
 using wire::Fault;
 using wire::State;
-
-constexpr std::array<std::uint8_t, 4> kForward = {0, 1, 3, 2};  // A leads B
-
-TEST(Quadrature, EveryForwardEdgeCountsUpAndEveryBackwardEdgeDown) {
-  for (std::size_t i = 0; i < 4; ++i) {
-    const std::uint8_t now = kForward[i];
-    const std::uint8_t next = kForward[(i + 1) % 4];
-    EXPECT_EQ(quadrature_step(now, next), 1);
-    EXPECT_EQ(quadrature_step(next, now), -1);
-    EXPECT_EQ(quadrature_step(now, now), 0);
-    EXPECT_EQ(quadrature_step(now, static_cast<std::uint8_t>(now ^ 3U)), kIllegalStep);
-  }
-}
-
-template <std::int8_t kSign>
-std::int32_t counts_after(int forward, int backward) {
-  Quadrature encoder{};
-  std::size_t at = 0;
-  for (int i = 0; i < forward + backward; ++i) {
-    at = i < forward ? at + 1 : at - 1;
-    take_edge<kSign>(encoder, kForward[at % 4]);
-    if (i % 30'000 == 0) extended_counts(encoder);
-  }
-  EXPECT_EQ(encoder.missed, 0);
-  return extended_counts(encoder);
-}
-
-TEST(Quadrature, CountsFarBothWays) {
-  EXPECT_EQ(counts_after<1>(200'000, 0), 200'000);
-  EXPECT_EQ(counts_after<1>(200'000, 300'000), -100'000);
-  EXPECT_EQ(counts_after<-1>(200'000, 300'000), 100'000);
-}
-
-TEST(Quadrature, WhatChangesBothPhasesIsAMissedEdgeAndNotCounted) {
-  Quadrature encoder{};
-  take_edge<1>(encoder, 3);
-  take_edge<1>(encoder, 0);
-  EXPECT_EQ(encoder.missed, 2);
-  EXPECT_EQ(extended_counts(encoder), 0);
-}
 
 // The converter's reading of a voltage on a board with this supply.
 std::uint16_t steps_of(double volts, double supply_v) {
@@ -90,28 +48,6 @@ TEST(Supply, NoChipReadsTheBatteryHigherThanIfFiveVoltsWereAssumedNorTenPercentT
       EXPECT_NEAR(battery_read_v(battery_v, supply_v, 1.1), battery_v, 0.01 * battery_v);
     }
   }
-}
-
-TEST(Battery, FollowsItsReadingsInATimeConstantOf80Ms) {
-  Battery battery;
-  battery.update(8000, 6000);
-  EXPECT_NEAR(battery.millivolts(), 8000, 1) << "at once at first";
-  for (int ms = 0; ms < 80; ms += 5) battery.update(7000, 6000);
-  EXPECT_NEAR(battery.millivolts(), 7000.0 + 1000.0 * std::exp(-1.0), 15.0);
-}
-
-TEST(Battery, IsLowAfterASecondBelowTheCutOff) {
-  Battery battery;
-  battery.update(6000, 6000);
-  EXPECT_FALSE(battery.below()) << "the cut-off itself is enough";
-  for (int sample = 1; sample <= 200; ++sample) {
-    EXPECT_FALSE(battery.low()) << sample;
-    battery.update(5900, 6000);
-    EXPECT_TRUE(battery.below());
-  }
-  EXPECT_TRUE(battery.low());
-  battery.update(5900, 0);
-  EXPECT_FALSE(battery.below() || battery.low()) << "without a cut-off it is never low";
 }
 
 TEST(Imu, IsConfiguredAlsoAfterItFellAsleep) {

@@ -183,45 +183,6 @@ TEST(FailSafe, ATrackThatRunsAgainstItsDutyIsReversed) {
   }
 }
 
-// On a stand the tracks turn and the body does not.
-TEST(FailSafe, WithoutTheGyroItDoesNotJudgeTheTracks) {
-  Rig rig;
-  rig.tracks_follow = true;
-  rig.parameters.flags = 0;
-  rig.parameters.turn_slip_share = 0.15f;
-  rig.drive(0.1f);
-  rig.disturbance_radps = 0.6;
-  rig.run(3000);
-  EXPECT_EQ(rig.program.faults(), 0);
-  EXPECT_EQ(rig.program.state(), wire::State::kRunning);
-}
-
-TEST(FailSafe, AnEncoderThatLosesCountsIsFoundThoughTheYawLoopHidesIt) {
-  for (const float speed : kSpeeds) {
-    for (const double counted : {0.0, 0.05, 0.3, 0.5, 0.7}) {
-      for (const bool left : {true, false}) {
-        DrivingRig rig(speed);
-        (left ? rig.left_counted : rig.right_counted) = counted;
-        const double m = rig.driven_m(60'000);
-        EXPECT_EQ(rig.program.faults(), mask(left ? Fault::stalled_left : Fault::stalled_right))
-            << speed << " " << counted;
-        EXPECT_FALSE(rig.motors_on());
-        // The counted distance of the middle lacks half of the lost counts.
-        EXPECT_LT(m * (1.0 - counted) / 2.0, 0.12) << speed << " " << counted;
-      }
-    }
-  }
-}
-
-TEST(FailSafe, BothTracksThatCountShortInAnArcAreFoundByTheMeanOfTheirDuties) {
-  DrivingRig rig;
-  rig.yaw_rate_radps = 0.3f;
-  rig.driven_m(1000);
-  rig.left_counted = rig.right_counted = 0.7;
-  EXPECT_LT(rig.driven_m(20'000) * 0.3, 0.15);
-  EXPECT_EQ(rig.program.faults(), mask(Fault::stalled_left) | mask(Fault::stalled_right));
-}
-
 TEST(FailSafe, ALoadThatTheAccelerometerExplainsIsNoFaultOfAnEncoder) {
   for (const bool steep : {true, false}) {
     DrivingRig rig;
