@@ -183,6 +183,28 @@ TEST(FailSafe, ATrackThatRunsAgainstItsDutyIsReversed) {
   }
 }
 
+// On a stand the tracks turn and the body does not.
+TEST(FailSafe, WithoutTheGyroItDoesNotJudgeTheTracks) {
+  Rig rig;
+  rig.tracks_follow = true;
+  rig.parameters.flags = 0;
+  rig.parameters.turn_slip_share = 0.15f;
+  rig.drive(0.1f);
+  rig.disturbance_radps = 0.6;
+  rig.run(3000);
+  EXPECT_EQ(rig.program.faults(), 0);
+  EXPECT_EQ(rig.program.state(), wire::State::kRunning);
+}
+
+TEST(FailSafe, BothTracksThatCountShortInAnArcAreFoundByTheMeanOfTheirDuties) {
+  DrivingRig rig;
+  rig.yaw_rate_radps = 0.3f;
+  rig.driven_m(1000);
+  rig.left_counted = rig.right_counted = 0.7;
+  EXPECT_LT(rig.driven_m(20'000) * 0.3, 0.15);
+  EXPECT_EQ(rig.program.faults(), mask(Fault::stalled_left) | mask(Fault::stalled_right));
+}
+
 TEST(FailSafe, ALoadThatTheAccelerometerExplainsIsNoFaultOfAnEncoder) {
   for (const bool steep : {true, false}) {
     DrivingRig rig;
