@@ -16,7 +16,6 @@
 #include "live/live_controls.h"
 #include "live/live_cycle.h"
 #include "live/live_recording.h"
-#include "live/plot_stream.h"
 #include "live/recording_policies.h"
 #include "live/ros2_node.h"
 #include "live/service_notice.h"
@@ -231,11 +230,7 @@ int run_run(const RunOptions& options) {
                  live::why_no_ros2_requests(configuration));
     settings.ros2 = &*ros2;
   }
-  std::optional<live::PlotStream> plot;
-  if (!configuration.server.plot.empty())
-    plot.emplace(configuration.server.plot, clock, config::run_context_of(run));
   live::Supervisor supervisor(settings, cycle, loop);
-  if (plot) supervisor.add_sink(*plot);
   supervisor.add_sink(self_test);
   for (messages::Sink* sink : options.sinks) supervisor.add_sink(*sink);
   try {

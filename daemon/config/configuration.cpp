@@ -184,11 +184,6 @@ std::span<const Key<ServerConfiguration>> server_keys() {
        "Pages of robots on other machines, for the page of all robots, separated by spaces, for "
        "example http://10.0.0.7:8765; those on this machine are found. Each must have this page in "
        "its server.origins"},
-      {"plot",
-       &T::plot,
-       {},
-       "Where to send every step as a JSON datagram, for a plotting program such as PlotJuggler: "
-       "udp:PORT for this machine or udp:ADDRESS:PORT; empty: nowhere"},
   }};
   return kKeys;
 }

@@ -92,7 +92,6 @@ struct ServerConfiguration {
   int max_clients = 64;
   bool stop_unwatched = false;
   std::string robots;  ///< pages of robots of other machines, separated by spaces
-  std::string plot;    ///< "udp:[HOST:]PORT" of a plotting program; empty: none
 };
 
 /// Publishing on ROS 2's topics.

@@ -39,15 +39,11 @@ std::optional<std::string> path_of(std::string_view target) {
   return text::percent_decoded(target.substr(0, target.find_first_of("?#")));
 }
 
-HttpAnswer fresh_answer(std::string text, std::string type) {
-  HttpAnswer answer = http_text(200, std::move(text));
-  answer.type = std::move(type);
+HttpAnswer json_answer(std::string json) {
+  HttpAnswer answer = http_text(200, std::move(json));
+  answer.type = "application/json";
   answer.headers.emplace_back("Cache-Control", "no-store");
   return answer;
-}
-
-HttpAnswer json_answer(std::string json) {
-  return fresh_answer(std::move(json), "application/json");
 }
 
 HttpAnswer page_answer(const PageFile& file, std::string_view none_match) {
@@ -192,8 +188,6 @@ HttpAnswer http_answer(const HttpRequest& request, const HttpSources& sources) {
   if (!decoded) return http_text(404, "a % without two hexadecimal digits in the address");
   const std::string_view path = *decoded;
   if (path == "/healthz") return json_answer(sources.health());
-  if (path == "/metrics")
-    return fresh_answer(sources.metrics(), "text/plain; version=0.0.4; charset=utf-8");
   if (path.starts_with(kHistory)) {
     std::optional<std::string> content;
     if (sources.history) content = sources.history(path.substr(kHistory.size()));

@@ -66,8 +66,7 @@ struct HttpSources {
   std::string runs_folder;               ///< empty: none
   RunList runs;                          ///< empty: none
   SetupContent setup;                    ///< empty: none
-  std::function<std::string()> health;   ///< JSON
-  std::function<std::string()> metrics;  ///< as Prometheus reads them
+  std::function<std::string()> health;  ///< JSON
   /// JSON, for a page that is called by this Host; empty: none.
   std::function<std::string(std::string_view host)> robots;
   /// A JSON array by the topic without its slash, or nothing; empty: none.

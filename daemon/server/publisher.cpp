@@ -232,13 +232,6 @@ void Publisher::publish_recording(HostNs now) {
   publish(messages::Channel::kRecording, now, messages::recording_message(recording));
 }
 
-messages::LinkFigures Publisher::link(const messages::LoopFigures& loop) const {
-  messages::LinkFigures link = link_.figures();
-  link.port = controls_.port();
-  link.sample_age = loop.sample_age;
-  return link;
-}
-
 void Publisher::tick(HostNs now) {
   if (stop_.unanswered()) stop_answered(controls_.motors_off_ns(), now);
   if (stop_.tick(now)) publish_state(now, true);
@@ -250,8 +243,12 @@ void Publisher::tick(HostNs now) {
     if (loop_due)
       publish(messages::Channel::kLoop, now,
               messages::loop_message(clock().t_s(now), loop, run_context()));
-    if (link_due)
-      publish(messages::Channel::kLink, now, messages::link_message(clock().t_s(now), link(loop)));
+    if (link_due) {
+      messages::LinkFigures link = link_.figures();
+      link.port = controls_.port();
+      link.sample_age = loop.sample_age;
+      publish(messages::Channel::kLink, now, messages::link_message(clock().t_s(now), link));
+    }
   }
   if (path_history_due_.due(now)) {
     std::string update = path_history_.take_update(clock(), now);

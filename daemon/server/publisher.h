@@ -88,8 +88,6 @@ class Publisher {
   const messages::StateFigures& state() const { return state_; }
   const History& history() const { return history_; }
   const StopMonitor& stop() const { return stop_; }
-  /// The link over the last second, with the port.
-  messages::LinkFigures link(const messages::LoopFigures& loop) const;
   const messages::RunContext& run_context() const { return messages_.run_context(); }
   const messages::PublishClock& clock() const { return messages_.clock(); }
   /// Time of the last step taken.

@@ -15,7 +15,6 @@
 #include <utility>
 
 #include "core/clock.h"
-#include "messages/prometheus.h"
 #include "messages/status_messages.h"
 #include "server/local_daemons.h"
 #include "server/sockets.h"
@@ -71,8 +70,7 @@ class Inbox {
 struct Server::State {
   State(ServerSettings s, const messages::Messages& messages,
         std::vector<messages::ParameterText> parameters, Controls& c)
-      : controls(c),
-        robots(s.robots),
+      : robots(s.robots),
         broker(messages::channel_texts(), std::move(s.listener)),
         publisher(broker, messages, c),
         session(random_name()),
@@ -82,7 +80,6 @@ struct Server::State {
     sources.runs = std::move(s.runs);
     sources.setup = std::move(s.setup);
     sources.health = [this] { return health(); };
-    sources.metrics = [this] { return metrics(); };
     sources.robots = [this](std::string_view host) {
       return robots_json(sockets->own(), local_daemons(), robots, host);
     };
@@ -101,9 +98,7 @@ struct Server::State {
   void take(messages::ClientsFigures figures);
   void take_records();
   std::string health() const;
-  std::string metrics() const;
 
-  Controls& controls;
   const std::vector<std::string> robots;
   Broker broker;
   Publisher publisher;
@@ -112,7 +107,6 @@ struct Server::State {
   HttpSources sources;
   Inbox inbox;
   StepRecord record{};
-  messages::ClientsFigures clients{};  // as of the last second
   std::atomic<bool> woken{false};
   // Declared after the objects that its handlers refer to.
   asio::io_context context{1};
@@ -132,9 +126,8 @@ void Server::State::take(messages::ClientsFigures figures) {
   for (messages::ClientFigures& each : figures.clients)
     for (const auto& viewer : broker.viewers())
       if (viewer->id() == each.id) each.subscriptions = viewer->subscriptions().size();
-  clients = std::move(figures);
   broker.publish(messages::Channel::kClient, publisher.clock().unix_ns(monotonic_now()),
-                 messages::clients_message(clients));
+                 messages::clients_message(figures));
 }
 
 void Server::State::tick() {
@@ -167,16 +160,6 @@ std::string Server::State::health() const {
       .field("clients", broker.viewers().size())
       .end_object();
   return text;
-}
-
-std::string Server::State::metrics() const {
-  const messages::LoopFigures loop = controls.loop();
-  return messages::prometheus_text({.state = publisher.state(),
-                                    .loop = loop,
-                                    .link = publisher.link(loop),
-                                    .recording = controls.recording(),
-                                    .clients = clients},
-                                   publisher.run_context());
 }
 
 Server::Server(ServerSettings settings, const messages::Messages& messages,

@@ -271,7 +271,7 @@ class Load {
   }
   void read() {
     while (!over_) {
-      for (const char* target : {"/api/runs", "/api/history/estimate", "/metrics", "/api/setup"}) {
+      for (const char* target : {"/api/runs", "/api/history/estimate", "/healthz", "/api/setup"}) {
         try {
           const std::string answer = server::http_get(
               port_, std::string("GET ") + target + " HTTP/1.0\r\nHost: localhost\r\n\r\n");
