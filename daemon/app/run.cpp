@@ -13,6 +13,7 @@
 #include "core/error.h"
 #include "course/bundled_files.h"
 #include "course/course.h"
+#include "live/file_services.h"
 #include "live/live_controls.h"
 #include "live/live_cycle.h"
 #include "live/live_recording.h"
@@ -146,7 +147,8 @@ std::unique_ptr<server::Server> make_server(const config::RunSetup& run,
   out.runs_folder = run.configuration.record.directory;
   out.runs = [&runs] { return runs.json(); };
   out.page = page_file;
-  out.setup = [&setup](std::string_view path) { return setup.content(path); };
+  out.setup = [&setup](std::string_view path) { return live::setup_content(setup, path); };
+  out.services = controls.services();
   out.real_time = run.configuration.loop.priority > 0;
   out.listener = std::move(listener);
   return std::make_unique<server::Server>(

@@ -11,7 +11,9 @@
 #include "core/board.h"
 #include "core/clock.h"
 #include "course/robot_file.h"
+#include "live/file_services.h"
 #include "live/live_events.h"
+#include "live/run_services.h"
 #include "text/key.h"
 
 namespace tp100::live {
@@ -24,6 +26,11 @@ constexpr HostNs kTakesEffectNs = 200 * kNsPerMs;
 constexpr const char* kChanging = "course, robot or place are being changed; try again";
 constexpr const char* kShuttingDown = "the daemon is shutting down";
 constexpr const char* kBusy = "too many requests wait; try again";
+
+Result<> unless_busy(bool passed_on) {
+  if (!passed_on) return Refusal{kBusy};
+  return Done{};
+}
 
 struct LiveKey {
   std::string_view name;
@@ -50,94 +57,108 @@ const LiveKey* live_key(std::string_view name) {
 
 }  // namespace
 
+std::vector<server::ServiceRow> LiveControls::services() {
+  std::vector<server::ServiceRow> all = self_test_.services();
+  for (auto rows : {recording_.services(), file_services(setup_), parameter_services(setup_),
+                    run_services(runs_)})
+    std::ranges::move(rows, std::back_inserter(all));
+  const auto begin = [this](const server::Request& request) { return begin_wheels_up(request); };
+  all.push_back({server::Service::kWheelsUpBegin,
+                 "wheels_up_begin",
+                 R"({"tracks":""})",
+                 R"({"token":""})",
+                 begin,
+                 {.consents = true, .needs = server::ServiceRow::Needs::kDrivable}});
+  return all;
+}
+
 // The rules that every motion obeys, whichever door asks for it.
-std::string LiveControls::why_not_move(const Consent& consent, HostNs now) const {
-  if (ending_) return kShuttingDown;
-  if (setup_.changing()) return kChanging;
-  if (self_test_.wheels_up().on()) return selftest::kTracksRun;
-  return to_string(cycle_.consents().judge(consent, now));
+Result<> LiveControls::may_move(const Consent& consent, HostNs now) const {
+  if (ending_) return Refusal{kShuttingDown};
+  if (setup_.changing()) return Refusal{kChanging};
+  if (self_test_.wheels_up().on()) return Refusal{selftest::kTracksRun};
+  const ConsentLoss loss = cycle_.consents().judge(consent, now);
+  if (loss != ConsentLoss::kNone) return Refusal{to_string(loss)};
+  return Done{};
 }
 
-std::string LiveControls::move(OperatorRequest request, const Consent& consent, HostNs now) {
+Result<> LiveControls::move(OperatorRequest request, const Consent& consent, HostNs now) {
   const std::lock_guard lock(mutex_);
-  std::string why = why_not_move(consent, now);
-  if (!why.empty()) return why;
-  return cycle_.request(request, consent) ? std::string() : kBusy;
+  const Result<> may = may_move(consent, now);
+  return may ? unless_busy(cycle_.request(request, consent)) : may;
 }
 
-std::string LiveControls::hold() {
+Result<> LiveControls::hold() {
   self_test_.wheels_up().stop();
-  return cycle_.request(OperatorRequest::kHold) ? std::string() : kBusy;
+  return unless_busy(cycle_.request(OperatorRequest::kHold));
 }
 
-std::string LiveControls::pause() {
-  return cycle_.request(OperatorRequest::kPause) ? std::string() : kBusy;
-}
+Result<> LiveControls::pause() { return unless_busy(cycle_.request(OperatorRequest::kPause)); }
 
 void LiveControls::stop() {
   cycle_.stop();
   self_test_.wheels_up().stop();
 }
 
-std::string LiveControls::wheels_up_begin(const server::Driver& viewer, const Consent& consent,
-                                          HostNs now, std::string& token) {
+Result<std::string> LiveControls::begin_wheels_up(const server::Request& request) {
+  if (request.arguments.text("tracks") != "free")
+    return Refusal{"somebody has to confirm that the tracks turn freely: send tracks = \"free\""};
   const std::lock_guard lock(mutex_);
-  std::string why = why_not_move(consent, now);
-  if (!why.empty()) return why;
-  if (driving(now)) return server::kUnderWay;
-  why = self_test_.wheels_up().begin(viewer, now, token);
-  if (!why.empty()) return why;
+  if (const Result<> may = may_move(request.consent, request.now); !may) return may.refusal();
+  if (driving(request.now)) return Refusal{server::kUnderWay};
+  const Result<std::string> token = self_test_.wheels_up().begin(request.by, request.now);
+  if (!token) return token;
   // A STOP since the consent was judged: the check forgot it when it began.
-  if (stop_count() != consent.stops_seen) self_test_.wheels_up().stop();
+  if (stop_count() != request.consent.stops_seen) self_test_.wheels_up().stop();
   cycle_.give_up_port();
-  return {};
+  events_.push_back({.at_ns = request.now,
+                     .kind = "run",
+                     .text = request.by + " starts the check of the tracks"});
+  return server::json_of({{"token", *token}});
 }
 
-std::string LiveControls::drive_take(const server::Driver& driver, const Consent& consent,
-                                     HostNs now, std::string& token) {
+Result<std::string> LiveControls::drive_take(const std::string& driver, const Consent& consent,
+                                             HostNs now) {
   const std::lock_guard lock(mutex_);
-  const std::string why = why_not_move(consent, now);
-  if (!why.empty()) return why;
+  if (const Result<> may = may_move(consent, now); !may) return may.refusal();
   if (!driving(now)) wheel_.clear();
-  const std::optional<std::string> taken = wheel_.take(driver, now);
-  if (!taken) return wheel_.figures(now).by + " drives; ask for a release";
+  const std::optional<std::string> token = wheel_.take(driver, now);
+  if (!token) return Refusal{wheel_.figures(now).by + " drives; ask for a release"};
   // The previous driver's token is no longer valid.
   cycle_.velocity({.at_ns = now});
-  if (!cycle_.request(OperatorRequest::kDrive, consent)) {
-    wheel_.clear();
-    return kBusy;
-  }
-  token = *taken;
-  return {};
+  if (cycle_.request(OperatorRequest::kDrive, consent)) return *token;
+  wheel_.clear();
+  return Refusal{kBusy};
 }
 
-std::string LiveControls::drive(const server::DriveRequest& request, HostNs now) {
+Result<> LiveControls::drive(const server::DriveRequest& request, HostNs now) {
   const std::lock_guard lock(mutex_);
   if (!driving(now)) wheel_.clear();
   std::string why;
   const std::optional<VelocityInput> input = wheel_.drive(request, now, why);
-  if (input) return cycle_.velocity(*input) ? std::string() : kBusy;
-  if (why.empty()) return "this token does not hold the wheel; take it";
-  end_drive(now);
-  return why;
+  if (input) return unless_busy(cycle_.velocity(*input));
+  if (why.empty()) return Refusal{"this token does not hold the wheel; take it"};
+  static_cast<void>(end_drive(now));
+  return Refusal{why};
 }
 
-std::string LiveControls::drive_release(const std::string& token, HostNs now) {
+Result<> LiveControls::drive_release(const std::string& token, HostNs now) {
   const std::lock_guard lock(mutex_);
-  return wheel_.release(token) ? end_drive(now) : "this token does not hold the wheel";
+  if (!wheel_.release(token)) return Refusal{"this token does not hold the wheel"};
+  return end_drive(now);
 }
 
-std::string LiveControls::end_drive(HostNs now) {
+Result<> LiveControls::end_drive(HostNs now) {
   cycle_.velocity({.at_ns = now});
   // Do not hold a run that somebody else may have started meanwhile.
-  if (cycle_.run_state() == RunState::kRunning) return {};
-  return cycle_.request(OperatorRequest::kHold) ? std::string() : kBusy;
+  if (cycle_.run_state() == RunState::kRunning) return Done{};
+  return unless_busy(cycle_.request(OperatorRequest::kHold));
 }
 
-void LiveControls::drive_lost(const std::string& id, HostNs now) {
+void LiveControls::drive_lost(const std::string& driver, HostNs now) {
   const std::lock_guard lock(mutex_);
-  if (wheel_.lose(id)) cycle_.velocity({.at_ns = now});
-  self_test_.wheels_up().lose(id);
+  if (wheel_.lose(driver)) cycle_.velocity({.at_ns = now});
+  self_test_.wheels_up().lose(driver);
 }
 
 messages::DriverFigures LiveControls::driver(HostNs now) {
@@ -153,14 +174,14 @@ bool LiveControls::driving(HostNs now) {
          now - wheel_.taken_ns() < kTakesEffectNs;
 }
 
-std::string LiveControls::set(const messages::ParameterText& parameter,
-                              const messages::ParameterValue& value) {
+Result<> LiveControls::set(const messages::ParameterText& parameter,
+                           const messages::ParameterValue& value) {
   const auto change = change_for(parameter, value);
-  if (!change) return parameter.name + " cannot be changed while the daemon runs";
-  return cycle_.change(*change) ? std::string() : kBusy;
+  if (!change) return Refusal{parameter.name + " cannot be changed while the daemon runs"};
+  return unless_busy(cycle_.change(*change));
 }
 
-void LiveControls::choose(const server::SetupChoice& choice, Answer answer) {
+void LiveControls::choose(const server::SetupChoice& choice, server::Answer answer) {
   if (self_test_.wheels_up().on()) return answer(selftest::kTracksRun, {});
   setup_.choose(choice, std::move(answer));
 }
@@ -174,34 +195,6 @@ messages::RecordingFigures LiveControls::recording() {
   if (figures.warning.starts_with(before)) figures.warning.erase(0, folder);
   figures.file.erase(0, folder);
   return figures;
-}
-
-// The reply may come after these controls are gone, but never after the recording is.
-void LiveControls::record_start(const std::string& name, RecordAnswer answer) {
-  recording_.start(name, [&recording = recording_, answer](const std::string& why) {
-    answer(why, recording.figures());
-  });
-}
-
-void LiveControls::record_stop(RecordAnswer answer) {
-  recording_.stop(0, [&recording = recording_, answer](const std::string& why) {
-    answer(why, recording.figures());
-  });
-}
-
-void LiveControls::manage_run(const server::RunRequest& request, Answer answer) {
-  switch (request.what) {
-    case server::RunRequest::What::kNote:
-      return runs_.change_note(request.run, request.note, answer);
-    case server::RunRequest::What::kDelete:
-      return runs_.remove(request.run, answer);
-    case server::RunRequest::What::kReport:
-      return runs_.report(request.run, answer);
-    case server::RunRequest::What::kCompare:
-      return runs_.compare(request.run, request.with, answer);
-    case server::RunRequest::What::kIdentify:
-      return runs_.identify(request.drives, request.measured, answer);
-  }
 }
 
 messages::LoopFigures LiveControls::loop() {
@@ -257,15 +250,15 @@ bool LiveControls::start_by_itself(bool came_later, HostNs program_start_ns, Hos
     const std::lock_guard lock(mutex_);
     return start_.emulator;
   }();
-  const std::string why = move(OperatorRequest::kStart,
-                               option_consent(emulator, came_later, program_start_ns, now), now);
-  if (why.empty()) return true;
+  const Result<> moves = move(OperatorRequest::kStart,
+                              option_consent(emulator, came_later, program_start_ns, now), now);
+  if (moves) return true;
   const std::lock_guard lock(mutex_);
   events_.push_back({.at_ns = now,
                      .kind = "run",
                      .level = messages::Event::Level::kWarning,
                      .text = "nothing starts by itself",
-                     .cause = why,
+                     .cause = moves.why(),
                      .fix = "--go counts for 10 s after the program's start, for a robot that is "
                             "there then; start it at the terminal or on the page"});
   return false;

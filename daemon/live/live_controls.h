@@ -33,52 +33,28 @@ class LiveControls : public server::Controls {
         runs_(runs),
         self_test_(self_test) {}
 
+  /// Of everything that the controls were made of.
+  std::vector<server::ServiceRow> services();
+
   // The server's thread, or another one whose clients drive:
-  std::string move(OperatorRequest request, const Consent& consent, HostNs now) override;
-  std::string hold() override;
-  std::string pause() override;
+  Result<> move(OperatorRequest request, const Consent& consent, HostNs now) override;
+  Result<> hold() override;
+  Result<> pause() override;
   std::uint64_t stop_count() override { return cycle_.consents().stops(); }
   void stop() override;
-  std::string set(const messages::ParameterText& parameter,
-                  const messages::ParameterValue& value) override;
-  std::string drive_take(const server::Driver& driver, const Consent& consent, HostNs now,
-                         std::string& token) override;
-  std::string drive(const server::DriveRequest& request, HostNs now) override;
-  std::string drive_release(const std::string& token, HostNs now) override;
-  void drive_lost(const std::string& id, HostNs now) override;
+  Result<> set(const messages::ParameterText& parameter,
+               const messages::ParameterValue& value) override;
+  Result<std::string> drive_take(const std::string& driver, const Consent& consent,
+                                 HostNs now) override;
+  Result<> drive(const server::DriveRequest& request, HostNs now) override;
+  Result<> drive_release(const std::string& token, HostNs now) override;
+  void drive_lost(const std::string& driver, HostNs now) override;
   messages::DriverFigures driver(HostNs now) override;
-  void record_start(const std::string& name, RecordAnswer answer) override;
-  void record_stop(RecordAnswer answer) override;
-  void choose(const server::SetupChoice& choice, Answer answer) override;
-  void place(const std::optional<Pose>& at, Answer answer) override {
+  void choose(const server::SetupChoice& choice, server::Answer answer) override;
+  void place(const std::optional<Pose>& at, server::Answer answer) override {
     setup_.place(at, std::move(answer));
   }
-  void save_file(const server::SetupFile& file, Answer answer) override {
-    setup_.save(file, answer);
-  }
-  void delete_file(const server::SetupFile& file, Answer answer) override {
-    setup_.remove(file, answer);
-  }
-  void check_file(const server::SetupFile& file, Answer answer) override {
-    setup_.check(file, answer);
-  }
-  void save_parameters(const server::ParameterSave& asked, Answer answer) override {
-    setup_.save_parameters(asked, answer);
-  }
-  void restore_parameters(bool check, Answer answer) override {
-    setup_.restore_parameters(check, answer);
-  }
-  void manage_run(const server::RunRequest& request, Answer answer) override;
-  void examine(server::DoctorPart part, Answer answer) override {
-    self_test_.examine(part, std::move(answer));
-  }
   HostNs motors_off_ns() override { return self_test_.wheels_up().motors_off_ns(); }
-  std::string wheels_up_begin(const server::Driver& viewer, const Consent& consent, HostNs now,
-                              std::string& token) override;
-  std::string wheels_up_watch(const server::WheelsUpWatch& watch, HostNs now,
-                              std::string& json) override {
-    return self_test_.wheels_up().watch(watch, now, json);
-  }
   messages::LoopFigures loop() override;
   messages::PortFigures port() override;
   messages::RecordingFigures recording() override;
@@ -105,8 +81,9 @@ class LiveControls : public server::Controls {
   }
 
  private:
-  std::string why_not_move(const Consent& consent, HostNs now) const;
-  std::string end_drive(HostNs now);
+  Result<> may_move(const Consent& consent, HostNs now) const;
+  Result<std::string> begin_wheels_up(const server::Request& request);
+  Result<> end_drive(HostNs now);
   bool driving(HostNs now);
 
   LiveCycle& cycle_;

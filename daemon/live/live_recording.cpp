@@ -10,6 +10,8 @@
 #include "record/recording_file.h"
 #include "runs/run_folder.h"
 #include "text/atomic_file.h"
+#include "text/file_name.h"
+#include "text/json_writer.h"
 #include "text/standard_streams.h"
 
 namespace tp100::live {
@@ -106,6 +108,35 @@ record::Recorder::Make LiveRecording::make(const std::string& directory, const s
                                   .clock = clock},
         config::run_facts(run->files, run->setup, facts));
   };
+}
+
+// The recorder, which answers, ends before this.
+std::vector<server::ServiceRow> LiveRecording::services() {
+  const auto begin = [this](const server::Request& request,
+                            const server::Answer& answer) -> Result<> {
+    const std::string name = request.arguments.text("name").value_or("");
+    if (!name.empty() && !text::is_file_name(name)) return Refusal{text::kFileNameRule};
+    start(name, [this, answer](const std::string& why) {
+      answer(why, server::json_of({{"run", figures().run}}));
+    });
+    return Done{};
+  };
+  const auto end = [this](const server::Request&, const server::Answer& answer) -> Result<> {
+    stop(0, [this, answer](const std::string& why) {
+      const messages::RecordingFigures ended = figures();
+      std::string json;
+      text::JsonWriter(json)
+          .begin_object()
+          .field("run", ended.run)
+          .field("bytes", ended.bytes)
+          .end_object();
+      answer(why, json);
+    });
+    return Done{};
+  };
+  using server::Service;
+  return {{Service::kRecordStart, "record_start", R"({"name":""})", R"({"run":""})", begin},
+          {Service::kRecordStop, "record_stop", "{}", R"({"run":"","bytes":1})", end}};
 }
 
 std::uint64_t LiveRecording::start(const std::string& name, const Answer& answer) {

@@ -16,6 +16,7 @@
 #include "messages/messages.h"
 #include "messages/sink.h"
 #include "record/recorder.h"
+#include "server/service.h"
 
 namespace tp100::live {
 
@@ -33,6 +34,9 @@ class LiveRecording : public messages::Sink {
                 const messages::PublishClock& clock);
 
   using Answer = record::Recorder::Answer;
+
+  /// record_start and record_stop.
+  std::vector<server::ServiceRow> services();
 
   // Any thread; none of these waits for the disk.
   /// Begins a recording in a new folder of record.directory; an empty `name` means the course's.

@@ -16,8 +16,6 @@ constexpr std::size_t kMaxEvents = 64;
 // How far the estimate of a robot at standstill may move until it starts for its goal.
 constexpr double kMaxMovedM = 0.01, kMaxTurnedRad = 2.0 * kRadPerDeg;
 
-server::Driver driver() { return {.id = kTopic, .name = kTopic}; }
-
 std::string name_of(ros2::Input input) {
   return ros2::inputs().at(static_cast<std::size_t>(input)).name;
 }
@@ -169,14 +167,14 @@ void Ros2Requests::drive(const ros2::Received& received, bool wanted, HostNs now
   Writer& writer = writer_of(received.writer);
   if (!wanted) {
     writer.said_false = true;
-    if (!token_.empty() && controls_.drive_release(token_, now).empty())
+    if (!token_.empty() && controls_.drive_release(token_, now))
       reply(now, std::string(kTopic) + " releases the wheel");
     token_.clear();
     return;
   }
   const bool said_false = std::exchange(writer.said_false, false);
   const std::string by = controls_.driver(now).by;
-  if (!token_.empty() && by == driver().name) return;
+  if (!token_.empty() && by == kTopic) return;
   if (!said_false)
     return note(kRepeated, now,
                 "/tp100/drive takes no wheel: true counts only after this node's own false; send "
@@ -185,8 +183,10 @@ void Ros2Requests::drive(const ros2::Received& received, bool wanted, HostNs now
   if (ros2::in_time(received, why) && by.empty()) why = to_string(drive_refusal_);
   writer_ = 0;
   token_.clear();
-  if (why.empty()) why = controls_.drive_take(driver(), consent_of(received, now), now, token_);
   if (!why.empty()) return refuse(ros2::Input::kDrive, now, why);
+  const Result<std::string> token = controls_.drive_take(kTopic, consent_of(received, now), now);
+  if (!token) return refuse(ros2::Input::kDrive, now, token.why());
+  token_ = *token;
   reply(now, std::string(kTopic) + " takes the wheel");
 }
 
@@ -194,7 +194,7 @@ void Ros2Requests::velocity(const ros2::Received& received, HostNs now) {
   const bool drives = writer_ == received.writer && writer_input_ == received.input;
   if (received.gone) {
     if (token_.empty() || writer_ == 0 || writer_input_ != received.input) return;
-    controls_.drive_lost(driver().id, now);
+    controls_.drive_lost(kTopic, now);
     token_.clear();
     return reply(now, std::string(kTopic) + " has no publisher any more");
   }
@@ -219,12 +219,12 @@ void Ros2Requests::velocity(const ros2::Received& received, HostNs now) {
              " s it counts as zero; synchronise both machines' clocks, or shorten its way");
   writer_ = received.writer;
   writer_input_ = received.input;
-  why = controls_.drive({.token = token_,
-                         .speed_mps = wanted->speed_mps,
-                         .yaw_rate_radps = wanted->yaw_rate_radps,
-                         .at_ns = now - age_ns},
-                        now);
-  if (why.empty() || controls_.driver(now).by == driver().name) return;
+  const Result<> driven = controls_.drive({.token = token_,
+                                           .speed_mps = wanted->speed_mps,
+                                           .yaw_rate_radps = wanted->yaw_rate_radps,
+                                           .at_ns = now - age_ns},
+                                          now);
+  if (driven || controls_.driver(now).by == kTopic) return;
   token_.clear();
   reply(now, std::string(kTopic) + " no longer drives");
 }
@@ -281,7 +281,7 @@ void Ros2Requests::go_on(Start& start, const Snapshot& snapshot, HostNs now) {
     why = start.chosen ? why_not(start, snapshot) : "its course took too long to load";
   // The course is its own choice, and every other request since has ended it.
   start.consent.seen_ns = now;
-  if (why.empty()) why = controls_.move(OperatorRequest::kStart, start.consent, now);
+  if (why.empty()) why = controls_.move(OperatorRequest::kStart, start.consent, now).why();
   const ros2::Input input = std::exchange(start_, std::nullopt)->input;
   if (!why.empty()) return refuse(input, now, of_goal(why));
   reply(now, "ROS 2 " + name_of(input) + " starts the robot");

@@ -1,26 +1,20 @@
 #include "live/setup_changer.h"
 
-#include <filesystem>
-#include <functional>
-#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "bridge/cycle.h"
-#include "config/parameter_file.h"
 #include "core/arithmetic.h"
 #include "core/clock.h"
 #include "core/enum_names.h"
 #include "core/error.h"
 #include "live/setup_list.h"
-#include "text/atomic_file.h"
 #include "text/format.h"
 #include "text/json_writer.h"
 
 namespace tp100::live {
 namespace {
 
-namespace fs = std::filesystem;
 using course::Bundled;
 
 // A stopped robot comes to rest, and its standstill is detected, in less time.
@@ -50,17 +44,6 @@ std::string course_name(const config::LoadedRun& run) {
   return run.setup.course == nullptr ? "" : run.setup.course->name;
 }
 
-std::string names_json(const config::LoadedRun& run) {
-  std::string text;
-  text::JsonWriter(text)
-      .begin_object()
-      .field("course", course_name(run))
-      .field("robot", run.setup.robot.name)
-      .field("setup", bridge::to_string(run.setup.parameters.setup))
-      .end_object();
-  return text;
-}
-
 std::string pose_json(const Pose& pose) {
   std::string text;
   text::JsonWriter(text)
@@ -69,67 +52,6 @@ std::string pose_json(const Pose& pose) {
       .field("y_m", pose.y_m)
       .field("yaw_rad", pose.yaw_rad)
       .end_object();
-  return text;
-}
-
-std::string name_json(const std::string& name) {
-  std::string text;
-  text::JsonWriter(text).begin_object().field("name", name).end_object();
-  return text;
-}
-
-Bundled kind_of(const server::SetupFile& file) {
-  return file.is_robot ? Bundled::kRobots : Bundled::kCourses;
-}
-
-bool is_file(const std::string& path) {
-  std::error_code error;
-  return fs::is_regular_file(path, error);
-}
-
-/// Throws SetupError if a daemon that was started with this configuration alone could not find its
-/// files, or if these do not fit together.
-void require_start(const course::TextFile& configuration) {
-  const config::Configuration read =
-      config::parse_configuration(configuration.text, configuration.path);
-  const std::string library = config::library_folder(read.library);
-  config::RunFiles files{.configuration = configuration,
-                         .robot = config::read_setup_file(Bundled::kRobots, read.robot, library),
-                         .course = {},
-                         .setup = read.parameters.setup,
-                         .world = read.parameters.world.kind};
-  if (!read.course.empty())
-    files.course = config::read_setup_file(Bundled::kCourses, read.course, library);
-  require_fit(config::parse_run(files));
-}
-
-/// Unless `check` or nothing differs, calls `write`, which replaces the configuration file by
-/// `next`. Returns the answer.
-std::string replaced(const course::TextFile& now, const std::string& next, bool check,
-                     const std::function<void()>& write) {
-  const auto differences = config::parameter_differences(now, {now.path, next});
-  for (const config::ParameterDifference& each : differences)
-    if (each.name == "robot" || each.name == "course" || each.name == "setup") {
-      require_start({now.path, next});
-      break;
-    }
-  const bool written = !check && next != now.text;
-  if (written) write();
-  std::string text;
-  text::JsonWriter json(text);
-  json.begin_object()
-      .field("file", fs::path(now.path).filename().string())
-      .field("written", written)
-      .field("may_restore", is_file(text::kept_path(now.path)))
-      .key("differences")
-      .begin_array();
-  for (const config::ParameterDifference& each : differences)
-    json.begin_object()
-        .field("name", each.name)
-        .field("before", each.before)
-        .field("after", each.after)
-        .end_object();
-  json.end_array().end_object();
   return text;
 }
 
@@ -153,15 +75,15 @@ bool SetupChanger::changing() const {
   return answer_ != nullptr;
 }
 
-void SetupChanger::choose(const server::SetupChoice& choice, Answer answer) {
+void SetupChanger::choose(const server::SetupChoice& choice, server::Answer answer) {
   ask({.choice = choice}, std::move(answer));
 }
 
-void SetupChanger::place(const std::optional<Pose>& at, Answer answer) {
+void SetupChanger::place(const std::optional<Pose>& at, server::Answer answer) {
   ask({.places = true, .at = at}, std::move(answer));
 }
 
-void SetupChanger::ask(Asked asked, Answer answer) {
+void SetupChanger::ask(Asked asked, server::Answer answer) {
   {
     const std::lock_guard lock(mutex_);
     if (answer_ == nullptr) answer_ = std::exchange(answer, {});
@@ -227,7 +149,8 @@ std::unique_ptr<SetupRequest> SetupChanger::make(const Asked& asked) {
   made.text = (name.empty() ? "no course" : "course " + name) + ", robot " +
               next->setup.robot.name + ", set-up " + bridge::to_string(*setup);
   const std::lock_guard lock(mutex_);
-  json_ = names_json(*next);
+  json_ = server::json_of(
+      {{"course", name}, {"robot", next->setup.robot.name}, {"setup", bridge::to_string(*setup)}});
   next_ = std::move(made);
   return request;
 }
@@ -252,7 +175,7 @@ void SetupChanger::tick() {
 // Frees the old step.
 void SetupChanger::end(const std::string& why) {
   std::unique_ptr<SetupRequest> freed;
-  Answer answer;
+  server::Answer answer;
   std::string json;
   {
     const std::lock_guard lock(mutex_);
@@ -263,74 +186,6 @@ void SetupChanger::end(const std::string& why) {
     next_ = {};
   }
   answer(why, json);
-}
-
-void SetupChanger::save(const server::SetupFile& file, const Answer& answer) {
-  disk_.ask(answer, [this, file] {
-    files_.save(kind_of(file), file.name, file.text, file.replace);
-    return name_json(file.name);
-  });
-}
-
-void SetupChanger::remove(const server::SetupFile& file, const Answer& answer) {
-  disk_.ask(answer, [this, file] {
-    const std::shared_ptr<const config::LoadedRun> now = run();
-    const std::string used = file.is_robot ? now->setup.robot.name : course_name(*now);
-    if (file.name == used) throw SetupError(used + " is in use; choose another one first");
-    files_.remove(kind_of(file), file.name);
-    return name_json(file.name);
-  });
-}
-
-void SetupChanger::check(const server::SetupFile& file, const Answer& answer) {
-  disk_.ask(answer, [this, file] {
-    return checked_file(*run(), kind_of(file), {file.name + ".toml", file.text});
-  });
-}
-
-course::TextFile SetupChanger::configuration_file() const {
-  const std::string path = run()->files.configuration.path;
-  if (path.empty())
-    throw SetupError("tp100d has no configuration file to save into: start it with --config FILE");
-  if (!is_file(path))
-    throw SetupError(fs::path(path).filename().string() + ": the file no longer exists");
-  return course::read_text_file(path);
-}
-
-void SetupChanger::save_parameters(const server::ParameterSave& asked, const Answer& answer) {
-  disk_.ask(answer, [this, asked] {
-    const course::TextFile now = configuration_file();
-    const std::string next = config::with_parameters(now, asked.values);
-    return replaced(now, next, asked.check, [&] { text::edit_file(now.path, next); });
-  });
-}
-
-void SetupChanger::restore_parameters(bool check, const Answer& answer) {
-  disk_.ask(answer, [this, check] {
-    const course::TextFile now = configuration_file();
-    const std::string kept = text::kept_path(now.path);
-    if (!is_file(kept)) throw SetupError("nothing was saved yet: there is no file to restore");
-    return replaced(now, course::read_text_file(kept).text, check,
-                    [&] { text::restore_file(now.path); });
-  });
-}
-
-std::optional<std::string> SetupChanger::content(std::string_view path) const {
-  if (path == "/api/setup") return setup_list(files_, *run());
-  constexpr std::string_view kEnding = ".toml";
-  for (const auto& [folder, kind] :
-       {std::pair<std::string_view, Bundled>{"/courses/", Bundled::kCourses},
-        {"/robots/", Bundled::kRobots}}) {
-    if (!path.starts_with(folder) || !path.ends_with(kEnding)) continue;
-    path.remove_prefix(folder.size());
-    path.remove_suffix(kEnding.size());
-    try {
-      return files_.read(kind, std::string(path)).text;
-    } catch (const SetupError&) {
-      return std::nullopt;
-    }
-  }
-  return std::nullopt;
 }
 
 }  // namespace tp100::live

@@ -7,7 +7,6 @@
 #include <mutex>
 #include <optional>
 #include <string>
-#include <string_view>
 
 #include "config/run_setup.h"
 #include "config/setup_files.h"
@@ -21,8 +20,6 @@ namespace tp100::live {
 
 class SetupChanger {
  public:
-  using Answer = server::Controls::Answer;
-
   /// `run`: in force in `cycle`, which must outlive the changer. `clock` stamps messages; `ros2`:
   /// nodes want theirs, too.
   SetupChanger(config::LoadedRun run, LiveCycle& cycle, const messages::PublishClock& clock = {},
@@ -30,23 +27,17 @@ class SetupChanger {
 
   // Any thread; none of these waits for the disk.
   /// Answers when the loop has made the change, with what is then in force.
-  void choose(const server::SetupChoice& choice, Answer answer);
+  void choose(const server::SetupChoice& choice, server::Answer answer);
   /// Places the robot at `at`, or without it at the course's start.
-  void place(const std::optional<Pose>& at, Answer answer);
-  void save(const server::SetupFile& file, const Answer& answer);
-  void remove(const server::SetupFile& file, const Answer& answer);
-  void check(const server::SetupFile& file, const Answer& answer);
-  /// Changes the configuration file as it is on the disk then; the previous file is kept as
-  /// FILE.bak.
-  void save_parameters(const server::ParameterSave& asked, const Answer& answer);
-  /// Exchanges the configuration file and FILE.bak.
-  void restore_parameters(bool check, const Answer& answer);
+  void place(const std::optional<Pose>& at, server::Answer answer);
   /// Whether a change of course, robot or set-up is pending: then no run may be started.
   bool changing() const;
 
-  /// GET of /api/setup, /courses/NAME.toml and /robots/NAME.toml; nothing: no such file. Waits for
-  /// the disk; any thread.
-  std::optional<std::string> content(std::string_view path) const;
+  /// In force.
+  std::shared_ptr<const config::LoadedRun> run() const;
+  const config::SetupFiles& files() const { return files_; }
+  /// For those who wait for the same disk.
+  record::Worker& disk() { return disk_; }
 
   // The thread that drains the steps:
   /// A change that the loop has made.
@@ -73,11 +64,9 @@ class SetupChanger {
     bool places = false;
     std::optional<Pose> at{};
   };
-  void ask(Asked asked, Answer answer);
+  void ask(Asked asked, server::Answer answer);
   std::unique_ptr<SetupRequest> make(const Asked& asked);
   void end(const std::string& why);
-  std::shared_ptr<const config::LoadedRun> run() const;
-  course::TextFile configuration_file() const;
 
   LiveCycle& cycle_;
   const messages::PublishClock clock_;
@@ -87,7 +76,7 @@ class SetupChanger {
   std::shared_ptr<const config::LoadedRun> run_;
   Made next_;                              // the change under way
   std::string json_;                       // its answer
-  Answer answer_;                          // set: a change is under way
+  server::Answer answer_;                  // set: a change is under way
   std::unique_ptr<SetupRequest> request_;  // is the loop's
   record::Worker disk_;                    // declared last: its jobs use the others
 };

@@ -189,15 +189,15 @@ void Terminal::take(const std::string& line, HostNs now) {
 }
 
 void Terminal::start(bool first_only, HostNs now) {
-  const std::string why = reach_.controls.move(OperatorRequest::kStart,
-                                               {.by = {Door::kTerminal},
-                                                .acted_ns = now,
-                                                .seen_ns = seen_ns_,
-                                                .stops_seen = stops_seen_,
-                                                .first_only = first_only},
-                                               now);
-  if (why.empty()) return;
-  reach_.say("nothing is started: " + why, true);
+  const Result<> started = reach_.controls.move(OperatorRequest::kStart,
+                                                {.by = {Door::kTerminal},
+                                                 .acted_ns = now,
+                                                 .seen_ns = seen_ns_,
+                                                 .stops_seen = stops_seen_,
+                                                 .first_only = first_only},
+                                                now);
+  if (started) return;
+  reach_.say("nothing is started: " + started.why(), true);
   ask(now);
 }
 

@@ -1,6 +1,9 @@
 #include "selftest/self_test.h"
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
+#include <string_view>
 #include <utility>
 
 #include "doctor/finding.h"
@@ -29,6 +32,28 @@ SelfTest::SelfTest(config::Configuration configuration, const course::Robot& rob
     : configuration_(std::move(configuration)),
       wheels_up_(configuration_, robot),
       battery_cutoff_v_(robot.drive.battery_cutoff_v) {}
+
+std::vector<server::ServiceRow> SelfTest::services() {
+  const auto examine_part = [this](const server::Request& request,
+                                   const Answer& answer) -> Result<> {
+    constexpr std::array<std::string_view, 3> kParts = {"port", "robot", "machine"};
+    const auto part = std::ranges::find(kParts, request.arguments.text("part").value_or(""));
+    if (part == kParts.end()) return Refusal{"part must be \"port\", \"robot\" or \"machine\""};
+    examine(static_cast<DoctorPart>(part - kParts.begin()), answer);
+    return Done{};
+  };
+  const auto watch = [this](const server::Request& request) { return wheels_up_.watch(request); };
+  using server::Service;
+  return {{Service::kDoctor,
+           "doctor",
+           R"({"part":""})",
+           R"({"port":"","errors":1,"warnings":1,"notes":1,)"
+           R"("findings":[{"severity":"","name":"","seen":"","fix":""}]})",
+           examine_part,
+           {.needs = server::ServiceRow::Needs::kRest}},
+          {Service::kWheelsUpWatch, "wheels_up_watch",
+           R"({"token":"","input_ms":1.5,"question":1,"answer":""})", R"({"step":""})", watch}};
+}
 
 void SelfTest::on_event(const link::SessionEvent& event, const wire::Hello& hello,
                         const OpenPort& port) {
@@ -70,21 +95,20 @@ void SelfTest::take(const StepRecord& record) {
   finish({}, json);
 }
 
-void SelfTest::examine(server::DoctorPart part, Answer answer) {
+void SelfTest::examine(DoctorPart part, Answer answer) {
   if (wheels_up_.on()) return answer(kTracksRun, "");
   {
     const std::lock_guard lock(mutex_);
     if (answer_ == nullptr) {
       answer_ = std::exchange(answer, {});
-      if (part == server::DoctorPart::kRobot) monitor_.begin();
+      if (part == DoctorPart::kRobot) monitor_.begin();
     }
   }
   if (answer != nullptr) return answer("another examination is under way; try again", "");
-  if (part == server::DoctorPart::kRobot) return;
-  disk_.ask([this](const std::string& why, const std::string& json) { finish(why, json); },
-            [this, part] {
-              return part == server::DoctorPart::kPort ? port_findings() : machine_findings();
-            });
+  if (part == DoctorPart::kRobot) return;
+  disk_.ask(
+      [this](const std::string& why, const std::string& json) { finish(why, json); },
+      [this, part] { return part == DoctorPart::kPort ? port_findings() : machine_findings(); });
 }
 
 void SelfTest::finish(const std::string& why, const std::string& json) {

@@ -14,16 +14,22 @@
 #include "record/worker.h"
 #include "selftest/session_monitor.h"
 #include "selftest/wheels_up_check.h"
-#include "server/controls.h"
+#include "server/service.h"
 
 namespace tp100::selftest {
 
+/// The part that is examined at a time, in the order of `tp100d doctor`.
+enum class DoctorPart { kPort, kRobot, kMachine };
+
 class SelfTest : public messages::Sink {
  public:
-  using Answer = server::Controls::Answer;
+  using Answer = server::Answer;
 
   /// Configuration and robot in force, with the command line's values.
   SelfTest(config::Configuration configuration, const course::Robot& robot);
+
+  /// doctor and wheels_up_watch.
+  std::vector<server::ServiceRow> services();
 
   // The supervisor's thread:
   void on_event(const link::SessionEvent& event, const wire::Hello& hello, const OpenPort& port);
@@ -37,7 +43,7 @@ class SelfTest : public messages::Sink {
   /// Answers with the findings as JSON (CHANNELS.md, doctor): port and machine from a thread that
   /// waits for files and disks, the robot after a second, or five if it is silent. One at a time.
   /// Any thread; does not wait.
-  void examine(server::DoctorPart part, Answer answer);
+  void examine(DoctorPart part, Answer answer);
   /// The part that moves.
   WheelsUpCheck& wheels_up() { return wheels_up_; }
   /// Waits for the thread of files and disks; false: `deadline` passed first, and the destructor

@@ -33,12 +33,12 @@ void WheelsUpCheck::choose(const course::Robot& robot) {
   robot_ = robot;
 }
 
-std::string WheelsUpCheck::begin(const server::Driver& viewer, HostNs now, std::string& token) {
+Result<std::string> WheelsUpCheck::begin(const std::string& viewer, HostNs now) {
   const std::lock_guard lock(mutex_);
-  if (on_.exchange(true)) return kTracksRun;
+  if (on_.exchange(true)) return Refusal{kTracksRun};
   stop_ = false;
   wheel_.clear();
-  token = wheel_.take(viewer, now).value_or("");
+  const std::string token = wheel_.take(viewer, now).value_or("");
   input_ns_ = now;
   step_ = "the check takes over the port";
   question_.reset();
@@ -53,30 +53,35 @@ std::string WheelsUpCheck::begin(const server::Driver& viewer, HostNs now, std::
   const auto failed = [this](const std::string& why) {
     finish(doctor::wheels_up_broken_off(why, "run it again"), {});
   };
-  if (check_.post(run, failed)) return {};
+  if (check_.post(run, failed)) return token;
   handover_.end();
   on_ = false;
-  return "too many requests wait; try again";
+  return Refusal{"too many requests wait; try again"};
 }
 
-std::string WheelsUpCheck::watch(const server::WheelsUpWatch& watch, HostNs now,
-                                 std::string& json) {
+Result<std::string> WheelsUpCheck::watch(const server::Request& request) {
+  const server::Arguments& given = request.arguments;
+  const auto token = given.text("token");
+  const auto input_ms = given.number("input_ms");
+  if (!token || !input_ms) return Refusal{"token and input_ms are needed"};
   const std::lock_guard lock(mutex_);
   std::string why;
-  const auto input = wheel_.drive({.token = watch.token, .input_ms = watch.input_ms}, now, why);
-  if (!input && why.empty()) return "no check has this token; begin another check";
+  const auto input = wheel_.drive({.token = *token, .input_ms = *input_ms}, request.now, why);
+  if (!input && why.empty()) return Refusal{"no check has this token; begin another check"};
   if (!input) {
     lose_viewer(why);
-    return why;
+    return Refusal{why};
   }
   input_ns_ = input->at_ns;
-  if (watch.answer && question_ && watch.question == question_number_) {
-    const bool known = std::ranges::any_of(
-        question_->choices, [&](const auto& choice) { return choice.answer == *watch.answer; });
-    if (!known) return "the question does not offer this answer";
-    answer_ = *watch.answer;
+  const auto answer = given.text("answer");
+  if (answer && question_ && given.number("question") == question_number_) {
+    if (std::ranges::find(question_->choices, *answer, &doctor::Choice::answer) ==
+        question_->choices.end())
+      return Refusal{"the question does not offer this answer"};
+    answer_ = answer;
     question_.reset();
   }
+  std::string json;
   text::JsonWriter writer(json);
   writer.begin_object().field("step", step_);
   if (question_) {
@@ -92,12 +97,12 @@ std::string WheelsUpCheck::watch(const server::WheelsUpWatch& watch, HostNs now,
   }
   if (!result_.empty()) writer.key("result").raw(result_);
   writer.end_object();
-  return {};
+  return json;
 }
 
-void WheelsUpCheck::lose(const std::string& id) {
+void WheelsUpCheck::lose(const std::string& viewer) {
   const std::lock_guard lock(mutex_);
-  if (on() && wheel_.lose(id)) lose_viewer("its viewer has disconnected");
+  if (on() && wheel_.lose(viewer)) lose_viewer("its viewer has disconnected");
 }
 
 void WheelsUpCheck::lose_viewer(const std::string& why) {

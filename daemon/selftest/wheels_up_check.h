@@ -12,7 +12,7 @@
 #include "doctor/wheels_up.h"
 #include "record/worker.h"
 #include "selftest/port_handover.h"
-#include "server/controls.h"
+#include "server/service.h"
 #include "server/wheel.h"
 
 namespace tp100::selftest {
@@ -29,14 +29,13 @@ class WheelsUpCheck : public doctor::Operator {
   // Any thread; none of these waits for the robot.
   /// Sets the robot to examine.
   void choose(const course::Robot& robot);
-  /// Begins a check and sets `token`; the port must be given to handover() within 2 s. Returns why
-  /// it is impossible, in one line; empty: the check begins.
-  std::string begin(const server::Driver& viewer, HostNs now, std::string& token);
-  /// The viewer still watches, and may answer. Writes the state of the check to `json`
-  /// (CHANNELS.md). Returns why it is impossible, in one line.
-  std::string watch(const server::WheelsUpWatch& watch, HostNs now, std::string& json);
-  /// The client of that Driver::id is gone: ends its check.
-  void lose(const std::string& id);
+  /// Begins a check and returns its token; the port must be given to handover() within 2 s.
+  Result<std::string> begin(const std::string& viewer, HostNs now);
+  /// The viewer still watches, and may answer. Returns the state of the check as JSON
+  /// (CHANNELS.md).
+  Result<std::string> watch(const server::Request& request);
+  /// The client of that name is gone: ends its check.
+  void lose(const std::string& viewer);
   /// Ends a check at once; without one it does nothing. Takes no lock.
   void stop() { stop_.store(true, std::memory_order_release); }
   bool on() const { return on_.load(std::memory_order_acquire); }

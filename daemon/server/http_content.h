@@ -63,9 +63,9 @@ using RunList = std::function<std::string()>;
 /// Sources of the content.
 struct HttpSources {
   Page page;
-  std::string runs_folder;               ///< empty: none
-  RunList runs;                          ///< empty: none
-  SetupContent setup;                    ///< empty: none
+  std::string runs_folder;              ///< empty: none
+  RunList runs;                         ///< empty: none
+  SetupContent setup;                   ///< empty: none
   std::function<std::string()> health;  ///< JSON
   /// JSON, for a page that is called by this Host; empty: none.
   std::function<std::string(std::string_view host)> robots;

@@ -4,14 +4,12 @@
 #include <array>
 #include <utility>
 
-#include "server/services.h"
-#include "text/format.h"
+#include "server/service.h"
 #include "text/json_writer.h"
 
 namespace tp100::server {
 namespace {
 
-constexpr std::size_t kMaxShownName = 64;
 constexpr HostNs kOverdueNs = 500 * kNsPerMs;
 constexpr std::size_t kChangeBytes = 4096;  // what every viewer is told of a change
 constexpr const char* kSteering = "estimation.steering";
@@ -36,9 +34,7 @@ bool ParameterRequests::under_way() const { return tp100::under_way(publisher_.s
 
 void ParameterRequests::change_setup(std::vector<messages::ParameterText> parameters, HostNs now) {
   for (messages::ParameterText& next : parameters) {
-    const auto old =
-        std::find_if(parameters_.begin(), parameters_.end(),
-                     [&](const messages::ParameterText& each) { return each.name == next.name; });
+    const auto old = std::ranges::find(parameters_, next.name, &messages::ParameterText::name);
     if (next.live && old != parameters_.end()) next.value = old->value;
   }
   parameters_ = std::move(parameters);
@@ -70,21 +66,18 @@ void ParameterRequests::watch(Viewer& viewer, const ParameterSubscription& wante
   }
 }
 
-std::string ParameterRequests::set_one(const SetParameters::One& one) {
-  const auto found =
-      std::find_if(parameters_.begin(), parameters_.end(),
-                   [&](const messages::ParameterText& each) { return each.name == one.name; });
-  if (found == parameters_.end())
-    return "there is no parameter '" + text::one_line(one.name, kMaxShownName) + "'";
+Result<> ParameterRequests::set_one(const SetParameters::One& one) {
+  const auto found = std::ranges::find(parameters_, one.name, &messages::ParameterText::name);
+  if (found == parameters_.end()) return no_such("parameter", one.name);
   if (!found->live)
-    return found->name + " cannot be changed while the daemon runs; set it in the file";
-  if (!one.value) return found->name + " takes no value of that type";
+    return Refusal{found->name + " cannot be changed while the daemon runs; set it in the file"};
+  if (!one.value) return Refusal{found->name + " takes no value of that type"};
   if (found->only_at_standstill && under_way())
-    return found->name + " cannot be changed during a run";
-  std::string why = messages::why_not(*found, *one.value);
-  if (why.empty()) why = controls_.set(*found, *one.value);
-  if (why.empty()) found->value = *one.value;
-  return why;
+    return Refusal{found->name + " cannot be changed during a run"};
+  if (std::string why = messages::why_not(*found, *one.value); !why.empty()) return Refusal{why};
+  Result<> done = controls_.set(*found, *one.value);
+  if (done) found->value = *one.value;
+  return done;
 }
 
 void ParameterRequests::set(Viewer& viewer, const SetParameters& wanted, bool may_command,
@@ -93,10 +86,11 @@ void ParameterRequests::set(Viewer& viewer, const SetParameters& wanted, bool ma
   bool changed = false;
   for (const SetParameters::One& one : wanted.parameters) {
     names.push_back(one.name);
-    const std::string why =
-        may_command ? set_one(one) : "parameters are not taken from this client (server.commands)";
-    if (!why.empty()) {
-      viewer.say(StatusLevel::kError, why);
+    const Result<> done =
+        may_command ? set_one(one)
+                    : Refusal{"parameters are not taken from this client (server.commands)"};
+    if (!done) {
+      viewer.say(StatusLevel::kError, done.why());
       continue;
     }
     overdue_ns_ = now + kOverdueNs;
@@ -134,29 +128,6 @@ void ParameterRequests::finish_overdue(HostNs now) {
     publish(now);
     parameter_changed(parameter, now);
   }
-}
-
-std::string ParameterRequests::save(const std::vector<RequestField>& request,
-                                    Controls::Answer answer) {
-  ParameterSave asked;
-  std::string why = read_parameters(request, parameters_, asked);
-  if (!why.empty()) return why;
-  if (!asked.check && under_way()) {
-    for (const auto& [name, value] : asked.values)
-      if (!select({name}).front()->live)
-        return name + " takes effect when tp100d is started again, and is not saved during a run";
-  }
-  controls_.save_parameters(asked, std::move(answer));
-  return {};
-}
-
-std::string ParameterRequests::restore(const std::vector<RequestField>& request,
-                                       Controls::Answer answer) {
-  bool check = false;
-  std::string why = read_check(request, check);
-  if (why.empty() && !check && under_way()) why = "not during a run; stop it first";
-  if (why.empty()) controls_.restore_parameters(check, std::move(answer));
-  return why;
 }
 
 }  // namespace tp100::server

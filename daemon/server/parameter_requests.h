@@ -1,6 +1,6 @@
 #pragma once
-// Answers clients' requests for parameters: reads, sets, watches, saves and restores them. No
-// socket; one thread; time is passed in.
+// Answers clients' requests for parameters: reads, sets and watches them. No socket; one thread;
+// time is passed in.
 
 #include <cstdint>
 #include <map>
@@ -25,9 +25,6 @@ class ParameterRequests {
   /// `may_command`: false for a client from which only STOP is accepted.
   void set(Viewer& viewer, const SetParameters& wanted, bool may_command, HostNs now);
   void watch(Viewer& viewer, const ParameterSubscription& wanted);
-  // Services; each returns why it is impossible, in one line; empty: answered later.
-  std::string save(const std::vector<RequestField>& request, Controls::Answer answer);
-  std::string restore(const std::vector<RequestField>& request, Controls::Answer answer);
 
   /// Another course, robot or set-up is in force: these are its parameters. Those that viewers may
   /// set keep their values.
@@ -41,7 +38,7 @@ class ParameterRequests {
  private:
   bool under_way() const;
   void publish(HostNs now);
-  std::string set_one(const SetParameters::One& one);
+  Result<> set_one(const SetParameters::One& one);
   void parameter_changed(const messages::ParameterText& parameter, HostNs now);
   std::vector<const messages::ParameterText*> select(const std::vector<std::string>& names) const;
 

@@ -13,15 +13,9 @@
 #include "server/parameter_requests.h"
 #include "server/protocol.h"
 #include "server/publisher.h"
-#include "server/services.h"
+#include "server/service.h"
 
 namespace tp100::server {
-
-/// What a client may do.
-enum class Permission : std::uint8_t {
-  kCommand,
-  kStopOnly,  ///< view, and STOP
-};
 
 class RequestHandler {
  public:
@@ -29,10 +23,11 @@ class RequestHandler {
   /// page in sight.
   static constexpr HostNs kUnwatchedNs = 2 * kNsPerS;
 
-  /// `broker`, `publisher` and `controls` must outlive the handler.
+  /// `broker`, `publisher` and `controls` must outlive the handler. `services`: those of others,
+  /// besides those of motion.
   RequestHandler(Broker& broker, Publisher& publisher, Controls& controls,
-                 std::vector<messages::ParameterText> parameters, std::string session_id,
-                 std::string name = {});
+                 std::vector<messages::ParameterText> parameters, std::vector<ServiceRow> services,
+                 std::string session_id, std::string name = {});
 
   /// Sends server info, channels and services, in this order.
   void send_server_info(Viewer& viewer, Permission permission) const;
@@ -43,6 +38,8 @@ class RequestHandler {
   /// STOP was pressed at host time `at` and is carried out already: publishes that, and answers
   /// when the robot has acknowledged it.
   void stop_pressed(const std::shared_ptr<Viewer>& viewer, std::uint32_t call, HostNs at);
+  /// All rows, by their numbers.
+  const std::vector<ServiceRow>& services() const { return services_; }
   /// See ParameterRequests.
   void change_setup(std::vector<messages::ParameterText> parameters, HostNs now) {
     parameters_.change_setup(std::move(parameters), now);
@@ -58,43 +55,32 @@ class RequestHandler {
     std::uint32_t viewer_id;
     std::uint32_t call;
   };
-  /// The result of a request that another thread carries out, possibly when the handler is gone.
-  struct Result {
-    Service service;
+  /// The answer to a request, possibly by another thread and when the handler is gone.
+  struct Answered {
     std::weak_ptr<Viewer> viewer;
-    std::uint32_t call;
-    std::string why;
-    std::string json;
+    std::uint32_t service, call;
+    std::string why, json;
   };
   struct Arrivals {
     std::mutex mutex;
-    std::vector<Result> results;
+    std::vector<Answered> answers;
   };
 
   void on(const std::shared_ptr<Viewer>& viewer, const ServiceCall& call, Permission permission,
           HostNs now);
-  std::string start(const Arguments& request, const Consent& consent, HostNs now);
-  std::string pause(const Viewer& viewer, HostNs now);
-  std::string resume(const Viewer& viewer, const Consent& consent, HostNs now);
-  std::string drive_take(const Viewer& viewer, const Consent& consent, HostNs now,
-                         std::string& token);
-  std::string drive(const Arguments& request, HostNs now);
-  std::string drive_release(const Arguments& request, HostNs now);
-  std::string wheels_up_begin(const Viewer& viewer, const Arguments& request,
-                              const Consent& consent, HostNs now, std::string& token);
-  std::string record_start(const Arguments& request, Controls::RecordAnswer answer);
-  void say(const std::string& text, HostNs now);
+  Result<> begin(const ServiceCall& call, std::uint32_t viewer, Permission permission, HostNs now,
+                 const Answer& answer) const;
   void stop_if_unwatched(HostNs now);
   bool under_way() const;
-  Controls::Answer answer_later(Service service, const std::shared_ptr<Viewer>& viewer,
-                                std::uint32_t call) const;
-  void answer_results();
+  void send_answers();
 
   Broker& broker_;
   Publisher& publisher_;
   Controls& controls_;
   ParameterRequests parameters_;
+  std::vector<ServiceRow> services_;
   std::string session_id_, name_;
+  mutable std::string advertised_services_;
   std::vector<Waiting> waiting_;
   HostNs watched_ns_ = 0;  // when a page was in sight, or nothing was under way
   std::shared_ptr<Arrivals> arrivals_ = std::make_shared<Arrivals>();

@@ -74,7 +74,8 @@ struct Server::State {
         broker(messages::channel_texts(), std::move(s.listener)),
         publisher(broker, messages, c),
         session(random_name()),
-        handler(broker, publisher, c, std::move(parameters), session, s.name) {
+        handler(broker, publisher, c, std::move(parameters), std::move(s.services), session,
+                s.name) {
     sources.page = std::move(s.page);
     sources.runs_folder = s.runs_folder;
     sources.runs = std::move(s.runs);

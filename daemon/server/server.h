@@ -30,10 +30,11 @@ struct ServerSettings {
   double units_per_s = Budgets::kUnitsPerS;  ///< of viewers, and of HTTP requests of an address
   std::string name{};                        ///< of the robot, for people
   std::vector<std::string>
-      robots{};             ///< pages of other robots, besides those found on this machine
-  std::string runs_folder;  ///< empty: none
-  RunList runs;             ///< empty: none
-  SetupContent setup;       ///< empty: none
+      robots{};                      ///< pages of other robots, besides those found on this machine
+  std::string runs_folder;           ///< empty: none
+  RunList runs;                      ///< empty: none
+  SetupContent setup;                ///< empty: none
+  std::vector<ServiceRow> services;  ///< besides those of motion
   Page page;
   bool real_time = false;  ///< the sockets' thread has loop::kBelowTheLoop, if permitted
   Listener listener;       ///< called from the constructor and the worker's thread; must not block

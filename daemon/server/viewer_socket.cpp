@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/clock.h"
-#include "server/services.h"
+#include "server/service.h"
 
 namespace tp100::server {
 namespace {

@@ -9,10 +9,6 @@
 namespace tp100::server {
 namespace {
 
-constexpr std::size_t kMaxName = 64;
-// Faster than any robot; the step limits it to what this one can do.
-constexpr double kMaxVelocity = 100.0;
-constexpr double kMaxInputMs = 1e15;
 // Clocks of two machines drift apart by less than this.
 constexpr HostNs kDriftDivisor = 1000;
 
@@ -27,44 +23,8 @@ std::string slow(HostNs round_trip_ns) {
 
 }  // namespace
 
-std::optional<DriveRequest> drive_request(const std::vector<RequestField>& fields,
-                                          std::string& why) {
-  DriveRequest out;
-  bool has_token = false, has_speed = false, has_rate = false, has_input = false;
-  const auto number = [&](const RequestField& field, double most, double& value, bool& has) {
-    const double* given = std::get_if<double>(&field.value);
-    has = given != nullptr && std::abs(*given) <= most;
-    if (has) value = *given;
-    return has;
-  };
-  for (const RequestField& field : fields) {
-    bool good = true;
-    if (field.name == "token") {
-      const std::string* token = std::get_if<std::string>(&field.value);
-      good = has_token = token != nullptr;
-      if (good) out.token = *token;
-    } else if (field.name == "speed_mps") {
-      good = number(field, kMaxVelocity, out.speed_mps, has_speed);
-    } else if (field.name == "yaw_rate_radps") {
-      good = number(field, kMaxVelocity, out.yaw_rate_radps, has_rate);
-    } else if (field.name == "input_ms") {
-      good = number(field, kMaxInputMs, out.input_ms, has_input);
-    } else {
-      why = "there is no argument '" + text::one_line(field.name, kMaxName) + "'";
-      return std::nullopt;
-    }
-    if (good) continue;
-    why = field.name +
-          (field.name == "token" ? " must be a string" : " must be a number within its range");
-    return std::nullopt;
-  }
-  if (has_token && has_speed && has_rate && has_input) return out;
-  why = "token, speed_mps, yaw_rate_radps and input_ms are needed";
-  return std::nullopt;
-}
-
-std::optional<std::string> Wheel::take(const Driver& driver, HostNs now) {
-  if (fresh(now) && driver.id != driver_.id) {
+std::optional<std::string> Wheel::take(const std::string& driver, HostNs now) {
+  if (fresh(now) && driver != driver_) {
     asking_ = driver;
     asked_ns_ = now;
     return std::nullopt;
@@ -112,9 +72,9 @@ bool Wheel::release(std::string_view token) {
   return true;
 }
 
-bool Wheel::lose(std::string_view id) {
-  if (asking_.id == id) asking_ = {};
-  if (token_.empty() || driver_.id != id) return false;
+bool Wheel::lose(std::string_view driver) {
+  if (asking_ == driver) asking_.clear();
+  if (token_.empty() || driver_ != driver) return false;
   clear();
   return true;
 }
@@ -122,9 +82,9 @@ bool Wheel::lose(std::string_view id) {
 messages::DriverFigures Wheel::figures(HostNs now) const {
   messages::DriverFigures out;
   if (token_.empty()) return out;
-  out.by = driver_.name;
+  out.by = driver_;
   out.fresh = fresh(now);
-  if (!asking_.id.empty() && now - asked_ns_ <= kAskNs) out.asked_by = asking_.name;
+  if (now - asked_ns_ <= kAskNs) out.asked_by = asking_;
   return out;
 }
 

@@ -6,11 +6,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "core/command.h"
 #include "messages/figures.h"
-#include "server/protocol.h"
 
 namespace tp100::server {
 
@@ -22,17 +20,6 @@ struct DriveRequest {
   double input_ms = 0.0;        ///< when the person gave it, by the client's own clock
   /// The same as host time, if the client's clock is this machine's; then input_ms does not count.
   std::optional<HostNs> at_ns{};
-};
-
-/// The request of these fields; nothing, and `why` is set, if one is missing, unknown, of another
-/// type, not finite or out of range.
-std::optional<DriveRequest> drive_request(const std::vector<RequestField>& fields,
-                                          std::string& why);
-
-/// A client that may drive.
-struct Driver {
-  std::string id;    ///< no other client has it
-  std::string name;  ///< for people: "viewer 3"
 };
 
 /// A driver holds the wheel until it releases it, is lost, or gives no fresh input while another
@@ -47,9 +34,10 @@ class Wheel {
   /// that drifts, and is not counted.)
   static constexpr HostNs kMaxRoundTripNs = 2 * kFreshInputNs;
 
-  /// Gives the wheel to `driver` and returns the token; the previous token is ignored from now on.
-  /// Returns nothing while another driver's input is fresh; that driver is then shown who asks.
-  std::optional<std::string> take(const Driver& driver, HostNs now);
+  /// Gives the wheel to `driver`, a name that no other client has, and returns the token; the
+  /// previous token is ignored from now on. Returns nothing while another driver's input is fresh;
+  /// that driver is then shown who asks.
+  std::optional<std::string> take(const std::string& driver, HostNs now);
   /// The input with the host time at which the person gave it; nothing if the token does not hold
   /// the wheel. A message that was delayed on its way, or that repeats an input, has the age of the
   /// person's input. The first input was given after take(): the time since then, a round trip at
@@ -59,7 +47,7 @@ class Wheel {
   /// False: the token does not hold the wheel.
   bool release(std::string_view token);
   /// The client is gone. True: it held the wheel.
-  bool lose(std::string_view id);
+  bool lose(std::string_view driver);
   /// Nobody holds the wheel.
   void clear() { *this = Wheel{}; }
 
@@ -71,8 +59,7 @@ class Wheel {
   bool fresh(HostNs now) const { return !token_.empty() && now - input_ns_ <= kFreshInputNs; }
 
   std::string token_;  // empty: nobody drives
-  Driver driver_{};
-  Driver asking_{};
+  std::string driver_, asking_;
   HostNs taken_ns_ = 0;
   HostNs asked_ns_ = 0;
   HostNs input_ns_ = 0;                    // of the newest input

@@ -39,7 +39,7 @@ void converse(fuzz::ByteSource source, Permission permission) {
   FakeControls controls;
   Broker broker(texts);
   Publisher publisher(broker, messages, controls);
-  RequestHandler handler(broker, publisher, controls, parameters(), "session");
+  RequestHandler handler(broker, publisher, controls, parameters(), {}, "session");
   const auto viewer = std::make_shared<Viewer>(
       3, [] {}, [] {});
   broker.add(viewer);

@@ -2,6 +2,7 @@
 // The daemon without sockets and threads of its own, in virtual time: cycle, controls, request
 // handler, ROS 2's requests and terminal. Whoever holds the other end of the cable steps it.
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <memory>
@@ -25,7 +26,7 @@ namespace tp100::live {
 
 class DaemonRig {
  public:
-  DaemonRig(config::RunFiles files, config::RunSetup run)
+  DaemonRig(config::RunFiles files, config::RunSetup run, runs::ArchiveSettings runs = {})
       : files_(std::move(files)),
         run_(std::move(run)),
         cycle_(bridge::session_settings(run_.parameters, run_.course.get()), run_.parameters,
@@ -33,9 +34,10 @@ class DaemonRig {
         loop_({}, cycle_),
         recording_(files_, run_, {}),
         setup_({files_, run_}, cycle_),
+        runs_(std::move(runs)),
         controls_(cycle_, loop_, recording_, setup_, runs_, self_test_),
         publisher_(broker_, messages::Messages(first_context(), {}), controls_),
-        handler_(broker_, publisher_, controls_, {}, "session"),
+        handler_(broker_, publisher_, controls_, {}, controls_.services(), "session"),
         terminal_(nullptr, {controls_, [this](const std::string& line, bool) { said(line); },
                             [this] { publisher_.stop_pressed("keyboard", now()); },
                             run_.course == nullptr ? "" : run_.course->name}) {}
@@ -65,25 +67,25 @@ class DaemonRig {
   nlohmann::json call(std::uint32_t id, const std::string& service,
                       const nlohmann::json& request = nlohmann::json::object(),
                       server::Permission permission = server::Permission::kCommand) {
-    std::uint32_t number = 1;
-    while (server::services().at(number - 1).name != service) ++number;
-    const std::shared_ptr<server::Viewer> viewer = viewer_of(id);
     nlohmann::json sent = request;
-    const bool moves = server::needs_consent(static_cast<server::Service>(number));
-    if (moves && !sent.contains("stops"))
+    if (row_of(service).rules.consents && !sent.contains("stops"))
       sent.update({{"stops", controls_.stop_count()}, {"t_s", to_s(now())}});
+    return send(id, service, sent.dump(), permission);
+  }
+  /// The same, with a text as the request.
+  nlohmann::json send(std::uint32_t id, const std::string& service, const std::string& text,
+                      server::Permission permission = server::Permission::kCommand) {
     // As the thread of the sockets does, before anybody else knows of it.
     if (service == "stop") controls_.stop();
-    handler_.handle(viewer, server::ServiceCall{number, 1, "json", sent.dump()}, permission, now());
-    nlohmann::json answer;
-    while (const auto next = viewer->outbox().pop()) {
-      const server::WebSocketFrame& frame = *next;
-      if (frame.binary && frame.head_size == 0)
-        answer = nlohmann::json::parse(frame.body->substr(frame.body->find('{')));
-      else if (!frame.binary)
-        answer = {{"refused", nlohmann::json::parse(*frame.body).value("message", "")}};
-    }
-    return answer;
+    const std::shared_ptr<server::Viewer> viewer = viewer_of(id);
+    const auto number = static_cast<std::uint32_t>(row_of(service).service);
+    handler_.handle(viewer, server::ServiceCall{number, 1, "json", text}, permission, now());
+    return answer_to(*viewer);
+  }
+  /// The answer to a request that had none yet.
+  nlohmann::json late_answer(std::uint32_t id) {
+    handler_.tick(now());
+    return answer_to(*viewer_of(id));
   }
   /// The socket of viewer `id` is closed.
   void disconnect(std::uint32_t id) {
@@ -187,7 +189,7 @@ class DaemonRig {
   loop::FixedRateLoop loop_;  // not started: the test is the loop
   LiveRecording recording_;
   SetupChanger setup_;
-  runs::RunArchive runs_{{}};
+  runs::RunArchive runs_;
   selftest::SelfTest self_test_{run_.configuration, run_.robot};
   LiveControls controls_;
   Ros2Requests ros2_{controls_};
@@ -197,10 +199,24 @@ class DaemonRig {
   Terminal terminal_;
 
  private:
+  static nlohmann::json answer_to(server::Viewer& viewer) {
+    nlohmann::json answer;
+    while (const auto next = viewer.outbox().pop()) {
+      const server::WebSocketFrame& frame = *next;
+      if (frame.binary && frame.head_size == 0)
+        answer = nlohmann::json::parse(frame.body->substr(frame.body->find('{')));
+      else if (!frame.binary)
+        answer = {{"refused", nlohmann::json::parse(*frame.body).value("message", "")}};
+    }
+    return answer;
+  }
   messages::RunContext first_context() const {
     messages::RunContext out;
     out.course = run_.course;
     return out;
+  }
+  const server::ServiceRow& row_of(const std::string& service) const {
+    return *std::ranges::find(handler_.services(), service, &server::ServiceRow::name);
   }
   std::shared_ptr<server::Viewer> viewer_of(std::uint32_t id) {
     std::shared_ptr<server::Viewer>& viewer = viewers_[id];

@@ -20,11 +20,11 @@ using ::testing::IsEmpty;
 /// Controls that answer choices when the test says so.
 class SlowControls : public server::FakeControls {
  public:
-  void choose(const server::SetupChoice& choice, Answer answer) override {
+  void choose(const server::SetupChoice& choice, server::Answer answer) override {
     choices.push_back(choice);
     answers.push_back(std::move(answer));
   }
-  std::vector<Answer> answers;
+  std::vector<server::Answer> answers;
 };
 
 class Ros2RequestsTest : public ::testing::Test {

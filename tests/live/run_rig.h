@@ -24,7 +24,7 @@
 #include "app/commands.h"
 #include "core/error.h"
 #include "pty_robot.h"
-#include "server/services.h"
+#include "server/service.h"
 
 namespace tp100::live {
 

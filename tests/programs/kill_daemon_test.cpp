@@ -15,7 +15,7 @@
 
 #include "../server/web_client.h"
 #include "process.h"
-#include "server/services.h"
+#include "server/service.h"
 
 namespace tp100::test {
 namespace {

@@ -14,7 +14,7 @@
 
 #include "../server/service_call.h"
 #include "process.h"
-#include "server/services.h"
+#include "server/service.h"
 
 namespace tp100::test {
 namespace {
@@ -34,7 +34,7 @@ class Caller {
 
   /// The answer, or the reason of a refusal as text.
   json call(Service service, json request) {
-    if (needs_consent(service)) request.update(json::parse("{" + client_.consent() + "}"));
+    if (server::sets_in_motion(service)) request.update(json::parse("{" + client_.consent() + "}"));
     const std::string text = server::ask(client_, service, request.dump());
     const json answer = json::parse(text.substr(text.front() == '{' ? 0 : server::kResponseHead));
     return answer.contains("op") ? answer["message"] : answer;

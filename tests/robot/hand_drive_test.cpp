@@ -41,7 +41,7 @@ TEST_F(HandDriveTest, AnInputAloneNeverArms) {
   EXPECT_TRUE(drive.drive(kA, "", 0.1, 0.0).contains("refused"));
   EXPECT_TRUE(drive.drive(kA, "0123", 0.1, 0.0).contains("refused"));
   drive.before_step = [&](HostNs) {
-    drive.controls().drive({"", 0.1, 0.0, 0.0}, drive.now());
+    static_cast<void>(drive.controls().drive({"", 0.1, 0.0, 0.0}, drive.now()));
     drive.receive_velocity(0.1, 0.2);
   };
   drive.step_for(1.0);

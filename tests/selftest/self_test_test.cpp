@@ -31,7 +31,7 @@ wire::Hello hello() {
 }
 
 /// What a part is found to be that another thread examines.
-Json examined(SelfTest& test, server::DoctorPart part) {
+Json examined(SelfTest& test, DoctorPart part) {
   // Kept until the other thread has let go of it.
   const auto promise = std::make_shared<std::promise<Json>>();
   test.examine(part, [promise](const std::string&, const std::string& json) {
@@ -77,7 +77,7 @@ class SelfTestOfARobot : public ::testing::Test {
   /// Steps until the robot is examined.
   Json examine(int steps = 1100) {
     Json found;
-    test_.examine(server::DoctorPart::kRobot, [&](const std::string& why, const std::string& json) {
+    test_.examine(DoctorPart::kRobot, [&](const std::string& why, const std::string& json) {
       EXPECT_EQ(why, "");
       found = Json::parse(json);
     });
@@ -141,7 +141,7 @@ TEST_F(SelfTestOfARobot, CountsOnlyTheRestartsDuringTheExamination) {
   record_.link.reboots = 3;
   EXPECT_EQ(finding(examine(), "reboots").at("severity"), "none");
   std::string found;
-  test_.examine(server::DoctorPart::kRobot,
+  test_.examine(DoctorPart::kRobot,
                 [&](const std::string&, const std::string& json) { found = json; });
   step();
   ++record_.link.reboots;
@@ -165,11 +165,11 @@ TEST_F(SelfTestOfARobot, SaysWhyNoPortIsOpen) {
 
 TEST_F(SelfTestOfARobot, ExaminesOneAtATime) {
   int answers = 0;
-  test_.examine(server::DoctorPart::kRobot, [&](const std::string& why, const std::string&) {
+  test_.examine(DoctorPart::kRobot, [&](const std::string& why, const std::string&) {
     answers += why.empty() ? 1 : 0;
   });
   std::string refused;
-  test_.examine(server::DoctorPart::kMachine,
+  test_.examine(DoctorPart::kMachine,
                 [&](const std::string& why, const std::string&) { refused = why; });
   EXPECT_THAT(refused, HasSubstr("another examination is under way"));
   for (int i = 0; i < 1100; ++i) step();
@@ -178,7 +178,7 @@ TEST_F(SelfTestOfARobot, ExaminesOneAtATime) {
 
 TEST_F(SelfTestOfARobot, ExaminesTheMachineWithThePrivilegesOfTheRun) {
   test_.set_privileges({{.what = "SCHED_FIFO 80", .granted = false, .fix = "not permitted"}});
-  const Json found = examined(test_, server::DoctorPart::kMachine);
+  const Json found = examined(test_, DoctorPart::kMachine);
   EXPECT_NE(finding(found, "real-time").at("severity"), "ok");
   EXPECT_EQ(finding(found, "page-port").at("severity"), "ok");
   for (const char* name : {"clock-source", "disk"})
@@ -189,7 +189,7 @@ TEST(SelfTest, FindsThePortThatIsConfiguredMissing) {
   config::Configuration configuration;
   configuration.link.port = kPort;
   SelfTest test(configuration, {});
-  const Json found = examined(test, server::DoctorPart::kPort);
+  const Json found = examined(test, DoctorPart::kPort);
   EXPECT_EQ(found.at("errors"), 1);
   EXPECT_THAT(std::string(found.at("findings").at(0).at("seen")), HasSubstr("no such port"));
 }

@@ -40,17 +40,28 @@ TEST(PortHandover, IsGivenOnceItWasAskedForAndUntilItsEnd) {
 
 class WheelsUpCheckTest : public ::testing::Test {
  protected:
-  std::string watch(const std::string& token, std::string& json) {
-    json.clear();
-    return check_.watch({.token = token, .input_ms = input_ms_ += 1.0}, monotonic_now(), json);
+  std::string begin(const std::string& viewer = "viewer 3", HostNs now = monotonic_now()) {
+    const Result<std::string> token = check_.begin(viewer, now);
+    EXPECT_EQ(token.why(), "");
+    return token ? *token : "";
+  }
+  Result<std::string> watch(const std::string& token, double input_ms, HostNs now) {
+    return check_.watch({.arguments = {{{"token", token}, {"input_ms", input_ms}}},
+                         .consent = {},
+                         .by = {},
+                         .now = now,
+                         .state = {}});
+  }
+  Result<std::string> watch(const std::string& token) {
+    return watch(token, input_ms_ += 1.0, monotonic_now());
   }
   /// Watches until the check has ended.
   Json result(const std::string& token) {
-    std::string json;
     const auto until = std::chrono::steady_clock::now() + 60s;
     while (std::chrono::steady_clock::now() < until) {
-      EXPECT_EQ(watch(token, json), "");
-      const Json answer = Json::parse(json);
+      const Result<std::string> seen = watch(token);
+      EXPECT_EQ(seen.why(), "");
+      const Json answer = Json::parse(*seen);
       if (answer.contains("result")) return answer["result"];
       std::this_thread::sleep_for(1ms);
     }
@@ -58,18 +69,14 @@ class WheelsUpCheckTest : public ::testing::Test {
   }
 
   double input_ms_ = 0.0;
-  const server::Driver viewer_{.id = "viewer 3", .name = "viewer 3"};
   WheelsUpCheck check_{{}, {}};
 };
 
 TEST_F(WheelsUpCheckTest, EndsWithoutTheRobotIfThePortIsNotLent) {
-  std::string token, json;
-  ASSERT_EQ(check_.begin(viewer_, monotonic_now(), token), "");
+  const std::string token = begin();
   EXPECT_TRUE(check_.on());
-  std::string other;
-  EXPECT_THAT(check_.begin({.id = "viewer 4", .name = ""}, monotonic_now(), other),
-              HasSubstr("under way"));
-  EXPECT_THAT(watch("guessed", json), HasSubstr("no check has this token"));
+  EXPECT_THAT(check_.begin("viewer 4", monotonic_now()).why(), HasSubstr("under way"));
+  EXPECT_THAT(watch("guessed").why(), HasSubstr("no check has this token"));
   const Json found = result(token);
   EXPECT_EQ(found["errors"], 1);
   EXPECT_THAT(std::string(found["findings"][0]["seen"]), HasSubstr("not at rest"));
@@ -77,38 +84,33 @@ TEST_F(WheelsUpCheckTest, EndsWithoutTheRobotIfThePortIsNotLent) {
 }
 
 TEST_F(WheelsUpCheckTest, SaysThatThePortCannotBeOpened) {
-  std::string token;
-  ASSERT_EQ(check_.begin(viewer_, monotonic_now(), token), "");
+  std::string token = begin();
   ASSERT_TRUE(check_.handover().give("/dev/no-such-port"));
   const Json found = result(token);
   EXPECT_EQ(found["port"], "/dev/no-such-port");
   EXPECT_EQ(found["errors"], 1);
   EXPECT_THAT(found.dump(), HasSubstr("/dev/no-such-port: "));
   EXPECT_FALSE(check_.handover().given()) << "the daemon has its port again";
-  ASSERT_EQ(check_.begin({.id = "viewer 4", .name = ""}, monotonic_now(), token), "");
+  token = begin("viewer 4");
   ASSERT_TRUE(check_.handover().give("/dev/no-such-port"));
   EXPECT_EQ(result(token)["errors"], 1) << "the next one may be another viewer's";
 }
 
 TEST_F(WheelsUpCheckTest, NobodyWatchesOnceItsViewerIsGone) {
-  std::string token, json;
-  ASSERT_EQ(check_.begin(viewer_, monotonic_now(), token), "");
+  const std::string token = begin();
   EXPECT_TRUE(check_.watches());
   check_.lose("viewer 4");
-  EXPECT_EQ(watch(token, json), "");
-  check_.lose(viewer_.id);
-  EXPECT_THAT(watch(token, json), HasSubstr("no check has this token"));
+  EXPECT_EQ(watch(token).why(), "");
+  check_.lose("viewer 3");
+  EXPECT_THAT(watch(token).why(), HasSubstr("no check has this token"));
 }
 
 // Signs of life that arrive a second late would keep the tracks running after the page is gone.
 TEST_F(WheelsUpCheckTest, EndsIfThePathToItsViewerIsSlow) {
-  std::string token, json;
   const HostNs now = monotonic_now();
-  ASSERT_EQ(check_.begin(viewer_, now, token), "");
-  EXPECT_THAT(check_.watch({.token = token, .input_ms = 7.0}, now + 400 * kNsPerMs, json),
-              HasSubstr("less than 0.3 s"));
-  EXPECT_THAT(check_.watch({.token = token, .input_ms = 8.0}, now + 401 * kNsPerMs, json),
-              HasSubstr("no check has this token"));
+  const std::string token = begin("viewer 3", now);
+  EXPECT_THAT(watch(token, 7.0, now + 400 * kNsPerMs).why(), HasSubstr("less than 0.3 s"));
+  EXPECT_THAT(watch(token, 8.0, now + 401 * kNsPerMs).why(), HasSubstr("no check has this token"));
   std::string end;
   while (end.empty()) end = check_.take_end();
   EXPECT_THAT(end, HasSubstr("less than 0.3 s"));
@@ -116,13 +118,10 @@ TEST_F(WheelsUpCheckTest, EndsIfThePathToItsViewerIsSlow) {
 }
 
 TEST_F(WheelsUpCheckTest, AFrozenClockOfThePageIsNoSignOfLife) {
-  std::string token, json;
   const HostNs now = monotonic_now() - kNsPerS;
-  ASSERT_EQ(check_.begin(viewer_, now, token), "");
-  for (HostNs at = now; at < now + kNsPerS; at += 40 * kNsPerMs) {
-    json.clear();
-    ASSERT_EQ(check_.watch({.token = token, .input_ms = 7.0}, at, json), "");
-  }
+  const std::string token = begin("viewer 3", now);
+  for (HostNs at = now; at < now + kNsPerS; at += 40 * kNsPerMs)
+    ASSERT_EQ(watch(token, 7.0, at).why(), "");
   EXPECT_FALSE(check_.watches());
 }
 

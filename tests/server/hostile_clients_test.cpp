@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "server/connection.h"
-#include "server/services.h"
+#include "server/service.h"
 #include "server_rig.h"
 
 namespace tp100::server {

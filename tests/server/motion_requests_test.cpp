@@ -1,5 +1,4 @@
-// Requests that set the robot in motion or end its motion: start, pause, STOP, the wheel and the
-// check of the tracks.
+// Requests that set the robot in motion or end its motion: start, pause, STOP and the wheel.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,8 +10,6 @@ namespace tp100::server {
 namespace {
 
 using ::testing::HasSubstr;
-
-constexpr const char* kFree = R"({"tracks":"free"})";
 
 TEST_F(RequestHandlerTest, StartNeedsARobotThatIsReadyAndIdle) {
   EXPECT_THAT(refused(Service::kStart), HasSubstr("no robot yet"));
@@ -63,8 +60,7 @@ TEST_F(RequestHandlerTest, ARunIsPausedAndResumed) {
 TEST_F(RequestHandlerTest, WhatSetsTheRobotInMotionSaysWhatThePersonSaw) {
   step(ready());
   controls_.stop();
-  for (const Service service :
-       {Service::kStart, Service::kResume, Service::kDriveTake, Service::kWheelsUpBegin}) {
+  for (const Service service : {Service::kStart, Service::kResume, Service::kDriveTake}) {
     for (const char* bad :
          {R"({"stops":null})", R"({"stops":1})", R"({"stops":1.5,"t_s":97})",
           R"({"stops":-1,"t_s":97})", R"({"stops":"1","t_s":97})", R"({"stops":1,"t_s":-1})"})
@@ -174,27 +170,6 @@ TEST_F(RequestHandlerTest, TheWheelIsDrivenByItsTokenUntilItIsReleasedOrItsViewe
   handler_.leave(*viewer_, kNow);
   EXPECT_EQ(controls_.drivers_lost, 1);
   EXPECT_NE(drive(token), "");
-}
-
-TEST_F(RequestHandlerTest, TracksRunOnlyWhileARobotIsThereAndNothingElseIsUnderWay) {
-  StepRecord lost = ready();
-  lost.snapshot.drive_refusal = StartRefusal::kNoSession;
-  step(lost);
-  EXPECT_EQ(refused(Service::kWheelsUpBegin, kFree), to_string(StartRefusal::kNoSession));
-  step(ready(RunState::kRunning));
-  EXPECT_NE(refused(Service::kWheelsUpBegin, kFree), "");
-  EXPECT_TRUE(controls_.checkers.empty());
-  step(ready());
-  EXPECT_EQ(answered(Service::kWheelsUpBegin, kFree)["token"], "free");
-  EXPECT_EQ(controls_.checkers.size(), 1U);
-  const Json seen =
-      answered(Service::kWheelsUpWatch, R"({"token":"t","input_ms":5,"question":2,"answer":"b"})");
-  EXPECT_EQ(seen["step"], "the left track runs");
-  ASSERT_EQ(controls_.watched.size(), 1U);
-  EXPECT_EQ(controls_.watched[0].token, "t");
-  EXPECT_EQ(controls_.watched[0].input_ms, 5.0);
-  EXPECT_EQ(controls_.watched[0].question, 2U);
-  EXPECT_EQ(controls_.watched[0].answer, "b");
 }
 
 }  // namespace

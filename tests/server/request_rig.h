@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -60,7 +61,9 @@ class RequestHandlerTest : public ::testing::Test {
   Received call(std::uint32_t service, const std::string& payload = "{}",
                 Permission permission = Permission::kCommand, HostNs now = kNow) {
     Json request = Json::parse(payload, nullptr, false);
-    const bool moves = needs_consent(static_cast<Service>(service));
+    const auto row =
+        std::ranges::find(handler_.services(), static_cast<Service>(service), &ServiceRow::service);
+    const bool moves = row != handler_.services().end() && row->rules.consents;
     if (moves && request.is_object() && !request.contains("stops")) {
       request["stops"] = controls_.stop_count();
       request["t_s"] = publisher_.clock().t_s(now);
@@ -108,7 +111,17 @@ class RequestHandlerTest : public ::testing::Test {
   Publisher publisher_{broker_,
                        messages::Messages(messages::example_subject(), messages::example_clock()),
                        controls_};
-  RequestHandler handler_{broker_, publisher_, controls_, parameters(), "session"};
+  Answer unanswered_;  ///< of a service of others, record_stop, that waits for its disk
+  RequestHandler handler_{broker_,
+                          publisher_,
+                          controls_,
+                          parameters(),
+                          {{Service::kRecordStop, "record_stop", "{}", "{}",
+                            [this](const Request&, const Answer& answer) -> Result<> {
+                              unanswered_ = answer;
+                              return Done{};
+                            }}},
+                          "session"};
   std::shared_ptr<Viewer> viewer_ = std::make_shared<Viewer>(
       3, [] {}, [this] { failed_ = true; });
   bool failed_ = false;

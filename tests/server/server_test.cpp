@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "runs/run_folder.h"
-#include "server/services.h"
+#include "server/service.h"
 #include "server_rig.h"
 #include "support/refusal.h"
 #include "support/temporary_folder.h"

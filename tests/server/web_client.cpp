@@ -12,7 +12,7 @@
 #include <thread>
 #include <utility>
 
-#include "server/services.h"
+#include "server/service.h"
 
 namespace tp100::server {
 
@@ -160,9 +160,14 @@ void WebClient::subscribe(messages::Channel channel) {
   write_text(subscription(static_cast<std::uint32_t>(channel), channel));
 }
 
+bool sets_in_motion(Service service) {
+  return service == Service::kStart || service == Service::kResume ||
+         service == Service::kDriveTake || service == Service::kWheelsUpBegin;
+}
+
 void WebClient::call(std::uint32_t service) {
   std::string bytes = {'\x02', static_cast<char>(service), 0, 0, 0, 1, 0, 0, 0, 4, 0, 0, 0};
-  const bool moves = needs_consent(static_cast<Service>(service));
+  const bool moves = sets_in_motion(static_cast<Service>(service));
   write_binary(bytes + "json{" + (moves ? consent() : "") + "}");
 }
 

@@ -11,6 +11,8 @@
 namespace tp100::server {
 
 enum class Service : std::uint32_t;
+/// Whether its requests carry a consent.
+bool sets_in_motion(Service service);
 
 /// Connects to that port; the caller closes the descriptor. Throws std::runtime_error.
 int dial(const std::string& port, const std::string& address = "127.0.0.1");

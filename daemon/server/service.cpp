@@ -1,0 +1,124 @@
+#include "server/service.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "text/format.h"
+#include "text/json_writer.h"
+
+namespace tp100::server {
+namespace {
+
+constexpr std::size_t kMaxShownName = 64;
+
+/// "tp100.FileSave" of "file_save".
+std::string type_of(std::string_view name) {
+  std::string type = "tp100.";
+  bool begins = true;
+  for (const char letter : name) {
+    if (letter != '_') type += begins ? static_cast<char>(std::toupper(letter)) : letter;
+    begins = letter == '_';
+  }
+  return type;
+}
+
+/// Takes `stops` and `t_s` out of the arguments: what the person saw on /state when acting.
+Result<Consent> take_consent(std::vector<RequestField>& arguments,
+                             const messages::PublishClock& clock, HostNs now) {
+  // Counted exactly by a double.
+  constexpr double kMaxStops = 1e15, kMaxSeconds = 1e9;
+  constexpr HostNs kRounding = kNsPerMs;
+  const auto take = [&](std::string_view name, double most) -> std::optional<double> {
+    const auto at = std::ranges::find(arguments, name, &RequestField::name);
+    const double* value = at == arguments.end() ? nullptr : std::get_if<double>(&at->value);
+    if (value == nullptr || !(*value >= 0.0 && *value <= most)) return std::nullopt;
+    const double taken = *value;
+    arguments.erase(at);
+    return taken;
+  };
+  const std::optional<double> stops = take("stops", kMaxStops), t_s = take("t_s", kMaxSeconds);
+  if (!stops || !t_s || *stops != std::floor(*stops))
+    return Refusal{
+        "stops and t_s are needed: /state.stop.count and /state.t_s as the person saw them when "
+        "acting"};
+  Consent consent;
+  consent.stops_seen = static_cast<std::uint64_t>(*stops);
+  consent.acted_ns = std::min(clock.start_ns + from_s(*t_s), now + kRounding);
+  consent.seen_ns = consent.acted_ns;
+  if (consent.acted_ns >= now + kRounding)
+    return Refusal{"t_s is later than now; send /state.t_s as it was received"};
+  return consent;
+}
+
+const char* kind_of(const RequestField::Value& value) {
+  return std::holds_alternative<double>(value) ? " must be a number"
+         : std::holds_alternative<bool>(value) ? " must be true or false"
+                                               : " must be a string";
+}
+
+/// Whether all have names and types of the example.
+Result<> check(const ServiceRow& row, const std::vector<RequestField>& arguments) {
+  const std::vector<RequestField> known = parse_request(row.request).value();
+  for (const RequestField& field : arguments) {
+    const auto like = std::ranges::find(known, field.name, &RequestField::name);
+    const bool of_consent = row.rules.consents && (field.name == "stops" || field.name == "t_s");
+    if (like == known.end() && !row.rules.more_arguments && !of_consent)
+      return no_such("argument", field.name);
+    if (like != known.end() && like->value.index() != field.value.index())
+      return Refusal{field.name + kind_of(like->value)};
+  }
+  return Done{};
+}
+
+}  // namespace
+
+ServiceText text_of(const ServiceRow& row) {
+  const std::string type = type_of(row.name);
+  std::string request = row.request;
+  if (row.rules.consents)
+    request.insert(1, request == "{}" ? R"("stops":1,"t_s":1.5)" : R"("stops":1,"t_s":1.5,)");
+  return {static_cast<std::uint32_t>(row.service), row.name, type,
+          messages::schema_of(type + "Request", request),
+          messages::schema_of(type + "Response", row.response)};
+}
+
+Result<Request> read_request(const ServiceRow& row, std::string_view json, std::uint32_t viewer,
+                             const messages::PublishClock& clock,
+                             const messages::StateFigures& state, HostNs now) {
+  auto fields = parse_request(json);
+  if (!fields) return Refusal{"the request must be a JSON object"};
+  if (const Result<> checked = check(row, *fields); !checked) return checked.refusal();
+  Consent consent;
+  if (row.rules.consents) {
+    const Result<Consent> given = take_consent(*fields, clock, now);
+    if (!given) return given.refusal();
+    consent = *given;
+  }
+  consent.by = {Door::kViewer, viewer};
+  return Request{.arguments = std::move(*fields),
+                 .consent = consent,
+                 .by = to_string(consent.by),
+                 .now = now,
+                 .state = state};
+}
+
+Refusal no_such(const std::string& what, const std::string& name) {
+  return {"there is no " + what + " '" + text::one_line(name, kMaxShownName) + "'"};
+}
+
+std::string json_of(std::initializer_list<std::pair<const char*, std::string_view>> texts) {
+  std::string json;
+  text::JsonWriter writer(json);
+  writer.begin_object();
+  for (const auto& [name, text] : texts) writer.field(name, text);
+  writer.end_object();
+  return json;
+}
+
+Result<std::string> accepted(const Result<>& done) {
+  if (!done) return done.refusal();
+  return std::string(R"({"accepted":true})");
+}
+
+}  // namespace tp100::server
