@@ -78,8 +78,6 @@ loop::LoopSettings loop_settings(const config::LoopConfiguration& settings) {
   loop::LoopSettings out;
   out.period_ns = static_cast<HostNs>(std::llround(1e9 / settings.rate_hz));
   out.robot_paced = settings.pacing == config::Pacing::kRobot;
-  out.overrun = settings.overrun == config::Overrun::kSkip ? loop::OverrunPolicy::kSkipMissed
-                                                           : loop::OverrunPolicy::kShiftPhase;
   // On a single processor, other threads that the loop waits for need it.
   const bool alone = std::thread::hardware_concurrency() == 1;
   out.spin_ns = alone ? 0 : settings.spin_us * kNsPerUs;
@@ -184,35 +182,17 @@ int run_run(const RunOptions& options) {
                                        .raise_kernel_workers = configuration.loop.priority > 0});
   loop::FixedRateLoop loop(loop_settings(configuration.loop), cycle);
 
-  live::SupervisorSettings settings;
-  settings.connector = {
-      .port = configuration.link.port,
-      .options = {.baud = configuration.link.baud, .hang_up = configuration.link.hang_up},
-      .wait = options.wait};
-  settings.camera = configuration.camera;
-  settings.world = config::world_run(run);
-  settings.go = options.go;
-  settings.ran_before = options.ran_before;
-  settings.duration_s = options.duration_s;
-  settings.stats_path = options.stats;
-  settings.course = run.course == nullptr ? "" : run.course->name;
-  settings.robot = run.robot.name;
-  settings.setup = bridge::to_string(run.parameters.setup);
-  settings.process = &process;
-  live::LiveRecording recording(files, run, clock);
-  settings.recording = &recording;
+  messages::EventQueue events;
+  live::LiveRecording recording(files, run, clock, events);
   record::Worker disk;
-  settings.disk = &disk;
   disk.post(
       [run, file = files.configuration.path, stats = options.stats] { sweep(run, file, stats); },
       [](const std::string&) {});
-  live::BlackBox black_box(configuration.record, recording);
-  settings.black_box = &black_box;
+  live::BlackBox black_box(configuration.record, recording, events);
   live::SetupChanger setup({files, run}, cycle, clock, participant != nullptr);
   runs::RunArchive runs(archive_settings(configuration.record, recording));
-  selftest::SelfTest self_test(configuration, run.robot);
-  settings.connector.handover = &self_test.wheels_up().handover();
-  live::LiveControls controls(cycle, loop, recording, setup, runs, self_test);
+  selftest::SelfTest self_test(configuration, run.robot, events);
+  live::LiveControls controls(cycle, loop, recording, setup, runs, self_test, events);
   const auto listener = [&](messages::Channel channel, std::uint64_t unix_ns,
                             std::string_view json) {
     recording.on_message(channel, unix_ns, json);
@@ -221,20 +201,37 @@ int run_run(const RunOptions& options) {
       make_server(run, files.configuration.path, clock, controls, setup, runs, listener);
   // With --stay each run gets a recording of its own.
   if (!configuration.record.directory.empty() && !options.stay) recording.begin();
-  settings.server = server.get();
-  settings.controls = &controls;
-  settings.setup_changer = &setup;
-  settings.stay = options.stay;
-  settings.verbose = options.verbose;
   std::optional<live::Ros2Node> ros2;
-  if (participant) {
-    ros2.emplace(*participant, config::run_context_of(run), clock, cycle, controls,
-                 live::why_no_ros2_requests(configuration));
-    settings.ros2 = &*ros2;
-  }
-  live::Supervisor supervisor(settings, cycle, loop);
-  supervisor.add_sink(self_test);
-  for (messages::Sink* sink : options.sinks) supervisor.add_sink(*sink);
+  if (participant)
+    ros2.emplace(
+        *participant, config::run_context_of(run), clock, cycle,
+        live::Ros2Requests(controls, events, [&] { server->stop_pressed("ROS 2 /tp100/stop"); }),
+        live::why_no_ros2_requests(configuration));
+  std::vector<messages::Sink*> sinks = {&self_test};
+  sinks.insert(sinks.end(), options.sinks.begin(), options.sinks.end());
+  live::Supervisor supervisor({.connector = {.port = configuration.link.port,
+                                             .options = {.baud = configuration.link.baud,
+                                                         .hang_up = configuration.link.hang_up},
+                                             .wait = options.wait,
+                                             .handover = &self_test.wheels_up().handover()},
+                               .camera = configuration.camera,
+                               .world = config::world_run(run),
+                               .go = options.go,
+                               .ran_before = options.ran_before,
+                               .stay = options.stay,
+                                                       .duration_s = options.duration_s,
+                               .stats_path = options.stats,
+                               .process = process,
+                               .events = events,
+                               .recording = recording,
+                               .black_box = black_box,
+                               .disk = disk,
+                               .server = *server,
+                               .controls = controls,
+                               .setup_changer = setup,
+                               .ros2 = ros2 ? &*ros2 : nullptr,
+                               .sinks = sinks},
+                              cycle, loop);
   try {
     return supervisor.run();
   } catch (const SetupError&) {

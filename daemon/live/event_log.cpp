@@ -184,13 +184,4 @@ void EventLog::status(const LiveStatus& status, std::uint64_t overruns, HostNs n
       status.snapshot.sample.battery_v);
 }
 
-void EventLog::times(const messages::LoopFigures& loop) {
-  std::string line = "loop, p50/p99/max us:";
-  loop.each_time([&](std::string_view name, const messages::Durations& of) {
-    line += fmt::format(" {} {:.0f}/{:.0f}/{:.0f},", name.substr(0, name.rfind('_')), of.p50_us,
-                        of.p99_us, of.max_us);
-  });
-  writer_->logger->info("{} overruns {}, left out {}", line, loop.overruns, loop.missed);
-}
-
 }  // namespace tp100::live

@@ -4,9 +4,7 @@
 // terminal) blocks nothing and loses the oldest lines, whose number the log tells.
 
 #include <memory>
-#include <mutex>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "live/live_cycle.h"
@@ -15,24 +13,6 @@
 #include "messages/figures.h"
 
 namespace tp100::live {
-
-/// A line for the log that another thread leaves.
-class Note {
- public:
-  void set(std::string text) {
-    const std::lock_guard lock(mutex_);
-    text_ = std::move(text);
-  }
-  /// The line, if there is a new one since the last call.
-  std::string take() {
-    const std::lock_guard lock(mutex_);
-    return std::exchange(text_, {});
-  }
-
- private:
-  std::mutex mutex_;
-  std::string text_;
-};
 
 class EventLog {
  public:
@@ -63,8 +43,6 @@ class EventLog {
   void tick(HostNs now);
   /// Writes the last lines of the program on standard output.
   void summary(const std::string& lines);
-  /// Logs the loop's timing since its start in one line.
-  void times(const messages::LoopFigures& loop);
 
  private:
   struct Writer;

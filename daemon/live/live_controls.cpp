@@ -111,9 +111,9 @@ Result<std::string> LiveControls::begin_wheels_up(const server::Request& request
   // A STOP since the consent was judged: the check forgot it when it began.
   if (stop_count() != request.consent.stops_seen) self_test_.wheels_up().stop();
   cycle_.give_up_port();
-  events_.push_back({.at_ns = request.now,
-                     .kind = "run",
-                     .text = request.by + " starts the check of the tracks"});
+  events_.post({.at_ns = request.now,
+                .kind = "run",
+                .text = request.by + " starts the check of the tracks"});
   return server::json_of({{"token", *token}});
 }
 
@@ -253,14 +253,13 @@ bool LiveControls::start_by_itself(bool came_later, HostNs program_start_ns, Hos
   const Result<> moves = move(OperatorRequest::kStart,
                               option_consent(emulator, came_later, program_start_ns, now), now);
   if (moves) return true;
-  const std::lock_guard lock(mutex_);
-  events_.push_back({.at_ns = now,
-                     .kind = "run",
-                     .level = messages::Event::Level::kWarning,
-                     .text = "nothing starts by itself",
-                     .cause = moves.why(),
-                     .fix = "--go counts for 10 s after the program's start, for a robot that is "
-                            "there then; start it at the terminal or on the page"});
+  events_.post({.at_ns = now,
+                .kind = "run",
+                .level = messages::Event::Level::kWarning,
+                .text = "nothing starts by itself",
+                .cause = moves.why(),
+                .fix = "--go counts for 10 s after the program's start, for a robot that is "
+                       "there then; start it at the terminal or on the page"});
   return false;
 }
 
@@ -276,18 +275,6 @@ void LiveControls::set_privileges(const std::vector<loop::Privilege>& privileges
   const std::lock_guard lock(mutex_);
   for (const loop::Privilege& privilege : privileges)
     privileges_.emplace_back(privilege.what, privilege.granted);
-}
-
-void LiveControls::drain_events(std::vector<messages::Event>& events) {
-  {
-    const std::lock_guard lock(mutex_);
-    std::ranges::move(std::exchange(events_, {}), std::back_inserter(events));
-  }
-  std::string end = self_test_.wheels_up().take_end();
-  if (end.empty()) return;
-  events.push_back({.at_ns = monotonic_now(),
-                    .kind = "doctor",
-                    .text = "the check of the tracks has ended: " + std::move(end)});
 }
 
 void LiveControls::end() {

@@ -25,13 +25,15 @@ class LiveControls : public server::Controls {
  public:
   /// All must outlive the controls.
   LiveControls(LiveCycle& cycle, const loop::FixedRateLoop& loop, LiveRecording& recording,
-               SetupChanger& setup, runs::RunArchive& runs, selftest::SelfTest& self_test)
+               SetupChanger& setup, runs::RunArchive& runs, selftest::SelfTest& self_test,
+               messages::EventQueue& events)
       : cycle_(cycle),
         loop_(loop),
         recording_(recording),
         setup_(setup),
         runs_(runs),
-        self_test_(self_test) {}
+        self_test_(self_test),
+        events_(events) {}
 
   /// Of everything that the controls were made of.
   std::vector<server::ServiceRow> services();
@@ -68,11 +70,9 @@ class LiveControls : public server::Controls {
   /// Sets the facts that the supervisor knows; the cycle knows whether a run has begun.
   void set_start(const StartFacts& facts);
   /// Starts a run by the consent of the program's option, see option_consent(). False: it does not,
-  /// and drain_events() says why.
+  /// and an event says why.
   bool start_by_itself(bool came_later, HostNs program_start_ns, HostNs now);
   void set_privileges(const std::vector<loop::Privilege>& privileges);
-  /// Appends the result of a check of the tracks that has ended, and why nothing started by itself.
-  void drain_events(std::vector<messages::Event>& events);
   /// The program is ending: refuses further starts.
   void end();
   /// See SelfTest::idle_by().
@@ -92,12 +92,12 @@ class LiveControls : public server::Controls {
   SetupChanger& setup_;
   runs::RunArchive& runs_;
   selftest::SelfTest& self_test_;
+  messages::EventQueue& events_;
   std::mutex mutex_;
   messages::PortFigures port_{};
   StartFacts start_{};
   server::Wheel wheel_;
   std::vector<std::pair<std::string, bool>> privileges_;
-  std::vector<messages::Event> events_;
   bool ending_ = false;
 };
 

@@ -71,9 +71,10 @@ bool is_recorded(Channel channel) {
 }
 
 LiveRecording::LiveRecording(const config::RunFiles& files, const config::RunSetup& run,
-                             const messages::PublishClock& clock)
+                             const messages::PublishClock& clock, messages::EventQueue& events)
     : settings_(run.configuration.record),
       clock_(clock),
+      events_(events),
       run_(std::make_shared<const config::LoadedRun>(config::LoadedRun{files, run})),
       recorder_(recorder_settings(run.configuration)) {}
 
@@ -92,14 +93,18 @@ record::Recorder::Make LiveRecording::make(const std::string& directory, const s
                                            std::string_view only) const {
   const auto unix_ns = static_cast<std::int64_t>(clock_.unix_ns(now));
   return [clock = clock_, max_mb = static_cast<std::uint64_t>(settings_.max_mb), run = run_,
-          directory, name, facts, unix_ns, quota_mb, only, note = note_] {
+          directory, name, facts, unix_ns, quota_mb, only, &events = events_] {
     // No run of a person is called a black box: those are deleted without being asked for.
     const bool mistaken = only.empty() && ('-' + name).starts_with(kBlackBoxName);
     const std::string own = mistaken ? "run-" : "";
     if (quota_mb > 0) {
       const std::uint64_t max_bytes = static_cast<std::uint64_t>(quota_mb) * 1'000'000;
       std::string text = describe_freed(runs::free_space(directory, max_bytes, only));
-      if (!text.empty()) note->set(std::move(text));
+      if (!text.empty())
+        events.post({.at_ns = monotonic_now(),
+                     .kind = "recording",
+                     .level = messages::Event::Level::kWarning,
+                     .text = std::move(text)});
     }
     return std::make_unique<record::RecordingWriter>(
         record::RecordingSettings{.path = runs::make_run_folder(directory, own + name, unix_ns) +
@@ -206,15 +211,6 @@ messages::RecordingFigures LiveRecording::figures() const {
           .bytes = status.bytes,
           .dropped = status.dropped,
           .warning = status.warning};
-}
-
-void LiveRecording::drain_events(std::vector<messages::Event>& events) {
-  std::string text = note_->take();
-  if (text.empty()) return;
-  events.push_back({.at_ns = monotonic_now(),
-                    .kind = "recording",
-                    .level = messages::Event::Level::kWarning,
-                    .text = std::move(text)});
 }
 
 double LiveRecording::cpu_s() const { return recorder_.status().cpu_s; }

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "config/run_setup.h"
-#include "live/event_log.h"
+#include "messages/event_queue.h"
 #include "messages/figures.h"
 #include "messages/messages.h"
 #include "messages/sink.h"
@@ -29,9 +29,10 @@ inline constexpr HostNs kTailNs = kNsPerS;
 
 class LiveRecording : public messages::Sink {
  public:
-  /// Records nothing yet. Throws SetupError: record.directory cannot be created.
+  /// Records nothing yet. `events`, which must outlive this, hear what record.quota_mb deletes.
+  /// Throws SetupError: record.directory cannot be created.
   LiveRecording(const config::RunFiles& files, const config::RunSetup& run,
-                const messages::PublishClock& clock);
+                const messages::PublishClock& clock, messages::EventQueue& events);
 
   using Answer = record::Recorder::Answer;
 
@@ -53,8 +54,6 @@ class LiveRecording : public messages::Sink {
   /// Number of the recording that is running or requested, except of black boxes; 0: none.
   std::uint64_t number() const;
   messages::RecordingFigures figures() const;
-  /// Appends what record.quota_mb has deleted, or why it could not, since the last call.
-  void drain_events(std::vector<messages::Event>& events);
   /// CPU time used by recordings [s].
   double cpu_s() const;
   /// Takes a message of a channel (server::Listener) and records it if it cannot be derived from
@@ -85,7 +84,7 @@ class LiveRecording : public messages::Sink {
 
   const config::RecordSettings settings_;
   messages::PublishClock clock_;
-  const std::shared_ptr<Note> note_ = std::make_shared<Note>();
+  messages::EventQueue& events_;
   std::mutex mutex_;  // guards what follows
   std::shared_ptr<const config::LoadedRun> run_;
   std::map<messages::Channel, std::string> last_;  // message of each recorded channel of a state

@@ -43,8 +43,8 @@ void RunRecordings::on_run_state(RunState to, HostNs now) {
   end_ns_.reset();
   end();
   if (recording_.number() != 0) return;
-  own_ = recording_.start("", [note = note_](const std::string& why) {
-    if (!why.empty()) note->set("this run is not recorded: " + why);
+  own_ = recording_.start("", [&events = events_](const std::string& why) {
+    if (!why.empty()) events.note("this run is not recorded: " + why);
   });
 }
 
@@ -54,8 +54,11 @@ void RunRecordings::tick(HostNs now) {
   end();
 }
 
-BlackBox::BlackBox(const config::RecordSettings& settings, LiveRecording& recording)
-    : on_(settings.black_box_s > 0.0), recording_(recording) {}
+BlackBox::BlackBox(const config::RecordSettings& settings, LiveRecording& recording,
+                   messages::EventQueue& events)
+    : on_(settings.black_box_s > 0.0),
+      recording_(recording),
+      written_(std::make_shared<Written>(Written{.events = events, .files = {}})) {}
 
 void BlackBox::take(const StepRecord& record) {
   if (!on_) return;
@@ -86,10 +89,10 @@ void BlackBox::Written::add(const std::string& fault, const record::RecordingSta
     }
   }
   if (status.path.empty())
-    return note.set("black box of " + fault + " is not written: " + status.warning);
-  note.set(text::format("black box: %.1f s around ", to_s(status.last_ns - status.first_ns)) +
-           fault + " are in " + status.path +
-           (status.warning.empty() ? "" : "; " + status.warning));
+    return events.note("black box of " + fault + " is not written: " + status.warning);
+  events.note(text::format("black box: %.1f s around ", to_s(status.last_ns - status.first_ns)) +
+              fault + " are in " + status.path +
+              (status.warning.empty() ? "" : "; " + status.warning));
 }
 
 }  // namespace tp100::live

@@ -48,11 +48,11 @@ std::unique_ptr<ros2::Participant> ros2_participant(const config::Configuration&
 }
 
 Ros2Node::Ros2Node(ros2::Participant& participant, messages::RunContext run_context,
-                   const messages::PublishClock& clock, LiveCycle& cycle,
-                   server::Controls& controls, const std::string& why_no_requests)
+                   const messages::PublishClock& clock, LiveCycle& cycle, Ros2Requests requests,
+                   const std::string& why_no_requests)
     : participant_(participant),
       publisher_(participant, std::move(run_context), clock, false),
-      requests_(controls),
+      requests_(std::move(requests)),
       steps_(kWaitingSteps),
       thread_([this] { run(); }) {
   ::pthread_setname_np(thread_.native_handle(), "ros2");
@@ -66,11 +66,6 @@ Ros2Node::Ros2Node(ros2::Participant& participant, messages::RunContext run_cont
 Ros2Node::~Ros2Node() {
   stop_.store(true, std::memory_order_relaxed);
   thread_.join();
-}
-
-void Ros2Node::drain_events(std::vector<messages::Event>& events, server::Server& server) {
-  requests_.drain_events(events);
-  if (requests_.take_stop()) server.stop_pressed("ROS 2 /tp100/stop");
 }
 
 void Ros2Node::change_setup(const messages::RunContext& run_context, ros2::SetupMessages setup) {

@@ -14,10 +14,8 @@
 #include "live/live_cycle.h"
 #include "live/ros2_requests.h"
 #include "loop/rings.h"
-#include "messages/sink.h"
 #include "ros2/participant.h"
 #include "ros2/publisher.h"
-#include "server/server.h"
 
 namespace tp100::live {
 
@@ -28,23 +26,22 @@ std::string why_no_ros2_requests(const config::Configuration& configuration);
 /// The daemon's participant; null: switched off. Throws SetupError; see ros2::Participant.
 std::unique_ptr<ros2::Participant> ros2_participant(const config::Configuration& configuration);
 
-class Ros2Node : public messages::Sink {
+class Ros2Node {
  public:
-  /// Starts the thread. `why_no_requests` is for the log; empty: requests are taken. All others
-  /// must outlive the node, and so must the node the loop that `cycle` is in.
+  /// Starts the thread. `requests`: for those of other nodes; `why_no_requests` is for the log,
+  /// empty: they are taken. All others must outlive the node, and so must the node the loop that
+  /// `cycle` is in.
   Ros2Node(ros2::Participant& participant, messages::RunContext run_context,
-           const messages::PublishClock& clock, LiveCycle& cycle, server::Controls& controls,
+           const messages::PublishClock& clock, LiveCycle& cycle, Ros2Requests requests,
            const std::string& why_no_requests);
   /// Publishes what is left.
-  ~Ros2Node() override;
+  ~Ros2Node();
+  Ros2Node(const Ros2Node&) = delete;
+  Ros2Node& operator=(const Ros2Node&) = delete;
 
-  // One other thread, which drains the cycle's steps:
-  /// Does nothing: the node's thread receives the steps itself, and earlier.
-  void take(const StepRecord&) override {}
-  /// Another course, robot or set-up is in force; `setup` are its messages, made elsewhere.
+  /// Another course, robot or set-up is in force; `setup` are its messages, made elsewhere. Any
+  /// thread.
   void change_setup(const messages::RunContext& run_context, ros2::SetupMessages setup);
-  /// Appends what happened since the last call, for log and viewers; reports a STOP to the server.
-  void drain_events(std::vector<messages::Event>& events, server::Server& server);
 
  private:
   void run();

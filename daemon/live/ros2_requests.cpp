@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 #include "core/arithmetic.h"
@@ -12,7 +11,6 @@ namespace tp100::live {
 namespace {
 
 constexpr const char* kTopic = "ROS 2 /cmd_vel";
-constexpr std::size_t kMaxEvents = 64;
 // How far the estimate of a robot at standstill may move until it starts for its goal.
 constexpr double kMaxMovedM = 0.01, kMaxTurnedRad = 2.0 * kRadPerDeg;
 
@@ -36,24 +34,16 @@ std::string of_goal(const std::string& why) {
 }  // namespace
 
 void Ros2Requests::Shared::say(messages::Event event, bool answers) {
-  const std::lock_guard lock(mutex);
-  if (answers) answer = event;
-  if (events.size() < kMaxEvents) events.push_back(std::move(event));
-}
-
-void Ros2Requests::drain_events(std::vector<messages::Event>& events) {
-  const std::lock_guard lock(shared_->mutex);
-  std::ranges::move(std::exchange(shared_->events, {}), std::back_inserter(events));
+  if (answers) {
+    const std::lock_guard lock(mutex);
+    answer = event;
+  }
+  events.post(std::move(event));
 }
 
 std::optional<messages::Event> Ros2Requests::take_answer() {
   const std::lock_guard lock(shared_->mutex);
   return std::exchange(shared_->answer, std::nullopt);
-}
-
-bool Ros2Requests::take_stop() {
-  const std::lock_guard lock(shared_->mutex);
-  return std::exchange(shared_->stopped, false);
 }
 
 void Ros2Requests::set_course(const std::string& name) {
@@ -305,8 +295,7 @@ void Ros2Requests::stop(HostNs now) {
   note_stops(now);
   start_.reset();
   note(kStopped, now, "/tp100/stop: STOP");
-  const std::lock_guard lock(shared_->mutex);
-  shared_->stopped = true;
+  stop_pressed_();
 }
 
 }  // namespace tp100::live

@@ -3,6 +3,7 @@
 // velocities never arm, and old messages are ignored.
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -11,7 +12,7 @@
 #include <vector>
 
 #include "core/step_record.h"
-#include "messages/messages.h"
+#include "messages/event_queue.h"
 #include "ros2/inputs.h"
 #include "server/controls.h"
 
@@ -30,8 +31,13 @@ class Ros2Requests {
   /// Writers of /tp100/drive that are remembered; the one that was silent longest is forgotten.
   static constexpr std::size_t kMaxWriters = 64;
 
-  /// `controls` must outlive all requests that it was passed.
-  explicit Ros2Requests(server::Controls& controls) : controls_(controls) {}
+  /// `controls` must outlive all requests that it was passed, and `events` the controls.
+  /// `stop_pressed` is called after a STOP, which is carried out already.
+  Ros2Requests(server::Controls& controls, messages::EventQueue& events,
+               std::function<void()> stop_pressed)
+      : controls_(controls),
+        stop_pressed_(std::move(stop_pressed)),
+        shared_(std::make_shared<Shared>(events)) {}
 
   // One thread, not the real-time one.
   /// Takes a step, at `now`; the last one decides whether the robot may start, be driven or be
@@ -46,21 +52,17 @@ class Ros2Requests {
   void set_course(const std::string& name);
   /// A line for log and viewers.
   void say(HostNs now, const std::string& text);
-  /// Appends the lines since the last call.
-  void drain_events(std::vector<messages::Event>& events);
-  /// Whether there was a STOP since the last call.
-  bool take_stop();
 
  private:
   /// Written by threads of the controls, which may outlive these requests.
   struct Shared {
+    explicit Shared(messages::EventQueue& queue) : events(queue) {}
     void say(messages::Event event, bool answers);
-    std::mutex mutex;
-    std::vector<messages::Event> events;
+    messages::EventQueue& events;
+    std::mutex mutex;  // guards what follows
     std::optional<messages::Event> answer;
     std::string course;
     std::pair<std::uint32_t, std::string> choice;  ///< number of the choice that was answered; why
-    bool stopped = false;
   };
   enum Note : std::uint8_t {
     kNotTaken,
@@ -106,7 +108,8 @@ class Ros2Requests {
   void refuse(ros2::Input input, HostNs now, const std::string& why);
 
   server::Controls& controls_;
-  std::shared_ptr<Shared> shared_ = std::make_shared<Shared>();
+  const std::function<void()> stop_pressed_;
+  std::shared_ptr<Shared> shared_;
   std::array<HostNs, kCount> quiet_until_ns_{};
   StartRefusal drive_refusal_ = StartRefusal::kNoSession;
   RunState run_state_ = RunState::kIdle;

@@ -63,7 +63,7 @@ Json recording_figures(const messages::RecordingFigures& recording, double cpu_s
 }
 
 Json world_figures(const WorldFigures& world) {
-  Json json = {{"kind", world.name}};
+  Json json = {{"kind", world.udp ? "udp" : "files"}};
   if (world.udp) {
     const worlds::PeerCounters& udp = *world.udp;
     json["udp"] = {{"hellos", udp.hellos},
@@ -144,9 +144,6 @@ std::string stats_json(const DaemonFigures& figures) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-StatsFile::StatsFile(std::string path, record::Worker& disk)
-    : path_(std::move(path)), disk_(disk) {}
-
 void StatsFile::write(const DaemonFigures& figures) {
   if (path_.empty()) return;
   std::string text = stats_json(figures);
@@ -165,10 +162,10 @@ void StatsFile::write(const DaemonFigures& figures) {
     }
   };
   // A disk that fills up during a run does not end the run.
-  const auto failed = [state = state_](const std::string& why) {
+  const auto failed = [state = state_, &events = events_](const std::string& why) {
     const std::lock_guard lock_inside(state->mutex);
     state->writing = false;
-    if (!std::exchange(state->failed, true)) state->note.set(why);
+    if (!std::exchange(state->failed, true)) events.note(why);
   };
   state_->writing = disk_.post(write_newest, failed);
 }

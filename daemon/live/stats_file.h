@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "live/event_log.h"
 #include "live/live_cycle.h"
-#include "live/live_world.h"
 #include "live/udp_ports.h"
+#include "live/world_link.h"
+#include "messages/event_queue.h"
 #include "messages/figures.h"
 #include "record/worker.h"
 
@@ -43,13 +43,13 @@ std::string stats_json(const DaemonFigures& figures);
 /// The file of --stats, rewritten periodically. One thread.
 class StatsFile {
  public:
-  /// An empty `path` means no file. `disk` writes it and must outlive this.
-  StatsFile(std::string path, record::Worker& disk);
+  /// An empty `path` means no file. `disk` writes it and must outlive this, and `events` the disk;
+  /// they hear of the first failure.
+  StatsFile(std::string path, record::Worker& disk, messages::EventQueue& events)
+      : path_(std::move(path)), disk_(disk), events_(events) {}
   /// Writes `figures`. The first time, before anything moves, it waits for the disk and throws
   /// SetupError on failure. Later it never waits, and newer figures replace those not written yet.
   void write(const DaemonFigures& figures);
-  /// Why the file is no longer written, in one line, once after the first failure; or nothing.
-  std::string take_note() { return state_->note.take(); }
 
  private:
   struct State {
@@ -57,11 +57,11 @@ class StatsFile {
     std::optional<std::string> text;  ///< waiting for the disk
     bool writing = false;
     bool failed = false;
-    Note note;
   };
 
   const std::string path_;
   record::Worker& disk_;
+  messages::EventQueue& events_;
   bool begun_ = false;
   std::shared_ptr<State> state_ = std::make_shared<State>();  // shared with the disk's thread
 };

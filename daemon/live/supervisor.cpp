@@ -4,22 +4,23 @@
 #include <cstdlib>
 // Asio 1.74 uses std::exchange without including it.
 #include <boost/asio/io_context.hpp>
+#include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <chrono>
+#include <csignal>
 #include <utility>
 
 #include "core/board.h"
 #include "core/clock.h"
-#include "live/end_signals.h"
 #include "live/event_log.h"
 #include "live/first_session.h"
 #include "live/link_monitor.h"
 #include "live/live_events.h"
-#include "live/live_world.h"
 #include "live/service_notice.h"
 #include "live/stats_file.h"
 #include "live/terminal.h"
 #include "live/udp_ports.h"
+#include "live/world_link.h"
 
 namespace tp100::live {
 namespace {
@@ -41,12 +42,13 @@ struct Supervisor::State {
         connector(s.connector, l,
                   [this](const std::string& line) {
                     log.info(line);
-                    settings.controls->note_port(line);
+                    settings.controls.note_port(line);
                   }),
-        first_session(connector, s.connector, s.robot),
-        run_recordings(*s.recording, s.stay && s.recording->figures().available),
-        stats(s.stats_path, *s.disk),
-        timer(context) {}
+        first_session(connector, s.connector, s.setup_changer.run()->setup.robot.name),
+        run_recordings(s.recording, s.events, s.stay && s.recording.figures().available),
+        stats(s.stats_path, s.disk, s.events),
+        timer(context),
+        sinks(s.sinks) {}
 
   int run();
   void tick();
@@ -65,7 +67,8 @@ struct Supervisor::State {
   void serve(const SessionReport& report);
   void end(int exit_status, const std::string& result);
   void take_figures();
-  void take_notes();
+  void await_signals();
+  void name(const config::RunSetup& run);
   void finish_files();
 
   SupervisorSettings settings;
@@ -80,12 +83,12 @@ struct Supervisor::State {
   RunRecordings run_recordings;
   StatsFile stats;
   asio::steady_timer timer;
-  std::unique_ptr<EndSignals> signals;
+  asio::signal_set signals{context};
   std::unique_ptr<Terminal> terminal;
   std::vector<messages::Sink*> sinks;
   LinkMonitor link_monitor;
   std::unique_ptr<CameraPort> camera;
-  std::unique_ptr<LiveWorld> world;
+  std::unique_ptr<WorldLink> world;  // null: internal
   std::vector<loop::Privilege> privileges;
   DaemonFigures figures;
   RunState run_state = RunState::kIdle;
@@ -101,38 +104,31 @@ Supervisor::Supervisor(const SupervisorSettings& settings, LiveCycle& cycle,
                        loop::FixedRateLoop& loop)
     : state_(std::make_unique<State>(settings, cycle, loop)) {}
 Supervisor::~Supervisor() = default;
-void Supervisor::add_sink(messages::Sink& sink) { state_->sinks.push_back(&sink); }
 int Supervisor::run() { return state_->run(); }
 
 int Supervisor::State::run() {
   figures.result = "running";
-  figures.course = settings.course;
-  figures.robot = settings.robot;
-  figures.setup = settings.setup;
-  privileges = settings.process->privileges();
+  name(settings.setup_changer.run()->setup);
+  privileges = settings.process.privileges();
   began_ns = monotonic_now();
   sinks.insert(sinks.end(),
-               {&link_monitor, settings.recording, settings.black_box, settings.server});
-  if (settings.ros2 != nullptr) sinks.push_back(settings.ros2);
-  figures.page = settings.server->url();
-  signals = std::make_unique<EndSignals>(context, [this](const char* signal) {
-    log.info(signal);
-    end(settings.stay && !under_way(run_state) ? stay_status : 1, "interrupted");
-  });
+               {&link_monitor, &settings.recording, &settings.black_box, &settings.server});
+  figures.page = settings.server.url();
+  await_signals();
   if (!settings.camera.listen.empty())
     camera = std::make_unique<CameraPort>(
         context, settings.camera, [this](const CameraSample& seen) { return cycle.camera(seen); },
-        [this](HostNs at, std::string jpeg) { settings.server->take_image(at, std::move(jpeg)); });
-  world = std::make_unique<LiveWorld>(context, settings.world, [this](const WorldSample& received) {
-    return cycle.world(received);
-  });
-  sinks.push_back(world.get());
+        [this](HostNs at, std::string jpeg) { settings.server.take_image(at, std::move(jpeg)); });
+  world = open_world(
+      context, settings.world,
+      [this](const WorldSample& received) { return cycle.world(received); }, settings.events);
+  if (world != nullptr) sinks.push_back(world.get());
   loop.start();
   privileges.insert(privileges.end(), loop.privileges().begin(), loop.privileges().end());
   const auto say = [this](const std::string& line, bool warning) { log.say(line, warning); };
-  const auto pressed = [this] { settings.server->stop_pressed("keyboard"); };
+  const auto pressed = [this] { settings.server.stop_pressed("keyboard"); };
   terminal = std::make_unique<Terminal>(
-      &context, Terminal::Reach{*settings.controls, say, pressed, settings.course});
+      &context, Terminal::Reach{settings.controls, say, pressed, figures.course});
   try {
     tick();
     log.privileges(privileges);
@@ -152,18 +148,42 @@ int Supervisor::State::run() {
   return status;
 }
 
+void Supervisor::State::await_signals() {
+  // A log reader that goes away must not end a run without a disarm.
+  std::signal(SIGPIPE, SIG_IGN);
+  // Reaching the file size limit is an error like any other.
+  std::signal(SIGXFSZ, SIG_IGN);
+  signals.add(SIGINT);
+  signals.add(SIGTERM);
+  // The terminal was closed; under nohup the signal is already ignored.
+  struct sigaction hang_up {};
+  if (::sigaction(SIGHUP, nullptr, &hang_up) == 0 && hang_up.sa_handler == SIG_DFL)
+    signals.add(SIGHUP);
+  signals.async_wait([this](const boost::system::error_code& error, int signal) {
+    if (error) return;
+    log.info(signal == SIGINT ? "SIGINT" : signal == SIGHUP ? "SIGHUP" : "SIGTERM");
+    end(settings.stay && !under_way(run_state) ? stay_status : 1, "interrupted");
+  });
+}
+
+void Supervisor::State::name(const config::RunSetup& run) {
+  figures.course = run.course == nullptr ? "" : run.course->name;
+  figures.robot = run.robot.name;
+  figures.setup = bridge::to_string(run.parameters.setup);
+}
+
 // The robot is disarmed: now waiting for disks is allowed, for a limited time.
 void Supervisor::State::finish_files() {
   LastWait wait(notice, loop.statistics().cycles.load());
   // The recording must include the last messages.
-  settings.server->flush();
-  settings.black_box->finish();
-  const bool recorded = wait([&](auto by) { return settings.recording->finish(by); });
+  settings.server.flush();
+  settings.black_box.finish();
+  const bool recorded = wait([&](auto by) { return settings.recording.finish(by); });
   figures.duration_s = to_s(monotonic_now() - began_ns);
   take_figures();
-  const bool written = wait([&](auto by) { return settings.disk->idle_by(by); });
-  const bool answered = wait([&](auto by) { return world->ended_by(by); });
-  take_notes();
+  const bool written = wait([&](auto by) { return settings.disk.idle_by(by); });
+  const bool answered = wait([&](auto by) { return world == nullptr || world->ended_by(by); });
+  drain_events();
   std::string lost;
   if (!recorded)
     lost += figures.recording.active ? ", the end of " + figures.recording.file : ", a black box";
@@ -175,36 +195,36 @@ void Supervisor::State::finish_files() {
              "; check the disks; tp100d recover repairs recordings");
   }
   log.summary(summary_text(figures));
-  const bool examined = wait([&](auto by) { return settings.controls->examined_by(by); });
+  const bool examined = wait([&](auto by) { return settings.controls.examined_by(by); });
   const bool all = recorded && written && answered && examined;
   const bool read = log.flush();
-  if (all && read && !settings.server->waits_for_disk()) return;
+  if (all && read && !settings.server.waits_for_disk()) return;
   // The threads that wait for the disk, or for a reader of the log, cannot be joined.
   std::_Exit(status);
 }
 
 void Supervisor::State::begin_serving() {
-  settings.controls->set_privileges(privileges);
-  settings.server->start();
-  if (!settings.server->note().empty()) log.warn(settings.server->note());
+  settings.controls.set_privileges(privileges);
+  settings.server.start();
+  if (!settings.server.note().empty()) log.warn(settings.server.note());
   if (!figures.page.empty()) log.info("page: " + figures.page);
   if (const std::string why = notice.ready(); !why.empty()) log.warn(why);
   notify_manager();
 }
 
 void Supervisor::State::notify_manager() {
-  notice.status(state_line(session, run_state, settings.course, figures.page));
+  notice.status(state_line(session, run_state, figures.course, figures.page));
 }
 
 void Supervisor::State::serve(const SessionReport& report) {
-  if (acknowledges_stop(report.event)) settings.server->stop_answered(report.event.at_ns);
+  if (acknowledges_stop(report.event)) settings.server.stop_answered(report.event.at_ns);
   const bool identified = report.hello.boot_nonce != 0;
   const bool emulator = identified && is_emulator(connector.pseudo_terminal(), report.hello.board);
-  settings.controls->set_session(report, connector.path(), connector.pseudo_terminal());
-  settings.controls->set_start({.emulator = emulator,
-                                .go = settings.go,
-                                .service = !service.socket.empty(),
-                                .ran_before = settings.ran_before});
+  settings.controls.set_session(report, connector.path(), connector.pseudo_terminal());
+  settings.controls.set_start({.emulator = emulator,
+                               .go = settings.go,
+                               .service = !service.socket.empty(),
+                               .ran_before = settings.ran_before});
 }
 
 void Supervisor::State::schedule_tick() {
@@ -218,7 +238,7 @@ void Supervisor::State::schedule_tick() {
 void Supervisor::State::tick() {
   const HostNs now = monotonic_now();
   take_records();
-  settings.setup_changer->tick();
+  settings.setup_changer.tick();
   take_events();
   drain_events();
   first_session.check(now);
@@ -226,22 +246,19 @@ void Supervisor::State::tick() {
   take_status(now);
   log.tick(now);
   notice.alive(loop.statistics().cycles.load(), now);
-  if (const std::string note = world->take_note(); !note.empty()) log.info(note);
-  take_notes();
   run_recordings.tick(now);
   if (settings.duration_s && to_s(now - began_ns) >= *settings.duration_s) end(1, "duration");
   if (ending && loop.ended()) {
     if (camera != nullptr) camera->stop();
-    world->stop();
-    signals->cancel();
+    if (world != nullptr) world->stop();
+    signals.cancel();
     return;
   }
   if (now >= next_stats_ns) {
     next_stats_ns = now + kStatsPeriodNs;
-    settings.process->keep();
+    settings.process.keep();
     figures.duration_s = to_s(now - began_ns);
     take_figures();
-    if (settings.verbose) log.times(settings.controls->loop());
   }
   schedule_tick();
 }
@@ -257,7 +274,7 @@ void Supervisor::State::take_events() {
     if (change != nullptr) run_recordings.on_run_state(change->to, change->at_ns);
     const std::vector<messages::Event> events = describe_event(event);
     log.event(event, events);
-    for (const messages::Event& one : events) settings.server->take(one);
+    for (const messages::Event& one : events) settings.server.take(one);
     if (report != nullptr) on_session(*report);
     if (change != nullptr) on_run_state(*change);
     if (std::holds_alternative<RequestDropped>(event)) terminal->ask(monotonic_now());
@@ -280,7 +297,7 @@ void Supervisor::State::take_status(HostNs now) {
 
 void Supervisor::State::take_records() {
   while (const StepRecord* record = cycle.front_record()) {
-    if (auto made = settings.setup_changer->take(*record)) change_setup(std::move(*made));
+    if (auto made = settings.setup_changer.take(*record)) change_setup(std::move(*made));
     for (messages::Sink* sink : sinks) sink->take(*record);
     cycle.release_record();
   }
@@ -291,26 +308,24 @@ void Supervisor::State::change_setup(SetupChanger::Made made) {
   const messages::Event event{.at_ns = monotonic_now(), .kind = "setup", .text = made.text};
   if (made.run != nullptr) {
     const config::RunSetup& run = made.run->setup;
-    figures.course = settings.course = run.course == nullptr ? "" : run.course->name;
-    figures.robot = settings.robot = run.robot.name;
-    figures.setup = settings.setup = bridge::to_string(run.parameters.setup);
-    const bool goes_on = settings.recording->number() != 0 && !settings.stay;
-    settings.black_box->finish();
-    settings.recording->change_setup(made.run, made.step);
-    settings.server->change_setup(made.run_context, std::move(made.for_viewers),
-                                  parameter_list(run.configuration, run.robot));
+    name(run);
+    const bool goes_on = settings.recording.number() != 0 && !settings.stay;
+    settings.black_box.finish();
+    settings.recording.change_setup(made.run, made.step);
+    settings.server.change_setup(made.run_context, std::move(made.for_viewers),
+                                 parameter_list(run.configuration, run.robot));
     for (messages::Sink* sink : sinks) sink->take_setup(made.run_context, event.at_ns);
     if (settings.ros2 != nullptr)
       settings.ros2->change_setup(made.run_context, std::move(made.for_nodes));
-    if (goes_on) settings.recording->start({}, [](const std::string&) {});
-    first_session.expect(settings.robot);
-    terminal->follow(settings.course);
+    if (goes_on) settings.recording.start({}, [](const std::string&) {});
+    first_session.expect(figures.robot);
+    terminal->follow(figures.course);
     terminal->ask(event.at_ns);
     notify_manager();
   }
   log.write({event});
-  settings.server->take(event);
-  settings.setup_changer->finish();
+  settings.server.take(event);
+  settings.setup_changer.finish();
 }
 
 void Supervisor::State::on_session_state(SessionState next) {
@@ -321,9 +336,9 @@ void Supervisor::State::on_session_state(SessionState next) {
   figures.port = connector.path();
   if (next != SessionState::kReady) return;
   connector.session_ready();
-  if (settings.course.empty() || ending) return;
-  if (settings.controls->start_consent() != StartConsent::kNone ||
-      !settings.controls->start_by_itself(connector.came_later(), began_ns, monotonic_now()))
+  if (figures.course.empty() || ending) return;
+  if (settings.controls.start_consent() != StartConsent::kNone ||
+      !settings.controls.start_by_itself(connector.came_later(), began_ns, monotonic_now()))
     terminal->ask(monotonic_now());
 }
 
@@ -363,7 +378,7 @@ void Supervisor::State::run_ended(int exit_status, const std::string& result) {
 void Supervisor::State::end(int exit_status, const std::string& result) {
   if (std::exchange(ending, true)) return;
   first_session.stop();
-  settings.controls->end();
+  settings.controls.end();
   terminal->stop();
   notice.stopping();
   status = exit_status;
@@ -374,28 +389,21 @@ void Supervisor::State::end(int exit_status, const std::string& result) {
 
 void Supervisor::State::take_figures() {
   if (camera != nullptr) figures.camera = camera->figures();
-  figures.world = world->figures();
-  const auto was = std::exchange(figures.recording, settings.recording->figures());
-  figures.recording_cpu_s = settings.recording->cpu_s();
+  if (world != nullptr) figures.world = world->figures();
+  const auto was = std::exchange(figures.recording, settings.recording.figures());
+  figures.recording_cpu_s = settings.recording.cpu_s();
   log.recording(was, figures.recording);
-  figures.loop = settings.controls->loop();
+  figures.loop = settings.controls.loop();
   stats.write(figures);
 }
 
 void Supervisor::State::drain_events() {
   if (camera != nullptr) link_monitor.take(camera->figures().detections);
-  std::vector<messages::Event> events = link_monitor.drain_events();
-  settings.recording->drain_events(events);
-  settings.controls->drain_events(events);
-  if (settings.ros2 != nullptr) settings.ros2->drain_events(events, *settings.server);
-  log.write(events);
-  for (const messages::Event& one : events) settings.server->take(one);
-}
-
-void Supervisor::State::take_notes() {
-  for (const std::string& note :
-       {settings.black_box->take_note(), run_recordings.take_note(), stats.take_note()})
-    if (!note.empty()) log.warn(note);
+  for (messages::Event& event : link_monitor.drain_events()) settings.events.post(std::move(event));
+  for (const auto& [event, log_only] : settings.events.drain()) {
+    log.write({event});
+    if (!log_only) settings.server.take(event);
+  }
 }
 
 }  // namespace tp100::live

@@ -20,35 +20,33 @@
 #include "live/setup_changer.h"
 #include "loop/fixed_rate_loop.h"
 #include "loop/real_time.h"
+#include "messages/event_queue.h"
 #include "messages/sink.h"
 #include "record/worker.h"
 #include "server/server.h"
 
 namespace tp100::live {
 
+/// All references must outlive the supervisor.
 struct SupervisorSettings {
   ConnectorSettings connector{};
   config::CameraSettings camera{};
   config::WorldRun world{};
   bool go = false;
   bool ran_before = false;  ///< as in StartFacts
-  std::optional<double> duration_s;
-  std::string stats_path;
-  std::string course;  ///< names for log and figures; empty: no course
-  std::string robot;
-  std::string setup;
-  bool verbose = false;  ///< log the loop's timing once a second
-  bool stay = false;     ///< stay on after the end of a run
-  // Never null; they must outlive the supervisor.
-  const loop::RealTimeProcess* process = nullptr;
-  LiveRecording* recording = nullptr;     ///< gets every step
-  BlackBox* black_box = nullptr;          ///< gets every step
-  record::Worker* disk = nullptr;         ///< writes --stats
-  server::Server* server = nullptr;       ///< started and fed here
-  LiveControls* controls = nullptr;       ///< of the server
-  SetupChanger* setup_changer = nullptr;  ///< of the controls
-
-  Ros2Node* ros2 = nullptr;  ///< null: none; must outlive the supervisor
+  bool stay = false;        ///< stay on after the end of a run
+  std::optional<double> duration_s{};
+  std::string stats_path{};
+  const loop::RealTimeProcess& process;
+  messages::EventQueue& events;          ///< logged and published here
+  LiveRecording& recording;              ///< gets every step
+  BlackBox& black_box;                   ///< gets every step
+  record::Worker& disk;                  ///< writes --stats
+  server::Server& server;                ///< started and fed here
+  LiveControls& controls;                ///< of the server
+  SetupChanger& setup_changer;           ///< of the controls
+  Ros2Node* ros2 = nullptr;              ///< null: none
+  std::vector<messages::Sink*> sinks{};  ///< get every step, before all others
 };
 
 class Supervisor {
@@ -56,9 +54,6 @@ class Supervisor {
   /// `cycle` and `loop` must outlive the supervisor.
   Supervisor(const SupervisorSettings& settings, LiveCycle& cycle, loop::FixedRateLoop& loop);
   ~Supervisor();
-
-  /// `sink` gets every step from now on, in the thread of run(), and must outlive it.
-  void add_sink(messages::Sink& sink);
 
   /// Runs until the course is completed, the run fails, the time is over or a signal arrives;
   /// disarms the robot first. Returns the exit status; throws SetupError for errors before the

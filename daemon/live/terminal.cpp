@@ -45,15 +45,17 @@ std::string trimmed(const std::string& text) {
 }  // namespace
 
 /// Lines typed on standard input.
-class Terminal::Input {
+class Terminal::Input : public std::enable_shared_from_this<Input> {
  public:
+  Input(boost::asio::io_context& context, std::function<void(const std::string& line)> line)
+      : input_(context), line_(std::move(line)) {}
+
   /// Calls `line` in the context's thread for each line on standard input, without surrounding
   /// white space. Lines that arrive together, typed ahead, come as one call. Does nothing unless
   /// standard input is our own terminal or a pipe (not a file, /dev/null or the terminal of a job
   /// that was started in the background). While a shell has this job in the background, nothing is
   /// read, and using the terminal does not stop the process.
-  Input(boost::asio::io_context& context, std::function<void(const std::string& line)> line);
-  ~Input();
+  void start();
   /// Discards what was typed before now, including an unfinished line. True if it contained a whole
   /// line.
   bool drop_typed_ahead();
@@ -61,98 +63,92 @@ class Terminal::Input {
   void stop();
 
  private:
-  struct State;
-  std::shared_ptr<State> state_;
+  void wait();
+  bool read();
+  void take();
+
+  boost::asio::posix::stream_descriptor input_;
+  const std::function<void(const std::string&)> line_;
+  std::string pending_;
+  int flags_ = -1;  // of standard input, before
 };
 
-struct Terminal::Input::State : std::enable_shared_from_this<State> {
-  State(boost::asio::io_context& context, std::function<void(const std::string&)> action)
-      : input(context), line(std::move(action)) {}
-
-  void wait() {
-    input.async_wait(boost::asio::posix::stream_descriptor::wait_read,
-                     [self = shared_from_this()](const boost::system::error_code& error) {
-                       if (!error && self->input.is_open()) self->take();
-                     });
-  }
-  /// Reads everything available and typed for this program. False: end of input.
-  bool read() {
-    std::array<char, 256> buffer;
-    pollfd ready{input.native_handle(), POLLIN, 0};
-    while (is_ours(ready.fd) && ::poll(&ready, 1, 0) > 0) {
-      const ssize_t n = ::read(ready.fd, buffer.data(), buffer.size());
-      // EIO: the shell has just sent this job to the background.
-      if (n <= 0) return n < 0 && (errno == EAGAIN || errno == EINTR || errno == EIO);
-      if (pending.size() > kMaxKept) pending = "...";
-      pending.append(buffer.data(), static_cast<std::size_t>(n));
-    }
-    return true;
-  }
-  void take() {
-    const bool more = read();
-    const std::size_t end = pending.rfind('\n');
-    if (end != std::string::npos) {
-      const std::string lines = pending.substr(0, end);
-      pending.erase(0, end + 1);
-      // Several lines are never an answer: trimmed, two Enters would look like one.
-      line(lines.find('\n') == std::string::npos ? trimmed(lines) : lines);
-    }
-    if (more && input.is_open()) wait();
-  }
-  bool drop() {
-    if (!input.is_open()) return false;
-    read();
-    const bool any = pending.find('\n') != std::string::npos;
-    pending.clear();
-    // An unfinished line, which the terminal still buffers.
-    const int terminal = input.native_handle();
-    if (::isatty(terminal) != 0 && is_ours(terminal)) ::tcflush(terminal, TCIFLUSH);
-    return any;
-  }
-
-  boost::asio::posix::stream_descriptor input;
-  std::function<void(const std::string&)> line;
-  std::string pending;
-  int flags = -1;  // of standard input, before
-};
-
-Terminal::Input::Input(boost::asio::io_context& context,
-                       std::function<void(const std::string&)> line)
-    : state_(std::make_shared<State>(context, std::move(line))) {
+void Terminal::Input::start() {
   // Otherwise a job in the background is stopped, and its page with it, when it uses its terminal.
   std::signal(SIGTTIN, SIG_IGN);
   std::signal(SIGTTOU, SIG_IGN);
   if (!worth_reading()) return;
-  state_->flags = ::fcntl(STDIN_FILENO, F_GETFL);
+  flags_ = ::fcntl(STDIN_FILENO, F_GETFL);
   const int copy = ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3);
   boost::system::error_code error;
-  state_->input.assign(copy, error);
+  input_.assign(copy, error);
   if (error) {
     ::close(copy);
   } else {
-    state_->wait();
+    wait();
   }
 }
 
-Terminal::Input::~Input() { stop(); }
+void Terminal::Input::wait() {
+  input_.async_wait(boost::asio::posix::stream_descriptor::wait_read,
+                    [self = shared_from_this()](const boost::system::error_code& error) {
+                      if (!error && self->input_.is_open()) self->take();
+                    });
+}
 
-bool Terminal::Input::drop_typed_ahead() { return state_->drop(); }
+/// Reads everything available and typed for this program. False: end of input.
+bool Terminal::Input::read() {
+  std::array<char, 256> buffer;
+  pollfd ready{input_.native_handle(), POLLIN, 0};
+  while (is_ours(ready.fd) && ::poll(&ready, 1, 0) > 0) {
+    const ssize_t n = ::read(ready.fd, buffer.data(), buffer.size());
+    // EIO: the shell has just sent this job to the background.
+    if (n <= 0) return n < 0 && (errno == EAGAIN || errno == EINTR || errno == EIO);
+    if (pending_.size() > kMaxKept) pending_ = "...";
+    pending_.append(buffer.data(), static_cast<std::size_t>(n));
+  }
+  return true;
+}
+
+void Terminal::Input::take() {
+  const bool more = read();
+  const std::size_t end = pending_.rfind('\n');
+  if (end != std::string::npos) {
+    const std::string lines = pending_.substr(0, end);
+    pending_.erase(0, end + 1);
+    // Several lines are never an answer: trimmed, two Enters would look like one.
+    line_(lines.find('\n') == std::string::npos ? trimmed(lines) : lines);
+  }
+  if (more && input_.is_open()) wait();
+}
+
+bool Terminal::Input::drop_typed_ahead() {
+  if (!input_.is_open()) return false;
+  read();
+  const bool any = pending_.find('\n') != std::string::npos;
+  pending_.clear();
+  // An unfinished line, which the terminal still buffers.
+  const int terminal = input_.native_handle();
+  if (::isatty(terminal) != 0 && is_ours(terminal)) ::tcflush(terminal, TCIFLUSH);
+  return any;
+}
 
 void Terminal::Input::stop() {
-  if (!state_->input.is_open()) return;
+  if (!input_.is_open()) return;
   boost::system::error_code ignored;
-  state_->input.close(ignored);
+  input_.close(ignored);
   // Asio made the copy non-blocking, and with it the original, which other processes read.
-  if (state_->flags >= 0) ::fcntl(STDIN_FILENO, F_SETFL, state_->flags);
+  if (flags_ >= 0) ::fcntl(STDIN_FILENO, F_SETFL, flags_);
 }
 
 Terminal::Terminal(boost::asio::io_context* context, Reach reach) : reach_(std::move(reach)) {
   if (context == nullptr) return;
-  input_ = std::make_unique<Input>(
+  input_ = std::make_shared<Input>(
       *context, [this](const std::string& line) { take(line, monotonic_now()); });
+  input_->start();
 }
 
-Terminal::~Terminal() = default;
+Terminal::~Terminal() { stop(); }
 void Terminal::stop() {
   if (input_) input_->stop();
 }

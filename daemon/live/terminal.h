@@ -56,7 +56,7 @@ class Terminal {
   RunState run_ = RunState::kIdle;
   std::uint64_t stops_seen_ = 0;  // as of the last question, or pressed here
   HostNs seen_ns_ = 0;            // time of the last question, or of that press
-  std::unique_ptr<Input> input_;
+  std::shared_ptr<Input> input_;
 };
 
 }  // namespace tp100::live

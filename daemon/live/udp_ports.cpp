@@ -12,6 +12,7 @@
 #include "core/clock.h"
 #include "core/error.h"
 #include "link/udp.h"
+#include "live/world_files.h"
 
 namespace tp100::live {
 namespace {
@@ -29,14 +30,51 @@ udp::endpoint endpoint_of(const link::UdpAddress& address) {
   return {boost::asio::ip::address_v4(ntohl(resolved.sin_addr.s_addr)), address.port};
 }
 
-/// Opens `socket`, non-blocking, to receive datagrams at `local`.
-boost::system::error_code listen_at(udp::socket& socket, const udp::endpoint& local) {
-  boost::system::error_code error;
-  socket.open(udp::v4(), error);
-  if (!error) socket.bind(local, error);
-  if (!error) socket.non_blocking(true, error);
-  return error;
-}
+/// Receives datagrams of at most `kLongest` bytes, in the context's thread.
+template <class Of, std::size_t kLongest>
+class Receiver : public std::enable_shared_from_this<Of> {
+ public:
+  explicit Receiver(boost::asio::io_context& context) : socket_(context) {}
+
+  boost::system::error_code listen_at(const udp::endpoint& local) {
+    boost::system::error_code error;
+    socket_.open(udp::v4(), error);
+    if (!error) socket_.bind(local, error);
+    if (!error) socket_.non_blocking(true, error);
+    return error;
+  }
+  /// Passes each datagram to Of::receive() until it is stopped.
+  void wait() {
+    socket_.async_wait(udp::socket::wait_read,
+                       [self = this->shared_from_this()](const boost::system::error_code& error) {
+                         if (!error && self->socket_.is_open()) self->take();
+                       });
+  }
+  void send(const std::string& datagram, const udp::endpoint& to) {
+    boost::system::error_code ignored;
+    socket_.send_to(boost::asio::buffer(datagram), to, 0, ignored);
+  }
+  void stop() {
+    boost::system::error_code ignored;
+    socket_.close(ignored);
+  }
+
+ private:
+  void take() {
+    for (int i = 0; i < kMaxAtOnce; ++i) {
+      boost::system::error_code error;
+      udp::endpoint sender;
+      const std::size_t n = socket_.receive_from(boost::asio::buffer(buffer_), sender, 0, error);
+      if (error) break;
+      static_cast<Of*>(this)->receive({buffer_.data(), n}, sender, monotonic_now());
+    }
+    wait();
+  }
+
+  udp::socket socket_;
+  // One byte more than the longest valid datagram, so that a longer one is recognized.
+  std::array<char, kLongest + 1> buffer_{};
+};
 
 /// Local address: as configured, else any port of the interface that reaches the world.
 udp::endpoint local_endpoint(const std::string& listen, const udp::endpoint& peer) {
@@ -47,10 +85,10 @@ udp::endpoint local_endpoint(const std::string& listen, const udp::endpoint& pee
 
 }  // namespace
 
-struct CameraPort::State : std::enable_shared_from_this<State> {
+struct CameraPort::State : Receiver<CameraPort::State, link::kMaxImageDatagram> {
   State(boost::asio::io_context& context, const config::CameraSettings& settings, Give action,
         Show image)
-      : socket(context),
+      : Receiver(context),
         detections(link::monotonic_clock_name(), from_s(settings.max_age_ms * 1e-3)),
         images(link::monotonic_clock_name(), kMaxImageAgeNs),
         give(std::move(action)),
@@ -59,27 +97,12 @@ struct CameraPort::State : std::enable_shared_from_this<State> {
   }
 
   void open(const link::UdpAddress& address) {
-    if (const auto error = listen_at(socket, endpoint_of(address))) {
+    if (const auto error = listen_at(endpoint_of(address))) {
       throw SetupError("camera: cannot listen at udp:" + link::to_string(address) + " (" +
                        error.message() + "); choose another port or an address of this machine");
     }
   }
-  void wait() {
-    socket.async_wait(udp::socket::wait_read,
-                      [self = shared_from_this()](const boost::system::error_code& error) {
-                        if (!error && self->socket.is_open()) self->take();
-                      });
-  }
-  void take() {
-    boost::system::error_code error;
-    for (int i = 0; i < kMaxAtOnce && !error; ++i) {
-      const std::size_t n = socket.receive(boost::asio::buffer(buffer), 0, error);
-      if (error) break;
-      receive({buffer.data(), n}, monotonic_now());
-    }
-    wait();
-  }
-  void receive(std::string_view datagram, HostNs now) {
+  void receive(std::string_view datagram, const udp::endpoint& /*sender*/, HostNs now) {
     if (!link::is_image(datagram)) {
       const auto sample = detections.receive(datagram, now);
       if (sample && !give(*sample)) detections.count_dropped();
@@ -89,13 +112,10 @@ struct CameraPort::State : std::enable_shared_from_this<State> {
     }
   }
 
-  udp::socket socket;
   link::CameraIntake detections, images;
   Give give;
   Show show;
   HostNs image_interval_ns = 0;  // 0: images are not wanted
-  // One byte more than the longest valid datagram, so that a longer one is recognized.
-  std::array<char, link::kMaxImageDatagram + 1> buffer{};
 };
 
 CameraPort::CameraPort(boost::asio::io_context& context, const config::CameraSettings& settings,
@@ -106,71 +126,50 @@ CameraPort::CameraPort(boost::asio::io_context& context, const config::CameraSet
 }
 
 CameraPort::~CameraPort() { stop(); }
-
-void CameraPort::stop() {
-  boost::system::error_code ignored;
-  state_->socket.close(ignored);
-}
+void CameraPort::stop() { state_->stop(); }
 
 CameraFigures CameraPort::figures() const {
   return {.detections = state_->detections.counters(), .images = state_->images.counters()};
 }
 
-struct WorldPort::State : std::enable_shared_from_this<State> {
-  State(boost::asio::io_context& context, const config::WorldRun& run, config::GiveWorld action)
-      : socket(context),
+struct WorldPort::State : Receiver<WorldPort::State, worlds::kMaxWorldDatagram> {
+  State(boost::asio::io_context& context, const config::WorldRun& run, config::GiveWorld action,
+        messages::EventQueue& queue)
+      : Receiver(context),
         peer(config::peer_settings(run, std::random_device{}(), false)),
-        give(std::move(action)) {}
+        give(std::move(action)),
+        events(queue) {}
 
   void open(const config::WorldSettings& settings) {
     const link::UdpAddress address = link::parse_udp(settings.address, "world.address");
     world = endpoint_of(address);
     const udp::endpoint local = local_endpoint(settings.listen, world);
-    if (const auto error = listen_at(socket, local)) {
+    if (const auto error = listen_at(local)) {
       throw SetupError("world: cannot listen at udp:" + local.address().to_string() + ":" +
                        std::to_string(local.port()) + " (" + error.message() +
                        "); choose another world.listen");
     }
   }
-  void send(const std::string& datagram, const udp::endpoint& to) {
-    boost::system::error_code ignored;
-    socket.send_to(boost::asio::buffer(datagram), to, 0, ignored);
-  }
-  void wait() {
-    socket.async_wait(udp::socket::wait_read,
-                      [self = shared_from_this()](const boost::system::error_code& error) {
-                        if (!error && self->socket.is_open()) self->take();
-                      });
-  }
-  void take() {
-    for (int i = 0; i < kMaxAtOnce; ++i) {
-      boost::system::error_code error;
-      udp::endpoint sender;
-      const std::size_t n = socket.receive_from(boost::asio::buffer(buffer), sender, 0, error);
-      if (error) break;
-      if (sender.address() != world.address()) {
-        ++strangers;
-        continue;
-      }
-      const auto sample = peer.receive({buffer.data(), n}, sender.port(), monotonic_now());
-      if (sample && !give(*sample)) peer.count_dropped();
-      if (const auto reply = peer.take_reply()) send(*reply, sender);
+  void receive(std::string_view datagram, const udp::endpoint& sender, HostNs now) {
+    if (sender.address() != world.address()) {
+      ++strangers;
+      return;
     }
-    wait();
+    const auto sample = peer.receive(datagram, sender.port(), now);
+    if (sample && !give(*sample)) peer.count_dropped();
+    if (const auto reply = peer.take_reply()) send(*reply, sender);
   }
 
-  udp::socket socket;
   udp::endpoint world;
   worlds::Peer peer;
   config::GiveWorld give;
+  messages::EventQueue& events;
   std::uint64_t strangers = 0;
-  // One byte more than the longest valid datagram, so that a longer one is recognized.
-  std::array<char, worlds::kMaxWorldDatagram + 1> buffer{};
 };
 
 WorldPort::WorldPort(boost::asio::io_context& context, const config::WorldRun& run,
-                     config::GiveWorld give)
-    : state_(std::make_shared<State>(context, run, std::move(give))) {
+                     config::GiveWorld give, messages::EventQueue& events)
+    : state_(std::make_shared<State>(context, run, std::move(give), events)) {
   state_->open(run.settings);
   state_->wait();
 }
@@ -180,15 +179,27 @@ WorldPort::~WorldPort() { stop(); }
 void WorldPort::take(const StepRecord& record) {
   if (const auto datagram = state_->peer.step(record, monotonic_now()))
     state_->send(*datagram, state_->world);
+  if (std::string note = state_->peer.take_note(); !note.empty())
+    state_->events.note(std::move(note), messages::Event::Level::kInfo);
 }
 
-void WorldPort::stop() {
-  boost::system::error_code ignored;
-  state_->socket.close(ignored);
+void WorldPort::stop() { state_->stop(); }
+
+WorldFigures WorldPort::figures() const {
+  return {.udp = state_->peer.counters(), .strangers = state_->strangers};
 }
 
-std::string WorldPort::take_note() { return state_->peer.take_note(); }
-const worlds::PeerCounters& WorldPort::counters() const { return state_->peer.counters(); }
-std::uint64_t WorldPort::strangers() const { return state_->strangers; }
+std::unique_ptr<WorldLink> open_world(boost::asio::io_context& context, const config::WorldRun& run,
+                                      const config::GiveWorld& give, messages::EventQueue& events) {
+  switch (run.parameters.kind) {
+    case bridge::WorldKind::kUdp:
+      return std::make_unique<WorldPort>(context, run, give, events);
+    case bridge::WorldKind::kFiles:
+      return std::make_unique<WorldFiles>(run, give, events);
+    case bridge::WorldKind::kInternal:
+      break;
+  }
+  return nullptr;
+}
 
 }  // namespace tp100::live

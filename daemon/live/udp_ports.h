@@ -10,11 +10,7 @@
 #include "config/world_settings.h"
 #include "core/sample.h"
 #include "link/camera_intake.h"
-#include "messages/sink.h"
-
-namespace boost::asio {
-class io_context;
-}
+#include "live/world_link.h"
 
 namespace tp100::live {
 
@@ -43,21 +39,18 @@ class CameraPort {
   std::shared_ptr<State> state_;
 };
 
-class WorldPort : public messages::Sink {
+class WorldPort : public WorldLink {
  public:
-  /// Sends hello at the first step. Throws SetupError: a bad address, an unknown host, or a port
-  /// that is in use.
-  WorldPort(boost::asio::io_context& context, const config::WorldRun& run, config::GiveWorld give);
+  /// Sends hello at the first step; `events` must outlive it. Throws SetupError: a bad address, an
+  /// unknown host, or a port that is in use.
+  WorldPort(boost::asio::io_context& context, const config::WorldRun& run, config::GiveWorld give,
+            messages::EventQueue& events);
   ~WorldPort() override;
 
   void take(const StepRecord& record) override;
-  /// Stops listening.
-  void stop();
-  /// A line to log since the last call, or empty.
-  std::string take_note();
-  const worlds::PeerCounters& counters() const;
-  /// Datagrams from other machines than the world's.
-  std::uint64_t strangers() const;
+  void stop() override;
+  bool ended_by(std::chrono::steady_clock::time_point) override { return true; }
+  WorldFigures figures() const override;
 
  private:
   struct State;

@@ -14,7 +14,6 @@
 
 #include "core/clock.h"
 #include "core/error.h"
-#include "live/event_log.h"
 #include "text/atomic_file.h"
 #include "worlds/text_files.h"
 
@@ -25,6 +24,8 @@ using namespace std::chrono_literals;
 
 // Polling period of the file: a game engine's tick is 8 ms or more.
 constexpr auto kLook = 4ms;
+
+constexpr auto kInfo = messages::Event::Level::kInfo;
 
 /// Replaces `path`: a reader sees either the old text or the new one. Why it failed, or nothing.
 std::string replace_file(const std::string& path, std::string_view text) {
@@ -89,8 +90,11 @@ class Watched {
 }  // namespace
 
 struct WorldFiles::State {
-  State(const config::WorldRun& r, config::GiveWorld action)
-      : run(r), give(std::move(action)), orientation(run.settings.orientation_file) {}
+  State(const config::WorldRun& r, config::GiveWorld action, messages::EventQueue& queue)
+      : run(r),
+        give(std::move(action)),
+        events(queue),
+        orientation(run.settings.orientation_file) {}
 
   void live() {
     std::unique_lock lock(mutex);
@@ -111,10 +115,11 @@ struct WorldFiles::State {
       if (next) ++(error.empty() ? counters.written : counters.write_errors);
       if (seen) ++(orientation_seen ? counters.read : counters.rejected);
       if (orientation_seen && !given) ++counters.dropped;
-      if (!error.empty() && !std::exchange(reported_write, true)) note.set(error);
+      if (!error.empty() && !std::exchange(reported_write, true)) events.note(error, kInfo);
       if (seen && !orientation_seen && !std::exchange(reported_read, true))
-        note.set(run.settings.orientation_file +
-                 ": cannot be parsed; see world.orientation_template");
+        events.note(
+            run.settings.orientation_file + ": cannot be parsed; see world.orientation_template",
+            kInfo);
     }
     ended = true;
     wake.notify_all();
@@ -137,6 +142,7 @@ struct WorldFiles::State {
 
   const config::WorldRun run;
   const config::GiveWorld give;
+  messages::EventQueue& events;
   Watched orientation;  // used by the thread only
   HostNs next_ns = 0;   // used by take() only
 
@@ -144,14 +150,14 @@ struct WorldFiles::State {
   std::condition_variable wake;
   std::optional<std::string> text;
   WorldFileCounters counters;
-  Note note;
   bool reported_write = false, reported_read = false;
   bool ending = false, ended = false;
   std::thread thread;
 };
 
-WorldFiles::WorldFiles(const config::WorldRun& run, config::GiveWorld give)
-    : state_(std::make_unique<State>(run, std::move(give))) {
+WorldFiles::WorldFiles(const config::WorldRun& run, config::GiveWorld give,
+                       messages::EventQueue& events)
+    : state_(std::make_unique<State>(run, std::move(give), events)) {
   const config::WorldSettings& settings = run.settings;
   worlds::require_encoder_template(settings.encoder_template, "world.encoder_template");
   worlds::require_orientation_template(settings.orientation_template, "world.orientation_template");
@@ -190,11 +196,9 @@ void WorldFiles::take(const StepRecord& record) {
   state_->wake.notify_one();
 }
 
-std::string WorldFiles::take_note() { return state_->note.take(); }
-
-WorldFileCounters WorldFiles::counters() const {
+WorldFigures WorldFiles::figures() const {
   const std::lock_guard lock(state_->mutex);
-  return state_->counters;
+  return {.files = state_->counters};
 }
 
 }  // namespace tp100::live

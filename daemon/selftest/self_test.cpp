@@ -28,9 +28,10 @@ std::string absolute(const std::string& path) {
 
 }  // namespace
 
-SelfTest::SelfTest(config::Configuration configuration, const course::Robot& robot)
+SelfTest::SelfTest(config::Configuration configuration, const course::Robot& robot,
+                   messages::EventQueue& events)
     : configuration_(std::move(configuration)),
-      wheels_up_(configuration_, robot),
+      wheels_up_(configuration_, robot, events),
       battery_cutoff_v_(robot.drive.battery_cutoff_v) {}
 
 std::vector<server::ServiceRow> SelfTest::services() {

@@ -25,8 +25,9 @@ class SelfTest : public messages::Sink {
  public:
   using Answer = server::Answer;
 
-  /// Configuration and robot in force, with the command line's values.
-  SelfTest(config::Configuration configuration, const course::Robot& robot);
+  /// Configuration and robot in force, with the command line's values; `events` must outlive it.
+  SelfTest(config::Configuration configuration, const course::Robot& robot,
+           messages::EventQueue& events);
 
   /// doctor and wheels_up_watch.
   std::vector<server::ServiceRow> services();

@@ -25,8 +25,9 @@ std::string end_of(const doctor::Findings& findings) {
 
 }  // namespace
 
-WheelsUpCheck::WheelsUpCheck(config::Configuration configuration, const course::Robot& robot)
-    : configuration_(std::move(configuration)), robot_(robot) {}
+WheelsUpCheck::WheelsUpCheck(config::Configuration configuration, const course::Robot& robot,
+                             messages::EventQueue& events)
+    : configuration_(std::move(configuration)), events_(events), robot_(robot) {}
 
 void WheelsUpCheck::choose(const course::Robot& robot) {
   const std::lock_guard lock(mutex_);
@@ -110,11 +111,6 @@ void WheelsUpCheck::lose_viewer(const std::string& why) {
   stop();
 }
 
-std::string WheelsUpCheck::take_end() {
-  const std::lock_guard lock(mutex_);
-  return std::exchange(end_, {});
-}
-
 void WheelsUpCheck::say(const std::string& line) {
   const std::lock_guard lock(mutex_);
   step_ = line;
@@ -159,7 +155,10 @@ doctor::Findings WheelsUpCheck::examine(const course::Robot& robot, std::string&
 void WheelsUpCheck::finish(const doctor::Findings& findings, const std::string& port) {
   handover_.end();
   const std::lock_guard lock(mutex_);
-  end_ = lost_.empty() ? end_of(findings) : lost_;
+  events_.post(
+      {.at_ns = monotonic_now(),
+       .kind = "doctor",
+       .text = "the check of the tracks has ended: " + (lost_.empty() ? end_of(findings) : lost_)});
   step_ = "the check has ended, and the daemon has its port again";
   question_.reset();
   result_ = doctor::json(findings, port);

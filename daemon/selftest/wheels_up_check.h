@@ -10,6 +10,7 @@
 #include "config/configuration.h"
 #include "course/robot_file.h"
 #include "doctor/wheels_up.h"
+#include "messages/event_queue.h"
 #include "record/worker.h"
 #include "selftest/port_handover.h"
 #include "server/service.h"
@@ -22,7 +23,9 @@ inline constexpr const char* kTracksRun = "a check of the tracks is under way; w
 
 class WheelsUpCheck : public doctor::Operator {
  public:
-  WheelsUpCheck(config::Configuration configuration, const course::Robot& robot);
+  /// `events`, which must outlive it, hear how a check ended.
+  WheelsUpCheck(config::Configuration configuration, const course::Robot& robot,
+                messages::EventQueue& events);
   /// Stops the tracks first.
   ~WheelsUpCheck() override { stop(); }
 
@@ -43,8 +46,6 @@ class WheelsUpCheck : public doctor::Operator {
   /// Host time at which the robot acknowledged last that a check had switched its motors off; 0: no
   /// check has.
   HostNs motors_off_ns() const { return motors_off_ns_; }
-  /// How a check ended, in one line, once; or nothing.
-  std::string take_end();
 
   // The check's thread:
   void say(const std::string& line) override;
@@ -60,6 +61,7 @@ class WheelsUpCheck : public doctor::Operator {
   doctor::Findings examine(const course::Robot& robot, std::string& port);
 
   const config::Configuration configuration_;
+  messages::EventQueue& events_;
   PortHandover handover_;
   std::atomic<bool> stop_{false}, on_{false};
   std::atomic<HostNs> input_ns_{0};  // of the viewer's newest sign of life
@@ -72,7 +74,6 @@ class WheelsUpCheck : public doctor::Operator {
   unsigned question_number_ = 0;
   std::optional<std::string> answer_{};
   std::string result_;    // JSON; empty: not ended
-  std::string end_;       // for take_end()
   std::string lost_;      // why its viewer no longer watches
   record::Worker check_;  // declared last: its jobs use the others
 };

@@ -32,10 +32,10 @@ class DaemonRig {
         cycle_(bridge::session_settings(run_.parameters, run_.course.get()), run_.parameters,
                run_.course, false),
         loop_({}, cycle_),
-        recording_(files_, run_, {}),
+        recording_(files_, run_, {}, events_),
         setup_({files_, run_}, cycle_),
         runs_(std::move(runs)),
-        controls_(cycle_, loop_, recording_, setup_, runs_, self_test_),
+        controls_(cycle_, loop_, recording_, setup_, runs_, self_test_, events_),
         publisher_(broker_, messages::Messages(first_context(), {}), controls_),
         handler_(broker_, publisher_, controls_, {}, controls_.services(), "session"),
         terminal_(nullptr, {controls_, [this](const std::string& line, bool) { said(line); },
@@ -136,10 +136,8 @@ class DaemonRig {
   void writers_gone(ros2::Input input) { ros2_.take({.input = input, .gone = true}, now()); }
   /// Messages about ROS 2's requests since the last call.
   std::string take_messages() {
-    std::vector<messages::Event> words;
-    ros2_.drain_events(words);
     std::string text;
-    for (const messages::Event& word : words) text += word.text + "\n";
+    for (const auto& [event, log_only] : events_.drain()) text += event.text + "\n";
     return text;
   }
   /// The /state as a viewer sees it.
@@ -185,14 +183,15 @@ class DaemonRig {
 
   config::RunFiles files_;
   config::RunSetup run_;
+  messages::EventQueue events_;
   LiveCycle cycle_;
   loop::FixedRateLoop loop_;  // not started: the test is the loop
   LiveRecording recording_;
   SetupChanger setup_;
   runs::RunArchive runs_;
-  selftest::SelfTest self_test_{run_.configuration, run_.robot};
+  selftest::SelfTest self_test_{run_.configuration, run_.robot, events_};
   LiveControls controls_;
-  Ros2Requests ros2_{controls_};
+  Ros2Requests ros2_{controls_, events_, [] {}};
   server::Broker broker_{messages::channel_texts()};
   server::Publisher publisher_;
   server::RequestHandler handler_;

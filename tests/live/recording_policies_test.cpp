@@ -38,11 +38,11 @@ class BlackBoxTest : public testing::Test {
   }
 
   LiveRecording& recording() {
-    if (!recording_) recording_.emplace(files_, run_, messages::PublishClock{});
+    if (!recording_) recording_.emplace(files_, run_, messages::PublishClock{}, events_);
     return *recording_;
   }
   BlackBox& box() {
-    if (!box_) box_.emplace(run_.configuration.record, recording());
+    if (!box_) box_.emplace(run_.configuration.record, recording(), events_);
     return *box_;
   }
   void finish() {
@@ -87,7 +87,15 @@ class BlackBoxTest : public testing::Test {
     return found;
   }
 
+  /// Everything that was told since the last call.
+  std::string told() {
+    std::string text;
+    for (const auto& [event, log_only] : events_.drain()) text += event.text + "\n";
+    return text;
+  }
+
   test::TemporaryFolder folder_;
+  messages::EventQueue events_;
   config::RunFiles files_;
   config::RunSetup run_;
   std::unique_ptr<StepRecord> record_ = std::make_unique<StepRecord>();
@@ -109,8 +117,7 @@ TEST_F(BlackBoxTest, HoldsTheSecondsBeforeAFaultAndOneAfterItOnce) {
   EXPECT_NEAR(to_s(found.steps.back() - found.steps.front()), 3.0, 0.01);
   EXPECT_EQ(found.faults.front(), 0U);
   EXPECT_EQ(found.faults.back(), fault_bit(Fault::link_lost));
-  EXPECT_THAT(box().take_note(), HasSubstr("around link_lost are in"));
-  EXPECT_THAT(box().take_note(), IsEmpty());
+  EXPECT_THAT(told(), HasSubstr("around link_lost are in"));
 }
 
 TEST_F(BlackBoxTest, EveryNewFaultIsWrittenAndTheOldestMakeRoom) {
@@ -134,11 +141,7 @@ TEST_F(BlackBoxTest, ARecordingMakesRoomForItselfAndSaysSo) {
   recording().begin();
   EXPECT_FALSE(fs::exists(folder_.file("runs/old")));
   EXPECT_TRUE(fs::exists(folder_.file("runs/noted")));
-  std::vector<messages::Event> events;
-  recording().drain_events(events);
-  recording().drain_events(events);
-  ASSERT_THAT(events, SizeIs(1));
-  EXPECT_EQ(events[0].text, "deleted to stay within record.quota_mb: old");
+  EXPECT_EQ(told(), "deleted to stay within record.quota_mb: old\n");
   finish();
 }
 
@@ -204,7 +207,7 @@ TEST_F(BlackBoxTest, AFolderThatCannotBeMadeIsSaid) {
   run_.configuration.record.black_box_directory = folder_.file("file") + "/boxes";
   fail();
   finish();
-  EXPECT_THAT(box().take_note(), HasSubstr("black box of link_lost is not written"));
+  EXPECT_THAT(told(), HasSubstr("black box of link_lost is not written"));
 }
 
 TEST(BlackBoxDirectory, IsWhatWasSetElseWhereRecordingsAreElseTheUsers) {

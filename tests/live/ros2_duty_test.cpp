@@ -36,8 +36,9 @@ TEST(Ros2Duty, WithANodeOnTheNetworkATurnNeitherCallsTheSystemNorLocksNorAllocat
   const auto participant = ros2_participant(configuration);
   LiveRig rig;
   server::FakeControls controls;
+  messages::EventQueue events;
   Ros2Node node(*participant, {}, {.start_ns = rig.now, .start_unix_ns = kNsPerS}, rig.cycle,
-                controls, "");
+                Ros2Requests(controls, events, [] {}), "");
   EXPECT_TRUE(has_thread("ros2"));
   EXPECT_TRUE(has_thread("recv"));
   rig.watched = true;

@@ -28,11 +28,14 @@ class Files : public testing::Test {
     run_.settings.rate_hz = 1000.0;
   }
   void open() {
-    files_ = std::make_unique<WorldFiles>(run_, [this](const WorldSample& sample) {
-      const std::lock_guard lock(mutex_);
-      sample_ = sample;
-      return true;
-    });
+    files_ = std::make_unique<WorldFiles>(
+        run_,
+        [this](const WorldSample& sample) {
+          const std::lock_guard lock(mutex_);
+          sample_ = sample;
+          return true;
+        },
+        events_);
   }
   void step() {
     record_->now_ns += 5 * kNsPerMs;
@@ -48,6 +51,7 @@ class Files : public testing::Test {
   }
 
   test::TemporaryFolder folder_;
+  messages::EventQueue events_;
   config::WorldRun run_;
   std::unique_ptr<StepRecord> record_ = std::make_unique<StepRecord>();
   std::mutex mutex_;
@@ -89,22 +93,22 @@ TEST_F(Files, AChangedFileIsReadAndABadOneIsCountedAndChangesNothing) {
   world_writes("-0.25\n");
   EXPECT_TRUE(eventually([&] { return pitch() == -0.25; }));
   world_writes("rubbish\n");
-  EXPECT_TRUE(eventually([&] { return files_->counters().rejected >= 1; }));
+  EXPECT_TRUE(eventually([&] { return files_->figures().files.value().rejected >= 1; }));
   EXPECT_EQ(pitch(), -0.25);
-  EXPECT_NE(files_->take_note(), "");
+  EXPECT_FALSE(events_.drain().empty());
   // Without a line's end it may be half written, and is read twice.
   world_writes("-0.75");
   EXPECT_TRUE(eventually([&] { return pitch() == -0.75; }));
   world_writes("P=-0.5 Y=0 R=0\n");
   EXPECT_TRUE(eventually([&] { return pitch() == -0.5; }));
-  const std::uint64_t read = files_->counters().read;
+  const std::uint64_t read = files_->figures().files.value().read;
   // After each text that it writes, the daemon checks the other file.
   for (int i = 0; i < 3; ++i) {
-    const std::uint64_t written = files_->counters().written;
+    const std::uint64_t written = files_->figures().files.value().written;
     step();
-    ASSERT_TRUE(eventually([&] { return files_->counters().written > written; }));
+    ASSERT_TRUE(eventually([&] { return files_->figures().files.value().written > written; }));
   }
-  EXPECT_EQ(files_->counters().read, read) << "an unchanged file was read again";
+  EXPECT_EQ(files_->figures().files.value().read, read) << "an unchanged file was read again";
 }
 
 TEST_F(Files, BadSettingsAreErrorsAtTheStart) {

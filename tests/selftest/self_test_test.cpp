@@ -95,7 +95,8 @@ class SelfTestOfARobot : public ::testing::Test {
   std::uint16_t sent_ = 100;
   course::Robot robot_{};
   config::Configuration configuration_{};
-  SelfTest test_{configuration_, robot_};
+  messages::EventQueue events_;
+  SelfTest test_{configuration_, robot_, events_};
 };
 
 TEST_F(SelfTestOfARobot, FindsAGoodOneReady) {
@@ -188,7 +189,8 @@ TEST_F(SelfTestOfARobot, ExaminesTheMachineWithThePrivilegesOfTheRun) {
 TEST(SelfTest, FindsThePortThatIsConfiguredMissing) {
   config::Configuration configuration;
   configuration.link.port = kPort;
-  SelfTest test(configuration, {});
+  messages::EventQueue events;
+  SelfTest test(configuration, {}, events);
   const Json found = examined(test, DoctorPart::kPort);
   EXPECT_EQ(found.at("errors"), 1);
   EXPECT_THAT(std::string(found.at("findings").at(0).at("seen")), HasSubstr("no such port"));

@@ -69,7 +69,8 @@ class WheelsUpCheckTest : public ::testing::Test {
   }
 
   double input_ms_ = 0.0;
-  WheelsUpCheck check_{{}, {}};
+  messages::EventQueue events_;
+  WheelsUpCheck check_{{}, {}, events_};
 };
 
 TEST_F(WheelsUpCheckTest, EndsWithoutTheRobotIfThePortIsNotLent) {
@@ -111,9 +112,9 @@ TEST_F(WheelsUpCheckTest, EndsIfThePathToItsViewerIsSlow) {
   const std::string token = begin("viewer 3", now);
   EXPECT_THAT(watch(token, 7.0, now + 400 * kNsPerMs).why(), HasSubstr("less than 0.3 s"));
   EXPECT_THAT(watch(token, 8.0, now + 401 * kNsPerMs).why(), HasSubstr("no check has this token"));
-  std::string end;
-  while (end.empty()) end = check_.take_end();
-  EXPECT_THAT(end, HasSubstr("less than 0.3 s"));
+  std::vector<messages::EventQueue::Entry> told;
+  while (told.empty()) told = events_.drain();
+  EXPECT_THAT(told[0].event.text, HasSubstr("less than 0.3 s"));
   EXPECT_FALSE(check_.on());
 }
 
