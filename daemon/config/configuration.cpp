@@ -64,18 +64,12 @@ std::span<const Key<LinkSettings>> link_keys() {
 
 std::span<const Key<LoopConfiguration>> loop_keys() {
   using T = LoopConfiguration;
-  static const std::array<Key<T>, 8> kKeys = {{
+  static const std::array<Key<T>, 7> kKeys = {{
       {"rate_hz", &T::rate_hz, {50, 1000}, "Steps per second"},
       {"pacing",
        text::enum_choice<T, &T::pacing, kPacingNames>(),
        {},
        "What starts a step: the host's clock, or the robot's samples with the clock as deadline"},
-      {"overrun",
-       text::enum_choice<T, &T::overrun, kOverrunNames>(),
-       {},
-       "pacing host: what happens to steps that become due while another step takes too long. "
-       "skip: they are left out and the times of later steps do not change; shift: all later steps "
-       "are delayed"},
       {"spin_us",
        &T::spin_us,
        {0, 1000},
@@ -153,7 +147,7 @@ std::span<const Key<CameraSettings>> camera_stream_keys() {
 
 std::span<const Key<ServerConfiguration>> server_keys() {
   using T = ServerConfiguration;
-  static const std::array<Key<T>, 8> kKeys = {{
+  static const std::array<Key<T>, 7> kKeys = {{
       {"listen",
        &T::listen,
        {},

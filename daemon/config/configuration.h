@@ -44,21 +44,10 @@ inline constexpr std::array<EnumName<Pacing>, 2> kPacingNames = {{
     {Pacing::kRobot, "robot"},
 }};
 
-/// What happens to cycles that fall due during a long one: loop::OverrunPolicy.
-enum class Overrun {
-  kSkip,
-  kShift,
-};
-inline constexpr std::array<EnumName<Overrun>, 2> kOverrunNames = {{
-    {Overrun::kSkip, "skip"},
-    {Overrun::kShift, "shift"},
-}};
-
 /// The real-time loop.
 struct LoopConfiguration {
   double rate_hz = 200.0;
   Pacing pacing = Pacing::kHost;
-  Overrun overrun = Overrun::kSkip;
   int spin_us = 60;   ///< the last part of the wait is spun
   int priority = 80;  ///< SCHED_FIFO; 0: ordinary scheduling
   int cpu = -1;       ///< -1: any

@@ -57,7 +57,7 @@ void FixedRateLoop::join() {
 }
 
 void FixedRateLoop::run() {
-  Schedule schedule(settings_.period_ns, settings_.overrun, monotonic_now());
+  Schedule schedule(settings_.period_ns, monotonic_now());
   HostNs stopping_since = 0;
   for (;;) {
     adopt();

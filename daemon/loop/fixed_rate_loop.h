@@ -24,7 +24,6 @@ struct LoopSettings {
   /// A cycle begins with the robot's sample; the period is then the deadline's base.
   bool robot_paced = false;
   HostNs spin_ns = 60 * kNsPerUs;  ///< last part of the wait; not when waiting for a robot's sample
-  OverrunPolicy overrun = OverrunPolicy::kSkipMissed;  ///< not used if the robot paces the loop
   ThreadRequest thread{};
 };
 

@@ -19,11 +19,7 @@ std::uint64_t Schedule::advance(HostNs now) {
   deadline_ns_ += period_ns_;
   if (deadline_ns_ > now) return 0;
   const HostNs missed = (now - deadline_ns_) / period_ns_ + 1;
-  if (policy_ == OverrunPolicy::kSkipMissed) {
-    deadline_ns_ += missed * period_ns_;
-  } else {
-    deadline_ns_ = now + period_ns_;
-  }
+  deadline_ns_ += missed * period_ns_;
   return static_cast<std::uint64_t>(missed);
 }
 

@@ -39,7 +39,7 @@ TEST(Configuration, TheBundledFileIsWhatTheKeyTableSays) {
 TEST(Configuration, ValuesOfAFileAreThoseInForce) {
   const Configuration read = parse_configuration(
       "course = 'mine.toml'\nsetup = 'stand'\n[link]\nport = '/dev/ttyACM0'\nhang_up = true\n"
-      "[loop]\npacing = 'robot'\noverrun = 'shift'\ncpu = 1\n[estimation]\nsteering = 'model'\n"
+      "[loop]\npacing = 'robot'\ncpu = 1\n[estimation]\nsteering = 'model'\n"
       "[control]\nmax_tilt_deg = 33\ncommand_life_ms = 150\n",
       "f");
   EXPECT_EQ(read.course, "mine.toml");
@@ -47,7 +47,6 @@ TEST(Configuration, ValuesOfAFileAreThoseInForce) {
   EXPECT_EQ(read.link.port, "/dev/ttyACM0");
   EXPECT_TRUE(read.link.hang_up);
   EXPECT_EQ(read.loop.pacing, Pacing::kRobot);
-  EXPECT_EQ(read.loop.overrun, Overrun::kShift);
   EXPECT_EQ(read.loop.cpu, 1);
   EXPECT_EQ(read.parameters.steering, PoseSource::kModel);
   EXPECT_NEAR(read.parameters.control.max_tilt_rad, 33 * kRadPerDeg, 1e-12);
