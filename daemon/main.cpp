@@ -15,61 +15,48 @@ namespace {
 /// Action to run after parsing the command line. Returns the exit status.
 using Action = std::function<int()>;
 
+/// An option whose value --help calls `type`.
+template <class T>
+CLI::Option* option(CLI::App* command, const char* name, T& value, const char* type,
+                    const char* help) {
+  return command->add_option(name, value, help)->type_name(type);
+}
+
 void add_run(CLI::App& app, Action& action) {
   static RunOptions options;
   CLI::App* command = app.add_subcommand("run", "Drive a robot, or just watch its pose");
-  command->add_option("--config", options.config, "Configuration (default: as config/tp100.toml)")
-      ->type_name("FILE");
-  command
-      ->add_option("--port", options.port,
-                   "Serial port, or auto for a Mega by its USB ids (default: auto)")
-      ->type_name("DEVICE");
+  option(command, "--config", options.config, "FILE",
+         "Configuration (default: as config/tp100.toml)");
+  option(command, "--port", options.port, "DEVICE",
+         "Serial port, or auto for a Mega by its USB ids (default: auto)");
   command->add_flag("--wait", options.wait,
                     "Wait for port and robot instead of ending with status 2");
   command->add_flag("--go", options.go,
                     "Start the first run without Enter on a physical port, too, within 10 s and if "
                     "the robot is there at once, but not in a service; end after every fault. "
                     "Every later run takes the word go and Enter; Enter alone is STOP");
-  command
-      ->add_option("--course", options.course,
-                   "Name in config/courses or file (default: none, poses only)")
-      ->type_name("COURSE");
-  command
-      ->add_option("--robot", options.robot, "Name in config/robots or file (default: end-loaded)")
-      ->type_name("ROBOT");
-  command->add_option("--setup", options.setup, "stand, flat or terrain (default: flat)")
-      ->type_name("SETUP");
-  command
-      ->add_option("--camera", options.camera,
-                   "Listen for an overhead camera: udp:PORT or udp:ADDRESS:PORT (default: none)")
-      ->type_name("ADDRESS");
-  command
-      ->add_option("--world", options.world,
-                   "Terrain source of the virtual robot: internal, files, or an external world at "
-                   "udp:PORT or udp:ADDRESS:PORT (default: internal)")
-      ->type_name("WORLD");
-  command
-      ->add_option("--listen", options.listen,
-                   "Page and viewers: ADDRESS:PORT (port 0: any free one), auto or off (default: "
-                   "auto, 127.0.0.1:8765)")
-      ->type_name("ADDRESS");
+  option(command, "--course", options.course, "COURSE",
+         "Name in config/courses or file (default: none, poses only)");
+  option(command, "--robot", options.robot, "ROBOT",
+         "Name in config/robots or file (default: end-loaded)");
+  option(command, "--setup", options.setup, "SETUP", "stand, flat or terrain (default: flat)");
+  option(command, "--camera", options.camera, "ADDRESS",
+         "Listen for an overhead camera: udp:PORT or udp:ADDRESS:PORT (default: none)");
+  option(command, "--world", options.world, "WORLD",
+         "Terrain source of the virtual robot: internal, files, or an external world at "
+         "udp:PORT or udp:ADDRESS:PORT (default: internal)");
+  option(command, "--listen", options.listen, "ADDRESS",
+         "Page and viewers: ADDRESS:PORT (port 0: any free one), auto or off (default: "
+         "auto, 127.0.0.1:8765)");
   command->add_flag("--stay", options.stay,
                     "When a run is over, wait for the next start instead of ending");
-  command
-      ->add_option("--duration", options.duration_s,
-                   "End with status 1 after this time [s] (default: no limit)")
-      ->check(CLI::Range(0.001, 1e9))
-      ->type_name("SECONDS");
-  command
-      ->add_option("--record", options.record,
-                   "Folder for recordings; each run gets its own folder in it (default: none)")
-      ->type_name("FOLDER");
-  command->add_flag("--verbose", options.verbose,
-                    "Write the loop's times to the log once a second");
-  command
-      ->add_option("--stats", options.stats,
-                   "JSON file for the figures of the run, written once a second and at the end")
-      ->type_name("FILE");
+  option(command, "--duration", options.duration_s, "SECONDS",
+         "End with status 1 after this time [s] (default: no limit)")
+      ->check(CLI::Range(0.001, 1e9));
+  option(command, "--record", options.record, "FOLDER",
+         "Folder for recordings; each run gets its own folder in it (default: none)");
+  option(command, "--stats", options.stats, "FILE",
+         "JSON file for the figures of the run, written once a second and at the end");
   command->footer("Example: tp100d run --port auto --wait --course 1-curve");
   command->callback([&action] { action = [] { return run_run(options); }; });
 }
@@ -77,10 +64,8 @@ void add_run(CLI::App& app, Action& action) {
 void add_ports(CLI::App& app, Action& action) {
   static doctor::HelloOptions hello;
   CLI::App* command = app.add_subcommand("ports", "List serial ports, likely robots first");
-  command
-      ->add_option("--hello", hello.port,
-                   "Wait for the firmware on this port and print its version")
-      ->type_name("DEVICE");
+  option(command, "--hello", hello.port, "DEVICE",
+         "Wait for the firmware on this port and print its version");
   command->add_option("--timeout", hello.timeout_s, "How long to wait for it [s]")
       ->check(CLI::Range(0.1, 3600.0))
       ->capture_default_str();
@@ -94,25 +79,20 @@ void add_doctor(CLI::App& app, Action& action) {
   static DoctorOptions options;
   CLI::App* command = app.add_subcommand(
       "doctor", "Find what prevents the robot from driving, with a remedy for each problem");
-  command
-      ->add_option("--port", options.port,
-                   "Serial port, or auto for a Mega by its USB ids (default: auto)")
-      ->type_name("DEVICE");
+  option(command, "--port", options.port, "DEVICE",
+         "Serial port, or auto for a Mega by its USB ids (default: auto)");
   command->add_flag("--json", options.json, "One JSON object instead of a table");
   command->add_flag("--wheels-up", options.wheels_up,
                     "Then, on a stand and after Enter, drive each track and check that motors, "
                     "encoders and gyro have the right sign");
-  command
-      ->add_option("--link-test", options.link_test_s,
-                   "How long to test the link [s]; 0: no link test")
+  option(command, "--link-test", options.link_test_s, "SECONDS",
+         "How long to test the link [s]; 0: no link test")
       ->check(CLI::Range(0.0, 3600.0))
-      ->type_name("SECONDS")
       ->capture_default_str();
-  command->add_option("--config", options.config, "Configuration (default: as config/tp100.toml)")
-      ->type_name("FILE");
-  command
-      ->add_option("--robot", options.robot, "Name in config/robots or file (default: end-loaded)")
-      ->type_name("ROBOT");
+  option(command, "--config", options.config, "FILE",
+         "Configuration (default: as config/tp100.toml)");
+  option(command, "--robot", options.robot, "ROBOT",
+         "Name in config/robots or file (default: end-loaded)");
   command->footer("Example: tp100d doctor --wheels-up");
   command->callback([&action] { action = [] { return run_doctor(options); }; });
 }
@@ -120,32 +100,21 @@ void add_doctor(CLI::App& app, Action& action) {
 void add_check(CLI::App& app, Action& action) {
   static std::vector<std::string> files;
   CLI::App* command = app.add_subcommand("check", "Check configuration, course and robot files");
-  command->add_option("FILE", files, "Files of any of these kinds")->type_name("FILE")->required();
+  option(command, "FILE", files, "FILE", "Files of any of these kinds")->required();
   command->footer("Example: tp100d check config/tp100.toml config/courses/2.toml");
   command->callback([&action] { action = [] { return run_check(files); }; });
 }
 
 void add_replay(CLI::App& app, Action& action) {
   static ReplayOptions options;
-  CLI::App* command = app.add_subcommand("replay", "Turn a recording, or track speeds, into poses");
-  command
-      ->add_option("IN", options.in,
-                   "Recording or its folder: verified bit for bit; or CSV "
-                   "t_s,left_mps,right_mps[,slope_rad][,gyro_z_radps]")
-      ->type_name("FILE")
+  CLI::App* command = app.add_subcommand("replay", "Repeat a recording, and write its poses");
+  option(command, "IN", options.in, "FILE", "Recording or its folder: verified bit for bit")
       ->required();
-  command->add_option("--out", options.out, "CSV file of poses to write [s, m, rad]")
-      ->type_name("FILE")
+  option(command, "--out", options.out, "FILE", "CSV file of poses to write [s, m, rad]")
       ->required();
-  command
-      ->add_option("--config", options.config,
-                   "Configuration (default: as config/tp100.toml; of a recording, as recorded)")
-      ->type_name("FILE");
-  command
-      ->add_option("--model", options.model,
-                   "paper, extended, odometry or, of a recording, fused (default: the pose that "
-                   "steered; of a CSV file model.mode)")
-      ->type_name("MODEL");
+  option(command, "--config", options.config, "FILE", "Configuration (default: as recorded)");
+  option(command, "--model", options.model, "MODEL",
+         "paper, extended, odometry or fused (default: the pose that steered)");
   command->footer("Example: tp100d replay runs/RUN");
   command->callback([&action] { action = [] { return run_replay(options); }; });
 }
@@ -154,69 +123,50 @@ void add_identify(CLI::App& app, Action& action) {
   static IdentifyOptions options;
   CLI::App* command =
       app.add_subcommand("identify", "Find slip, wheelbase and gyro scale from recorded drives");
-  command
-      ->add_option("RUN", options.runs,
-                   "Recordings, or CSV t_s,left_count,right_count,gyro_z_radps"
-                   "[,camera_x_m,camera_y_m,camera_yaw_rad], one file a run")
-      ->type_name("FILE");
-  command->add_option("--out", options.out, "Robot file to write")->type_name("FILE")->required();
-  command
-      ->add_option("--robot", options.robot,
-                   "Source of all other values: name in config/robots or file (default: the "
-                   "recordings', else end-loaded)")
-      ->type_name("ROBOT");
-  command
-      ->add_option("--measured", options.measured,
-                   "CSV of hand measurements: run[,distance_m][,ahead_m][,left_m][,turned_deg]"
-                   "[,slope_deg]; run counts from 1, slope_deg is that of a board on which the run "
-                   "was")
-      ->type_name("FILE");
-  command
-      ->add_option("--config", options.config,
-                   "Configuration (default: the recordings', else as config/tp100.toml)")
-      ->type_name("FILE");
+  option(command, "RUN", options.runs, "FILE",
+         "Recordings, or CSV t_s,left_count,right_count,gyro_z_radps"
+         "[,camera_x_m,camera_y_m,camera_yaw_rad], one file a run");
+  option(command, "--out", options.out, "FILE", "Robot file to write")->required();
+  option(command, "--robot", options.robot, "ROBOT",
+         "Source of all other values: name in config/robots or file (default: the "
+         "recordings', else end-loaded)");
+  option(command, "--measured", options.measured, "FILE",
+         "CSV of hand measurements: run[,distance_m][,ahead_m][,left_m][,turned_deg]"
+         "[,slope_deg]; run counts from 1, slope_deg is that of a board on which the run "
+         "was");
+  option(command, "--config", options.config, "FILE",
+         "Configuration (default: the recordings', else as config/tp100.toml)");
   command->add_flag("--json", options.json, "Print what was found as JSON");
   command->add_flag("--background", options.background,
                     "Run at idle priority; end when the parent process ends");
-  command->add_option("--date", options.date, "Day of the runs for the file (default: today)")
-      ->type_name("DATE");
+  option(command, "--date", options.date, "DATE", "Day of the runs for the file (default: today)");
   command->add_flag("--drive", options.drive,
                     "Drive the calibration courses on a port first, instead of RUN; without a "
                     "camera it asks for what was measured");
   command->add_flag("--auto", options.by_itself,
                     "--drive chooses the manoeuvres that narrow the intervals most, until all are "
                     "narrow enough; prints the seconds of driving");
-  command
-      ->add_option("--narrow", options.guided.narrow,
-                   "Goal of --auto: half width of each interval, relative to a harmless error")
+  option(command, "--narrow", options.guided.narrow, "PARTS",
+         "Goal of --auto: half width of each interval, relative to a harmless error")
       ->check(CLI::Range(0.05, 10.0))
-      ->type_name("PARTS")
       ->capture_default_str();
-  command->add_option("--port", options.guided.run.port, "Serial port of --drive (default: auto)")
-      ->type_name("DEVICE");
-  command
-      ->add_option("--camera", options.guided.run.camera,
-                   "Overhead camera of --drive: udp:PORT or udp:ADDRESS:PORT (default: none)")
-      ->type_name("ADDRESS");
+  option(command, "--port", options.guided.run.port, "DEVICE",
+         "Serial port of --drive (default: auto)");
+  option(command, "--camera", options.guided.run.camera, "ADDRESS",
+         "Overhead camera of --drive: udp:PORT or udp:ADDRESS:PORT (default: none)");
   command->add_flag(
       "--go", options.guided.run.go,
       "Start the first drive of --drive without confirmation on a physical port, too");
-  command
-      ->add_option("--course", options.guided.courses,
-                   "Courses of --drive: names in config/courses or files (default: those that "
-                   "calibrate a robot of this size); with --auto the one whose fence holds the "
-                   "manoeuvres (default: 1-straight)")
-      ->type_name("COURSE");
-  command
-      ->add_option("--repeats", options.guided.repeats,
-                   "Number of times that --drive drives each course")
+  option(command, "--course", options.guided.courses, "COURSE",
+         "Courses of --drive: names in config/courses or files (default: those that "
+         "calibrate a robot of this size); with --auto the one whose fence holds the "
+         "manoeuvres (default: 1-straight)");
+  option(command, "--repeats", options.guided.repeats, "NUMBER",
+         "Number of times that --drive drives each course")
       ->check(CLI::Range(1, 100))
-      ->type_name("NUMBER")
       ->capture_default_str();
-  command
-      ->add_option("--runs-dir", options.guided.folder,
-                   "Folder for the recordings of --drive (default: beside --out)")
-      ->type_name("FOLDER");
+  option(command, "--runs-dir", options.guided.folder, "FOLDER",
+         "Folder for the recordings of --drive (default: beside --out)");
   command->footer(
       "Example: tp100d identify --drive --port auto --robot mine.toml --out mine-identified.toml");
   command->callback([&action] { action = [] { return run_identify(options); }; });
@@ -226,12 +176,9 @@ void add_recover(CLI::App& app, Action& action) {
   static RecoverOptions options;
   CLI::App* command =
       app.add_subcommand("recover", "Rebuild a recording that was truncated or corrupted");
-  command->add_option("FILE", options.in, "Recording, or its folder")
-      ->type_name("FILE")
-      ->required();
-  command
-      ->add_option("--out", options.out, "File to write (default: beside it, ...-recovered.mcap)")
-      ->type_name("FILE");
+  option(command, "FILE", options.in, "FILE", "Recording, or its folder")->required();
+  option(command, "--out", options.out, "FILE",
+         "File to write (default: beside it, ...-recovered.mcap)");
   command->footer("Example: tp100d recover runs/RUN");
   command->callback([&action] { action = [] { return run_recover(options); }; });
 }
@@ -240,21 +187,15 @@ void add_export(CLI::App& app, Action& action) {
   static ExportOptions options;
   CLI::App* command =
       app.add_subcommand("export", "Turn recordings into CSV and TUM files, a ROS 2 bag or images");
-  command->add_option("RUN", options.runs, "Recordings, or their folders")
-      ->type_name("RUN")
-      ->required();
+  option(command, "RUN", options.runs, "RUN", "Recordings, or their folders")->required();
   command->add_flag("--csv", options.csv, "Only samples.csv and poses.csv");
   command->add_flag("--tum", options.tum, "Only the trajectories, for evo: time x y z qx qy qz qw");
-  command
-      ->add_option("--ros2", options.ros2,
-                   "A bag for ros2 bag, Foxglove and PlotJuggler, instead of CSV and TUM files")
-      ->type_name("FOLDER");
-  command
-      ->add_option("--images", options.images,
-                   "The camera's images as JPEG files, instead of CSV and TUM files")
-      ->type_name("FOLDER");
-  command->add_option("--out", options.out, "Folder to write to (default: beside the recording)")
-      ->type_name("FOLDER");
+  option(command, "--ros2", options.ros2, "FOLDER",
+         "A bag for ros2 bag, Foxglove and PlotJuggler, instead of CSV and TUM files");
+  option(command, "--images", options.images, "FOLDER",
+         "The camera's images as JPEG files, instead of CSV and TUM files");
+  option(command, "--out", options.out, "FOLDER",
+         "Folder to write to (default: beside the recording)");
   command->footer("Example: tp100d export runs/RUN --csv --out figures");
   command->callback([&action] { action = [] { return run_export(options); }; });
 }
@@ -263,11 +204,9 @@ void add_report(CLI::App& app, Action& action) {
   static ReportOptions options;
   CLI::App* command =
       app.add_subcommand("report", "Turn recordings into report.html, metrics.json and figures");
-  command->add_option("RUN", options.runs, "Recordings, or their folders")
-      ->type_name("RUN")
-      ->required();
-  command->add_option("--out", options.out, "Folder to write to (default: beside the recording)")
-      ->type_name("FOLDER");
+  option(command, "RUN", options.runs, "RUN", "Recordings, or their folders")->required();
+  option(command, "--out", options.out, "FOLDER",
+         "Folder to write to (default: beside the recording)");
   command->add_flag("--background", options.background,
                     "Run at idle priority; end when the parent process ends");
   command->footer("Example: tp100d report runs/RUN");
@@ -277,11 +216,9 @@ void add_report(CLI::App& app, Action& action) {
 void add_compare(CLI::App& app, Action& action) {
   static CompareOptions options;
   CLI::App* command = app.add_subcommand("compare", "Compare recorded runs in overlaid figures");
-  command->add_option("RUN", options.runs, "Recordings, or their folders")
-      ->type_name("RUN")
-      ->required();
-  command->add_option("--out", options.out, "Folder to write compare.html to (default: here)")
-      ->type_name("FOLDER");
+  option(command, "RUN", options.runs, "RUN", "Recordings, or their folders")->required();
+  option(command, "--out", options.out, "FOLDER",
+         "Folder to write compare.html to (default: here)");
   command->add_flag("--background", options.background,
                     "Run at idle priority; end when the parent process ends");
   command->footer("Example: tp100d compare runs/before runs/after --out compared");

@@ -13,7 +13,6 @@
 #include "identify/next_manoeuvre.h"
 #include "link/port_discovery.h"
 #include "messages/sink.h"
-#include "model/track_model.h"
 
 namespace tp100::app {
 
@@ -37,7 +36,6 @@ struct RunOptions {
   bool wait = false;        ///< wait for a port and a robot instead of failing
   bool go = false;          ///< start without confirmation, on a physical port too
   bool ran_before = false;  ///< the program drove before: a start must be confirmed with the word
-  bool verbose = false;     ///< log the loop's timing once a second
   bool stay = false;        ///< stay on after a run and wait for the next start
   std::optional<double> duration_s;
   std::vector<messages::Sink*> sinks{};  ///< get every step; must outlive the command
@@ -143,42 +141,18 @@ struct IdentifyOptions {
 /// wide. Throws SetupError.
 int run_identify(const IdentifyOptions& options);
 
-// `tp100d replay`: runs track speeds of a CSV file through the model, or a recording through the
-// step, and writes a CSV file of poses.
+// `tp100d replay`: runs a recording through the step, and writes a CSV file of poses.
 
-/// Which estimate is replayed; for a speeds file only the model and odometry.
-struct ReplayModel {
-  PoseSource source = PoseSource::kModel;
-  bool paper = false;  ///< the model as eqs 1-5 with the paper's constants
-  bool operator==(const ReplayModel&) const = default;
-};
-inline constexpr ReplayModel kPaperModel{PoseSource::kModel, true};
-inline constexpr ReplayModel kExtendedModel{PoseSource::kModel, false};
-
-/// The model that a name on the command line denotes. Throws SetupError for an unknown name.
-ReplayModel replay_model(const std::string& name);
-
-/// First line of a poses file, and one row of it: full double precision.
-extern const char* const kReplayHeader;
-std::string replay_row(double t_s, const Pose& pose, const Twist& twist, const model::Slip& slip);
-
-/// Poses for the text of a speeds file, one row per input row: row i's values hold until row i+1,
-/// and the pose starts at 0. `gyro_z_radps` is the calibrated rate about z; its constant part is
-/// removed as bias once the tracks have been at standstill. `file` is only used in messages. Throws
-/// SetupError (file:line). Pure.
-std::string replay_csv(const std::string& text, const std::string& file, ReplayModel model,
-                       const bridge::Parameters& parameters);
-
-/// Options of the command.
 struct ReplayOptions {
   std::string in;
   std::string out;
-  std::string config;  ///< empty: defaults
-  std::string model;   ///< empty: as configured
+  std::string config;  ///< empty: as recorded
+  std::string model;   ///< paper, extended, odometry or fused; empty: the steering pose
 };
 
-/// The command, for a CSV file or a recording (replay.h). Exit status; throws SetupError.
-/// Writes a file only if everything succeeded.
+/// The command. Returns 0 if every result was reproduced (within kRounding on another kind of
+/// processor), or if other parameters were requested; 1, without writing anything, if a result
+/// differs or steps are missing. Throws SetupError. One row per step that received a sample.
 int run_replay(const ReplayOptions& options);
 
 // `tp100d export`: recordings as files that other programs read.

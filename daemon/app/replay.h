@@ -7,7 +7,6 @@
 #include <optional>
 #include <string>
 
-#include "app/commands.h"
 #include "bridge/step.h"
 #include "config/run_setup.h"
 #include "record/recording.h"
@@ -40,11 +39,5 @@ inline constexpr double kRounding = 1e-9;
 Replayed replay_steps(const record::Recording& recording, const bridge::Parameters& parameters,
                       std::shared_ptr<const course::Course> course, bool verify,
                       const std::function<void(const StepRecord&)>& each);
-
-/// The command for a recording. Returns 0 if every result was reproduced (within kRounding on
-/// another kind of processor), or if other parameters were requested; 1, without writing anything,
-/// if a result differs or steps are missing. Throws SetupError. The poses are those of
-/// `options.model`, else the steering pose, with one row per step that received a sample.
-int run_replay_recording(const ReplayOptions& options);
 
 }  // namespace tp100::app

@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/processor.h"
 #include "recorded_run.h"
+#include "support/refusal.h"
 #include "support/temporary_folder.h"
 
 namespace tp100::app {
@@ -59,7 +60,7 @@ TEST_F(ReplayRecording, WritesAPoseForEachStepThatGotASample) {
   record_run(file());
   ASSERT_EQ(run_replay(options()), 0);
   const std::string text = test::read_bytes(poses());
-  EXPECT_THAT(text, StartsWith(kReplayHeader));
+  EXPECT_THAT(text, StartsWith("t_s,x_m,y_m,z_m,roll_rad,pitch_rad,yaw_rad,vx_mps,"));
   EXPECT_GT(std::count(text.begin(), text.end(), '\n'), 300);
   // The folder of a run is accepted in place of its recording.
   ReplayOptions folder = options();
@@ -151,6 +152,9 @@ TEST_F(ReplayRecording, OtherParametersAreReplayedAndNotJudged) {
     EXPECT_EQ(run_replay(other), 0);
     EXPECT_THAT(testing::internal::GetCapturedStdout(), HasSubstr("other parameters"));
   }
+  ReplayOptions unknown = options();
+  unknown.model = "papre";
+  EXPECT_THAT(test::refusal([&] { run_replay(unknown); }), HasSubstr("did you mean 'paper'?"));
 }
 
 // The address and undefined-behaviour sanitizers detect any harm that these inputs do.

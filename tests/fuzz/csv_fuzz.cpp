@@ -1,6 +1,5 @@
-// Fuzzes the tables that users write: recorded drives, measured distances, speeds to replay.
+// Fuzzes the tables that users write: recorded drives and measured distances.
 
-#include "app/commands.h"
 #include "byte_source.h"
 #include "core/error.h"
 #include "identify/drive_file.h"
@@ -21,19 +20,13 @@ void read_measured(const std::string& text) {
   identify::add_measured(text, "fuzz", drives);
 }
 
-void replay_speeds(const std::string& text) {
-  for (const app::ReplayModel model :
-       {app::kPaperModel, app::kExtendedModel, app::ReplayModel{PoseSource::kOdometry}})
-    app::replay_csv(text, "fuzz", model, {});
-}
-
 }  // namespace
 }  // namespace tp100
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size > 20000) return 0;
   const std::string text(reinterpret_cast<const char*>(data), size);
-  for (const auto read : {tp100::read_drive, tp100::read_measured, tp100::replay_speeds}) {
+  for (const auto read : {tp100::read_drive, tp100::read_measured}) {
     try {
       read(text);
     } catch (const tp100::SetupError& error) {

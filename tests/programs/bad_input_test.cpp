@@ -68,13 +68,12 @@ TEST_F(BadInput, FilesThatAreMissingOrNotWhatTheyShouldBe) {
   const std::string none = folder_.file("none.toml");
   expect_refused({"tp100d", "check", none}, "none.toml");
   expect_refused({"tp100d", "run", "--config", none}, "none.toml");
-  expect_refused(joined({"tp100d", "replay", folder_.file("none.csv")}, out), "none.csv");
+  expect_refused(joined({"tp100d", "replay", folder_.file("none")}, out), "none");
   expect_refused({"tp100d", "export", folder_.file("none")}, "none");
   expect_refused({"tp100d", "export", folder_.path().string()}, "");
   expect_refused({"tp100d", "recover", folder_.file("none")}, "none");
   expect_refused({"tp100d", "report", folder_.path().string()}, "name a recording or its folder");
   EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));
-  // A corrupted recording is not accepted as a table of speeds.
   const std::string junk = write("junk.mcap", "\x89MCAP0\r\n and then nonsense");
   expect_refused(joined({"tp100d", "replay", junk}, out), "junk.mcap");
   expect_refused({"tp100d", "report", junk}, "junk.mcap");
@@ -92,13 +91,12 @@ TEST_F(BadInput, SomethingThatIsNoPort) {
 }
 
 TEST_F(BadInput, NoResultIsWrittenOfAnUnfinishedInputOrIntoAFolderThatIsNotThere) {
-  const std::string csv = "t_s,left_mps,right_mps\n0,0.1,0.1\n";
-  const std::string in = write("in.csv", csv), cut = write("cut.csv", csv + "1,0.1");
-  expect_refused({"tp100d", "replay", cut, "--out", folder_.file("out.csv")}, "cut.csv:3");
-  expect_refused({"tp100d", "replay", in, "--out", folder_.file("no/out.csv")}, "out.csv");
+  const std::string cut =
+      write("cut.csv", "t_s,left_count,right_count,gyro_z_radps\n0,0,0,0\n1,0");
+  expect_refused({"tp100d", "identify", cut, "--out", folder_.file("out.toml")}, "cut.csv:3");
   expect_refused({"tp100-sim", "course", "3", "--out", "/proc/x"}, "/proc/x");
   expect_refused({"tp100-sim", "course", "1-straight", "--record", "/proc/none"}, "/proc/none");
-  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_.path()), {}), 2);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_.path()), {}), 1);
 }
 
 }  // namespace
