@@ -1,11 +1,9 @@
 #include "live/setup_list.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
+#include <nlohmann/json.hpp>
 #include <optional>
-#include <string_view>
-#include <system_error>
+#include <regex>
 
 #include "bridge/step.h"
 #include "core/error.h"
@@ -15,12 +13,12 @@
 #include "identify/identify.h"
 #include "messages/messages.h"
 #include "terrain/climbable.h"
-#include "text/json_writer.h"
 
 namespace tp100::live {
 namespace {
 
 using course::Bundled;
+using Json = nlohmann::ordered_json;
 
 /// Points of the path, thinned out evenly; the last one stays.
 std::vector<course::PathPoint> outline(const course::Path& path) {
@@ -32,52 +30,36 @@ std::vector<course::PathPoint> outline(const course::Path& path) {
   return out;
 }
 
-void write_piece(text::JsonWriter& json, const course::Place& place, double length_m,
-                 double width_m, double height_m) {
-  json.begin_object()
-      .field("x_m", place.x_m)
-      .field("y_m", place.y_m)
-      .field("heading_rad", place.heading_rad)
-      .field("length_m", length_m)
-      .field("width_m", width_m)
-      .field("height_m", height_m)
-      .end_object();
+Json piece(const course::Place& place, double length_m, double width_m, double height_m) {
+  return {{"x_m", place.x_m},     {"y_m", place.y_m},   {"heading_rad", place.heading_rad},
+          {"length_m", length_m}, {"width_m", width_m}, {"height_m", height_m}};
 }
 
-void write_course(text::JsonWriter& json, const course::Course& course) {
+Json course_json(const course::Course& course) {
   const course::Path path(course);
-  json.field("description", course.description)
-      .field("identifies", course.identifies)
-      .field("speed_mps", course.speed_mps)
-      .field("length_m", path.length_m())
-      .field("disturbances", course.disturbances.size());
-  json.key("start")
-      .begin_object()
-      .field("x_m", course.start.x_m)
-      .field("y_m", course.start.y_m)
-      .field("yaw_rad", course.start.yaw_rad)
-      .end_object()
-      .key("fence")
-      .begin_object()
-      .field("min_x_m", course.fence.min_x_m)
-      .field("max_x_m", course.fence.max_x_m)
-      .field("min_y_m", course.fence.min_y_m)
-      .field("max_y_m", course.fence.max_y_m)
-      .end_object()
-      .key("outline")
-      .begin_array();
+  const Pose& start = course.start;
+  const course::Fence& fence = course.fence;
+  Json json = {{"description", course.description},
+               {"identifies", course.identifies},
+               {"speed_mps", course.speed_mps},
+               {"length_m", path.length_m()},
+               {"disturbances", course.disturbances.size()},
+               {"start", {{"x_m", start.x_m}, {"y_m", start.y_m}, {"yaw_rad", start.yaw_rad}}},
+               {"fence",
+                {{"min_x_m", fence.min_x_m},
+                 {"max_x_m", fence.max_x_m},
+                 {"min_y_m", fence.min_y_m},
+                 {"max_y_m", fence.max_y_m}}}};
+  for (const char* list : {"outline", "ramps", "blocks", "surfaces"}) json[list] = Json::array();
   for (const course::PathPoint& point : outline(path))
-    json.begin_object().field("x_m", point.x_m).field("y_m", point.y_m).end_object();
-  json.end_array().key("ramps").begin_array();
+    json["outline"].push_back({{"x_m", point.x_m}, {"y_m", point.y_m}});
   for (const course::Ramp& ramp : course.terrain.ramps)
-    write_piece(json, ramp.place, ramp.length_m(), ramp.width_m, ramp.height_m);
-  json.end_array().key("blocks").begin_array();
+    json["ramps"].push_back(piece(ramp.place, ramp.length_m(), ramp.width_m, ramp.height_m));
   for (const course::Block& block : course.terrain.blocks)
-    write_piece(json, block.place, block.depth_m, block.width_m, block.height_m);
-  json.end_array().key("surfaces").begin_array();
+    json["blocks"].push_back(piece(block.place, block.depth_m, block.width_m, block.height_m));
   for (const course::Surface& surface : course.terrain.surfaces)
-    write_piece(json, surface.place, surface.length_m, surface.width_m, 0.0);
-  json.end_array();
+    json["surfaces"].push_back(piece(surface.place, surface.length_m, surface.width_m, 0.0));
+  return json;
 }
 
 config::LoadedRun with_file(const config::LoadedRun& run, Bundled kind,
@@ -88,30 +70,27 @@ config::LoadedRun with_file(const config::LoadedRun& run, Bundled kind,
 }
 
 /// Throws SetupError if the run's files do not fit together.
-void write_fit(text::JsonWriter& json, const config::RunSetup& run, bool is_course) {
+void set_fit(Json& json, const config::RunSetup& run, bool is_course) {
   const bridge::Step step(run.parameters, run.course);
-  if (is_course) json.field("duration_s", step.nominal_duration_s());
+  if (is_course) json["duration_s"] = step.nominal_duration_s();
   require_fit(run);
 }
 
-/// `message` without its place in the file, which is written: "NAME:line:column: what".
-std::string_view write_place(text::JsonWriter& json, std::string_view message,
-                             std::string_view name) {
-  unsigned line = 0, column = 0;
-  if (!message.starts_with(name) || !message.substr(name.size()).starts_with(':')) return message;
-  const char* const end = message.data() + message.size();
-  const auto [after_line, no_line] = std::from_chars(message.data() + name.size() + 1, end, line);
-  if (no_line != std::errc() || after_line == end || *after_line != ':') return message;
-  const auto [after, no_column] = std::from_chars(after_line + 1, end, column);
-  if (no_column != std::errc() || end - after < 2 || *after != ':') return message;
-  json.field("line", line).field("column", column);
-  return message.substr(static_cast<std::size_t>(after - message.data()) + 2);
+/// `message` without its place in the file, "NAME:line:column: ", which is set.
+std::string set_place(Json& json, const std::string& message, const std::string& name) {
+  static const std::regex kPlace(R"(:(\d{1,9}):(\d{1,9}): (.*))");
+  std::smatch place;
+  if (!message.starts_with(name)) return message;
+  const std::string rest = message.substr(name.size());
+  if (!std::regex_match(rest, place, kPlace)) return message;
+  json["line"] = std::stoi(place[1]);
+  json["column"] = std::stoi(place[2]);
+  return place[3];
 }
 
-void write_entry(text::JsonWriter& json, const config::SetupFiles& files,
-                 const config::LoadedRun& run, Bundled kind,
-                 const config::SetupFiles::Entry& entry) {
-  json.begin_object().field("name", entry.name).field("from", to_string(entry.from));
+Json entry_json(const config::SetupFiles& files, const config::LoadedRun& run, Bundled kind,
+                const config::SetupFiles::Entry& entry) {
+  Json json = {{"name", entry.name}, {"from", to_string(entry.from)}};
   std::string why;
   const bool is_course = kind == Bundled::kCourses;
   const course::Course* course = run.setup.course.get();
@@ -121,15 +100,21 @@ void write_entry(text::JsonWriter& json, const config::SetupFiles& files,
     const course::TextFile file = files.read(kind, entry.name);
     const config::LoadedRun with = with_file(run, kind, file);
     if (is_course) {
-      write_course(json, *with.setup.course);
+      json.update(course_json(*with.setup.course));
     } else {
-      json.field("description", with.setup.robot.description);
+      json["description"] = with.setup.robot.description;
     }
-    write_fit(json, with.setup, is_course);
+    set_fit(json, with.setup, is_course);
   } catch (const SetupError& error) {
     why = error.what();
   }
-  json.field("in_force", in_force).field("why_not", why).end_object();
+  json["in_force"] = in_force;
+  json["why_not"] = why;
+  return json;
+}
+
+std::string text_of(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace
@@ -141,52 +126,42 @@ void require_fit(const config::RunSetup& run) {
 }
 
 std::string setup_list(const config::SetupFiles& files, const config::LoadedRun& run) {
-  std::string text;
-  text::JsonWriter json(text);
   const auto& setup = run.setup;
-  json.begin_object()
-      .field("course", setup.course == nullptr ? "" : setup.course->name)
-      .field("robot", setup.robot.name)
-      .field("setup", bridge::to_string(setup.parameters.setup))
-      .key("setups")
-      .begin_array();
-  for (const auto& each : bridge::kSetupNames) json.value(each.name);
-  json.end_array().field("may_save", files.may_save()).key("calibration").begin_array();
-  for (const std::string& each : identify::calibration_courses(setup.robot.shape)) json.value(each);
-  json.end_array();
+  Json json = {{"course", setup.course == nullptr ? "" : setup.course->name},
+               {"robot", setup.robot.name},
+               {"setup", bridge::to_string(setup.parameters.setup)},
+               {"setups", Json::array()},
+               {"may_save", files.may_save()},
+               {"calibration", identify::calibration_courses(setup.robot.shape)}};
+  for (const auto& each : bridge::kSetupNames) json["setups"].push_back(each.name);
   for (const Bundled kind : {Bundled::kCourses, Bundled::kRobots}) {
-    json.key(kind == Bundled::kCourses ? "courses" : "robots").begin_array();
+    Json& list = json[kind == Bundled::kCourses ? "courses" : "robots"] = Json::array();
     for (const config::SetupFiles::Entry& entry : files.list(kind))
-      write_entry(json, files, run, kind, entry);
-    json.end_array();
+      list.push_back(entry_json(files, run, kind, entry));
   }
-  json.end_object();
-  return text;
+  return text_of(json);
 }
 
 std::string checked_file(const config::LoadedRun& run, Bundled kind, const course::TextFile& file) {
   const bool is_course = kind == Bundled::kCourses;
-  std::string text, why;
-  text::JsonWriter json(text);
-  json.begin_object();
+  Json json = {{"error", ""}, {"why_not", ""}};
   try {
     if (is_course) {
       const course::Path path(course::parse_course(file.text, file.path));
-      json.field("length_m", path.length_m());
+      json["length_m"] = path.length_m();
     } else {
       course::parse_robot(file.text, file.path);
     }
-    json.field("error", "");
-    try {
-      write_fit(json, with_file(run, kind, file).setup, is_course);
-    } catch (const SetupError& misfit) {
-      why = misfit.what();
-    }
   } catch (const SetupError& error) {
-    json.field("error", write_place(json, error.what(), file.path));
+    json["error"] = set_place(json, error.what(), file.path);
+    return text_of(json);
   }
-  json.field("why_not", why).end_object();
-  return text;
+  try {
+    set_fit(json, with_file(run, kind, file).setup, is_course);
+  } catch (const SetupError& misfit) {
+    json["why_not"] = misfit.what();
+  }
+  return text_of(json);
 }
 
 }  // namespace tp100::live

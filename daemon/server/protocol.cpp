@@ -4,12 +4,11 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "text/json_writer.h"
-
 namespace tp100::server {
 namespace {
 
 using Json = nlohmann::json;
+using Written = nlohmann::ordered_json;  // keeps the order; parsed, it would take too long
 
 constexpr std::size_t kMaxDepth = 16;
 constexpr std::size_t kMaxList = 1024;
@@ -140,15 +139,15 @@ void put_little(Out out, std::uint64_t value, int bytes) {
 
 std::string characters(std::span<const std::uint8_t> bytes) { return {bytes.begin(), bytes.end()}; }
 
-void write_service_side(text::JsonWriter& json, const char* name, const std::string& schema_name,
-                        const std::string& schema) {
-  json.key(name)
-      .begin_object()
-      .field("encoding", "json")
-      .field("schemaName", schema_name)
-      .field("schemaEncoding", "jsonschema")
-      .field("schema", schema)
-      .end_object();
+std::string text_of(const Written& json) {
+  return json.dump(-1, ' ', false, Written::error_handler_t::replace);
+}
+
+Written schema_of(const std::string& name, const std::string& schema) {
+  return {{"encoding", "json"},
+          {"schemaName", name},
+          {"schemaEncoding", "jsonschema"},
+          {"schema", schema}};
 }
 
 }  // namespace
@@ -214,99 +213,62 @@ std::optional<std::vector<RequestField>> parse_request(std::string_view text) {
 }
 
 std::string server_info(std::string_view session_id, std::span<const Metadata> metadata) {
-  std::string out;
-  text::JsonWriter json(out);
-  json.begin_object()
-      .field("op", "serverInfo")
-      .field("name", "tp100d")
-      .key("capabilities")
-      .begin_array();
-  for (const char* capability : {"parameters", "parametersSubscribe", "services"})
-    json.value(capability);
-  json.end_array().key("supportedEncodings").begin_array().value("json").end_array();
-  json.key("metadata").begin_object();
-  for (const Metadata& each : metadata) json.field(each.name, each.value);
-  json.end_object().field("sessionId", session_id).end_object();
-  return out;
+  Written entries = Written::object();
+  for (const Metadata& each : metadata) entries[each.name] = each.value;
+  return text_of({{"op", "serverInfo"},
+                  {"name", "tp100d"},
+                  {"capabilities", {"parameters", "parametersSubscribe", "services"}},
+                  {"supportedEncodings", Written::array({"json"})},
+                  {"metadata", entries},
+                  {"sessionId", session_id}});
 }
 
 std::string advertise(std::span<const messages::ChannelText> channels) {
-  std::string out;
-  text::JsonWriter json(out);
-  json.begin_object().field("op", "advertise").key("channels").begin_array();
+  Written all = Written::array();
   for (const messages::ChannelText& channel : channels) {
-    json.begin_object()
-        .field("id", static_cast<std::uint32_t>(channel.channel))
-        .field("topic", channel.topic)
-        .field("encoding", "json")
-        .field("schemaName", channel.schema_name)
-        .field("schemaEncoding", "jsonschema")
-        .field("schema", channel.schema)
-        .end_object();
+    all.push_back({{"id", static_cast<std::uint32_t>(channel.channel)}, {"topic", channel.topic}});
+    all.back().update(schema_of(channel.schema_name, channel.schema));
   }
-  json.end_array().end_object();
-  return out;
+  return text_of({{"op", "advertise"}, {"channels", all}});
 }
 
 std::string advertise_services(std::span<const ServiceText> services) {
-  std::string out;
-  text::JsonWriter json(out);
-  json.begin_object().field("op", "advertiseServices").key("services").begin_array();
-  for (const ServiceText& service : services) {
-    json.begin_object()
-        .field("id", service.id)
-        .field("name", service.name)
-        .field("type", service.type)
-        // Both spellings that clients use.
-        .field("requestSchema", service.request_schema)
-        .field("responseSchema", service.response_schema);
-    write_service_side(json, "request", service.type + "Request", service.request_schema);
-    write_service_side(json, "response", service.type + "Response", service.response_schema);
-    json.end_object();
-  }
-  json.end_array().end_object();
-  return out;
+  Written all = Written::array();
+  for (const ServiceText& service : services)
+    all.push_back({{"id", service.id},
+                   {"name", service.name},
+                   {"type", service.type},
+                   // Both spellings that clients use.
+                   {"requestSchema", service.request_schema},
+                   {"responseSchema", service.response_schema},
+                   {"request", schema_of(service.type + "Request", service.request_schema)},
+                   {"response", schema_of(service.type + "Response", service.response_schema)}});
+  return text_of({{"op", "advertiseServices"}, {"services", all}});
 }
 
 std::string status(StatusLevel level, std::string_view message) {
-  std::string out;
-  text::JsonWriter(out)
-      .begin_object()
-      .field("op", "status")
-      .field("level", static_cast<int>(level))
-      .field("message", message)
-      .end_object();
-  return out;
+  return text_of({{"op", "status"}, {"level", static_cast<int>(level)}, {"message", message}});
 }
 
 std::string parameter_values(std::span<const messages::ParameterText* const> parameters,
                              std::string_view id) {
-  std::string out;
-  text::JsonWriter json(out);
-  json.begin_object().field("op", "parameterValues").key("parameters").begin_array();
+  Written all = Written::array();
   for (const messages::ParameterText* parameter : parameters) {
-    json.begin_object().field("name", parameter->name).key("value");
-    std::visit([&](const auto& content) { json.value(content); }, parameter->value);
+    Written& one = all.emplace_back(Written{{"name", parameter->name}});
+    std::visit([&](const auto& content) { one["value"] = content; }, parameter->value);
     // Declares that 16 may become 16.5.
-    if (std::holds_alternative<double>(parameter->value)) json.field("type", "float64");
-    json.end_object();
+    if (std::holds_alternative<double>(parameter->value)) one["type"] = "float64";
   }
-  json.end_array();
-  if (!id.empty()) json.field("id", id);
-  json.end_object();
-  return out;
+  Written message = {{"op", "parameterValues"}, {"parameters", all}};
+  if (!id.empty()) message["id"] = id;
+  return text_of(message);
 }
 
 std::string service_failure(std::uint32_t service, std::uint32_t call, std::string_view message) {
-  std::string out;
-  text::JsonWriter(out)
-      .begin_object()
-      .field("op", "serviceCallFailure")
-      .field("serviceId", service)
-      .field("callId", call)
-      .field("message", message)
-      .end_object();
-  return out;
+  return text_of({{"op", "serviceCallFailure"},
+                  {"serviceId", service},
+                  {"callId", call},
+                  {"message", message}});
 }
 
 std::array<std::uint8_t, 13> message_head(std::uint32_t subscription, std::uint64_t unix_ns) {
