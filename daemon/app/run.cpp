@@ -209,31 +209,31 @@ int run_run(const RunOptions& options) {
         live::why_no_ros2_requests(configuration));
   std::vector<messages::Sink*> sinks = {&self_test};
   sinks.insert(sinks.end(), options.sinks.begin(), options.sinks.end());
-  live::Supervisor supervisor({.connector = {.port = configuration.link.port,
-                                             .options = {.baud = configuration.link.baud,
-                                                         .hang_up = configuration.link.hang_up},
-                                             .wait = options.wait,
-                                             .handover = &self_test.wheels_up().handover()},
-                               .camera = configuration.camera,
-                               .world = config::world_run(run),
-                               .go = options.go,
-                               .ran_before = options.ran_before,
-                               .stay = options.stay,
-                                                       .duration_s = options.duration_s,
-                               .stats_path = options.stats,
-                               .process = process,
-                               .events = events,
-                               .recording = recording,
-                               .black_box = black_box,
-                               .disk = disk,
-                               .server = *server,
-                               .controls = controls,
-                               .setup_changer = setup,
-                               .ros2 = ros2 ? &*ros2 : nullptr,
-                               .sinks = sinks},
-                              cycle, loop);
+  const live::SupervisorSettings settings{
+      .connector = {.port = configuration.link.port,
+                    .options = {.baud = configuration.link.baud,
+                                .hang_up = configuration.link.hang_up},
+                    .wait = options.wait,
+                    .handover = &self_test.wheels_up().handover()},
+      .camera = configuration.camera,
+      .world = config::world_run(run),
+      .go = options.go,
+      .ran_before = options.ran_before,
+      .stay = options.stay,
+      .duration_s = options.duration_s,
+      .stats_path = options.stats,
+      .process = process,
+      .events = events,
+      .recording = recording,
+      .black_box = black_box,
+      .disk = disk,
+      .server = *server,
+      .controls = controls,
+      .setup_changer = setup,
+      .ros2 = ros2 ? &*ros2 : nullptr,
+      .sinks = sinks};
   try {
-    return supervisor.run();
+    return live::supervise(settings, cycle, loop);
   } catch (const SetupError&) {
     // The run never began, so the recording contains nothing useful.
     recording.discard();

@@ -32,10 +32,8 @@ constexpr HostNs kStatsPeriodNs = kNsPerS;
 constexpr FaultMask kRecoverable = fault_bit(Fault::link_lost) | fault_bit(Fault::robot_rebooted) |
                                    fault_bit(Fault::stop_requested) | fault_bit(Fault::world_lost);
 
-}  // namespace
-
-struct Supervisor::State {
-  State(const SupervisorSettings& s, LiveCycle& c, loop::FixedRateLoop& l)
+struct Supervisor {
+  Supervisor(const SupervisorSettings& s, LiveCycle& c, loop::FixedRateLoop& l)
       : settings(s),
         cycle(c),
         loop(l),
@@ -100,13 +98,7 @@ struct Supervisor::State {
   int stay_status = 0;  // exit status of the last run, with --stay
 };
 
-Supervisor::Supervisor(const SupervisorSettings& settings, LiveCycle& cycle,
-                       loop::FixedRateLoop& loop)
-    : state_(std::make_unique<State>(settings, cycle, loop)) {}
-Supervisor::~Supervisor() = default;
-int Supervisor::run() { return state_->run(); }
-
-int Supervisor::State::run() {
+int Supervisor::run() {
   figures.result = "running";
   name(settings.setup_changer.run()->setup);
   privileges = settings.process.privileges();
@@ -148,7 +140,7 @@ int Supervisor::State::run() {
   return status;
 }
 
-void Supervisor::State::await_signals() {
+void Supervisor::await_signals() {
   // A log reader that goes away must not end a run without a disarm.
   std::signal(SIGPIPE, SIG_IGN);
   // Reaching the file size limit is an error like any other.
@@ -166,14 +158,14 @@ void Supervisor::State::await_signals() {
   });
 }
 
-void Supervisor::State::name(const config::RunSetup& run) {
+void Supervisor::name(const config::RunSetup& run) {
   figures.course = run.course == nullptr ? "" : run.course->name;
   figures.robot = run.robot.name;
   figures.setup = bridge::to_string(run.parameters.setup);
 }
 
 // The robot is disarmed: now waiting for disks is allowed, for a limited time.
-void Supervisor::State::finish_files() {
+void Supervisor::finish_files() {
   LastWait wait(notice, loop.statistics().cycles.load());
   // The recording must include the last messages.
   settings.server.flush();
@@ -203,7 +195,7 @@ void Supervisor::State::finish_files() {
   std::_Exit(status);
 }
 
-void Supervisor::State::begin_serving() {
+void Supervisor::begin_serving() {
   settings.controls.set_privileges(privileges);
   settings.server.start();
   if (!settings.server.note().empty()) log.warn(settings.server.note());
@@ -212,11 +204,11 @@ void Supervisor::State::begin_serving() {
   notify_manager();
 }
 
-void Supervisor::State::notify_manager() {
+void Supervisor::notify_manager() {
   notice.status(state_line(session, run_state, figures.course, figures.page));
 }
 
-void Supervisor::State::serve(const SessionReport& report) {
+void Supervisor::serve(const SessionReport& report) {
   if (acknowledges_stop(report.event)) settings.server.stop_answered(report.event.at_ns);
   const bool identified = report.hello.boot_nonce != 0;
   const bool emulator = identified && is_emulator(connector.pseudo_terminal(), report.hello.board);
@@ -227,7 +219,7 @@ void Supervisor::State::serve(const SessionReport& report) {
                                .ran_before = settings.ran_before});
 }
 
-void Supervisor::State::schedule_tick() {
+void Supervisor::schedule_tick() {
   const bool udp_world = settings.world.parameters.kind == bridge::WorldKind::kUdp;
   timer.expires_after(udp_world ? kWorldTick : kTick);
   timer.async_wait([this](const boost::system::error_code& error) {
@@ -235,7 +227,7 @@ void Supervisor::State::schedule_tick() {
   });
 }
 
-void Supervisor::State::tick() {
+void Supervisor::tick() {
   const HostNs now = monotonic_now();
   take_records();
   settings.setup_changer.tick();
@@ -263,7 +255,7 @@ void Supervisor::State::tick() {
   schedule_tick();
 }
 
-void Supervisor::State::take_events() {
+void Supervisor::take_events() {
   LiveEvent event;
   while (cycle.take_event(event)) {
     const SessionReport* report = std::get_if<SessionReport>(&event);
@@ -281,7 +273,7 @@ void Supervisor::State::take_events() {
   }
 }
 
-void Supervisor::State::on_session(const SessionReport& report) {
+void Supervisor::on_session(const SessionReport& report) {
   serve(report);
   if (link::as<link::HelloReceived>(report.event) != nullptr) {
     connector.robot_found();
@@ -290,12 +282,12 @@ void Supervisor::State::on_session(const SessionReport& report) {
   }
 }
 
-void Supervisor::State::take_status(HostNs now) {
+void Supervisor::take_status(HostNs now) {
   if (!cycle.take_status(figures.status)) return;
   log.status(figures.status, loop.statistics().overruns.load(), now);
 }
 
-void Supervisor::State::take_records() {
+void Supervisor::take_records() {
   while (const StepRecord* record = cycle.front_record()) {
     if (auto made = settings.setup_changer.take(*record)) change_setup(std::move(*made));
     for (messages::Sink* sink : sinks) sink->take(*record);
@@ -304,7 +296,7 @@ void Supervisor::State::take_records() {
 }
 
 // Runs before anything else receives the first step with the change.
-void Supervisor::State::change_setup(SetupChanger::Made made) {
+void Supervisor::change_setup(SetupChanger::Made made) {
   const messages::Event event{.at_ns = monotonic_now(), .kind = "setup", .text = made.text};
   if (made.run != nullptr) {
     const config::RunSetup& run = made.run->setup;
@@ -328,7 +320,7 @@ void Supervisor::State::change_setup(SetupChanger::Made made) {
   settings.setup_changer.finish();
 }
 
-void Supervisor::State::on_session_state(SessionState next) {
+void Supervisor::on_session_state(SessionState next) {
   session = next;
   first_session.on_state(next, monotonic_now());
   terminal->follow(next);
@@ -342,7 +334,7 @@ void Supervisor::State::on_session_state(SessionState next) {
     terminal->ask(monotonic_now());
 }
 
-void Supervisor::State::on_run_state(const RunChange& change) {
+void Supervisor::on_run_state(const RunChange& change) {
   const bool by_hand = change.from == RunState::kDriving;
   run_state = change.to;
   terminal->follow(change.to);
@@ -367,7 +359,7 @@ void Supervisor::State::on_run_state(const RunChange& change) {
   if (!ending) terminal->ask(monotonic_now());
 }
 
-void Supervisor::State::run_ended(int exit_status, const std::string& result) {
+void Supervisor::run_ended(int exit_status, const std::string& result) {
   if (!settings.stay) return end(exit_status, result);
   stay_status = exit_status;
   figures.result = result;
@@ -375,7 +367,7 @@ void Supervisor::State::run_ended(int exit_status, const std::string& result) {
   terminal->ask(monotonic_now());
 }
 
-void Supervisor::State::end(int exit_status, const std::string& result) {
+void Supervisor::end(int exit_status, const std::string& result) {
   if (std::exchange(ending, true)) return;
   first_session.stop();
   settings.controls.end();
@@ -387,7 +379,7 @@ void Supervisor::State::end(int exit_status, const std::string& result) {
   loop.request_stop();
 }
 
-void Supervisor::State::take_figures() {
+void Supervisor::take_figures() {
   if (camera != nullptr) figures.camera = camera->figures();
   if (world != nullptr) figures.world = world->figures();
   const auto was = std::exchange(figures.recording, settings.recording.figures());
@@ -397,13 +389,19 @@ void Supervisor::State::take_figures() {
   stats.write(figures);
 }
 
-void Supervisor::State::drain_events() {
+void Supervisor::drain_events() {
   if (camera != nullptr) link_monitor.take(camera->figures().detections);
   for (messages::Event& event : link_monitor.drain_events()) settings.events.post(std::move(event));
   for (const auto& [event, log_only] : settings.events.drain()) {
     log.write({event});
     if (!log_only) settings.server.take(event);
   }
+}
+
+}  // namespace
+
+int supervise(const SupervisorSettings& settings, LiveCycle& cycle, loop::FixedRateLoop& loop) {
+  return Supervisor(settings, cycle, loop).run();
 }
 
 }  // namespace tp100::live

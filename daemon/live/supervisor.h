@@ -4,7 +4,6 @@
 // the watchdog, it waits, until the robot is disarmed, neither for a disk nor for a lock that is
 // held by a thread waiting for one.
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -49,20 +48,9 @@ struct SupervisorSettings {
   std::vector<messages::Sink*> sinks{};  ///< get every step, before all others
 };
 
-class Supervisor {
- public:
-  /// `cycle` and `loop` must outlive the supervisor.
-  Supervisor(const SupervisorSettings& settings, LiveCycle& cycle, loop::FixedRateLoop& loop);
-  ~Supervisor();
-
-  /// Runs until the course is completed, the run fails, the time is over or a signal arrives;
-  /// disarms the robot first. Returns the exit status; throws SetupError for errors before the
-  /// first session. Ends the process if a disk hangs.
-  int run();
-
- private:
-  struct State;
-  std::unique_ptr<State> state_;
-};
+/// Runs until the course is completed, the run fails, the time is over or a signal arrives; disarms
+/// the robot first. Returns the exit status; throws SetupError for errors before the first session.
+/// Ends the process if a disk hangs. `cycle` and `loop` must outlive the call.
+int supervise(const SupervisorSettings& settings, LiveCycle& cycle, loop::FixedRateLoop& loop);
 
 }  // namespace tp100::live

@@ -67,7 +67,7 @@ class Server : public messages::Sink {
   void take(const messages::Event& event);
   /// An image of a camera (JPEG), taken at host time `at`.
   void take_image(HostNs at, std::string jpeg);
-  /// STOP was pressed elsewhere (a key) and is on its way to the robot.
+  /// STOP was pressed elsewhere (a key, a node) and is on its way to the robot. Any thread.
   void stop_pressed(const std::string& by);
   /// The robot acknowledged a STOP at host time `at`.
   void stop_answered(HostNs at);
