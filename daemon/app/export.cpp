@@ -27,11 +27,12 @@ using record::Recording;
 struct Window {
   HostNs from_ns = std::numeric_limits<HostNs>::max();
   HostNs to_ns = std::numeric_limits<HostNs>::min();
+  bool ran = false;  ///< a run began
   bool has(HostNs at) const { return at >= from_ns && at <= to_ns; }
 };
 
 Window window_of(const Recording& recording) {
-  Window run, all;
+  Window run{.ran = true}, all;
   recording.visit({.step = [&](const StepRecord& record) {
     const auto widen = [&](Window& window) {
       window.from_ns = std::min(window.from_ns, record.now_ns);
@@ -43,20 +44,11 @@ Window window_of(const Recording& recording) {
   return run.from_ns <= run.to_ns ? run : all;
 }
 
-bool has_run(const Recording& recording) {
-  bool ran = false;
-  recording.visit({.step = [&](const StepRecord& record) {
-    ran = ran || record.snapshot.run_state == RunState::kRunning;
-  }});
-  return ran;
-}
-
 using Write = std::function<void(std::string_view)>;
 
 /// Calls `each` with the snapshot of every step in the window that received a sample.
 template <class Each>
-void for_each_pose(const Recording& recording, Each each) {
-  const Window window = window_of(recording);
+void for_each_pose(const Recording& recording, const Window& window, Each each) {
   HostNs last = std::numeric_limits<HostNs>::min();
   recording.visit({.step = [&](const StepRecord& record) {
     const Snapshot& snapshot = record.snapshot;
@@ -68,8 +60,7 @@ void for_each_pose(const Recording& recording, Each each) {
 }
 
 /// The true poses within the window by their time; empty if they are not recorded.
-std::map<HostNs, Pose> truth_of(const Recording& recording) {
-  const Window window = window_of(recording);
+std::map<HostNs, Pose> truth_of(const Recording& recording, const Window& window) {
   std::map<HostNs, Pose> truth;
   recording.visit({.truth = [&](HostNs at, const Pose& pose) {
     if (window.has(at)) truth.emplace(at, pose);
@@ -83,8 +74,8 @@ void append(std::string& line, const Pose& pose) {
     line += "," + text::shortest(value);
 }
 
-void write_poses(const Recording& recording, const Write& write) {
-  const std::map<HostNs, Pose> truth = truth_of(recording);
+void write_poses(const Recording& recording, const Window& window, const Write& write) {
+  const std::map<HostNs, Pose> truth = truth_of(recording, window);
   std::string line = "t_s";
   for (const PoseSource source : kPoseSources) line += report::pose_columns(to_string(source));
   line += report::pose_columns("world");
@@ -92,7 +83,7 @@ void write_poses(const Recording& recording, const Write& write) {
   write(line +
         ",left_mps,right_mps,slip_left,slip_right,cross_track_m,heading_error_rad,progress_m,"
         "desired_yaw_rad,speed_mps\n");
-  for_each_pose(recording, [&](double t_s, const Snapshot& snapshot) {
+  for_each_pose(recording, window, [&](double t_s, const Snapshot& snapshot) {
     line = text::shortest(t_s);
     for (const Estimate& estimate : snapshot.estimates.values) append(line, estimate.pose);
     append(line, snapshot.world);
@@ -112,10 +103,6 @@ void write_poses(const Recording& recording, const Write& write) {
   });
 }
 
-Write to(text::FileReplacement& file) {
-  return [&file](std::string_view text) { file.write(text); };
-}
-
 /// An output file that is announced once it is written.
 class Product {
  public:
@@ -132,27 +119,29 @@ class Product {
   text::FileReplacement file_;
 };
 
-void export_csv(const Recording& recording, const std::filesystem::path& folder) {
+void export_csv(const Recording& recording, const Window& window,
+                const std::filesystem::path& folder) {
   Product samples(folder, "samples.csv");
   samples.file().write(
       identify::write_drive(identify::recorded_drive(recording, recording.start_ns())));
   samples.commit();
   Product poses(folder, "poses.csv");
-  write_poses(recording, to(poses.file()));
+  write_poses(recording, window, [&](std::string_view text) { poses.file().write(text); });
   poses.commit();
 }
 
-void export_tum(const Recording& recording, const std::filesystem::path& folder) {
+void export_tum(const Recording& recording, const Window& window,
+                const std::filesystem::path& folder) {
   PerSource<std::optional<Product>> products;
   for (const PoseSource source : kPoseSources)
     products[source].emplace(folder, std::string(to_string(source)) + ".tum");
-  for_each_pose(recording, [&](double t_s, const Snapshot& snapshot) {
+  for_each_pose(recording, window, [&](double t_s, const Snapshot& snapshot) {
     for (const PoseSource source : kPoseSources)
       products[source]->file().write(report::tum_line(t_s, snapshot.estimates[source].pose));
   });
   for (std::optional<Product>& product : products.values) product->commit();
 
-  const std::map<HostNs, Pose> poses = truth_of(recording);
+  const std::map<HostNs, Pose> poses = truth_of(recording, window);
   if (poses.empty()) return;
   Product truth(folder, "truth.tum");
   for (const auto& [at, pose] : poses)
@@ -206,7 +195,8 @@ void export_run(const std::string& run, const ExportOptions& options) {
   if (!recording.whole())
     std::fprintf(stderr, "tp100d: %s: the recording is cut off; exported everything before that\n",
                  recording.path().c_str());
-  if (!has_run(recording))
+  const Window window = window_of(recording);
+  if (!window.ran)
     std::fprintf(stderr, "tp100d: %s: the run never began; exported the whole recording\n",
                  recording.path().c_str());
   const std::filesystem::path folder = options.out.empty()
@@ -215,8 +205,8 @@ void export_run(const std::string& run, const ExportOptions& options) {
   if (!options.ros2.empty()) export_bag(recording, options.ros2);
   if (!options.images.empty()) export_images(recording, options.images);
   if (options.csv || options.tum) text::make_folder(folder);
-  if (options.csv) export_csv(recording, folder);
-  if (options.tum) export_tum(recording, folder);
+  if (options.csv) export_csv(recording, window, folder);
+  if (options.tum) export_tum(recording, window, folder);
 }
 
 }  // namespace
