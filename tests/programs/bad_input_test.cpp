@@ -91,8 +91,7 @@ TEST_F(BadInput, SomethingThatIsNoPort) {
 }
 
 TEST_F(BadInput, NoResultIsWrittenOfAnUnfinishedInputOrIntoAFolderThatIsNotThere) {
-  const std::string cut =
-      write("cut.csv", "t_s,left_count,right_count,gyro_z_radps\n0,0,0,0\n1,0");
+  const std::string cut = write("cut.csv", "t_s,left_count,right_count,gyro_z_radps\n0,0,0,0\n1,0");
   expect_refused({"tp100d", "identify", cut, "--out", folder_.file("out.toml")}, "cut.csv:3");
   expect_refused({"tp100-sim", "course", "3", "--out", "/proc/x"}, "/proc/x");
   expect_refused({"tp100-sim", "course", "1-straight", "--record", "/proc/none"}, "/proc/none");

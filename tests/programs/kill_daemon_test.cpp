@@ -75,16 +75,14 @@ TEST_F(KilledDaemon, FilesAreWholeWheneverItIsKilled) {
   for (int round = 0; round < 12; ++round) {
     Process daemon({"tp100d", "run", "--wait", "--stay", "--port", folder_.file("none"), "--config",
                     folder_.file("c.toml")});
-    ASSERT_TRUE(daemon.wait_for("page: http://127.0.0.1:")) << daemon.output();
-    const std::string& output = daemon.output();
-    const std::size_t at = output.find("127.0.0.1:") + 10;
+    const std::string port = page_port(daemon);
     // What the last one left is gone.
     EXPECT_TRUE(eventually([&] {
       const std::set<std::string> left = names();
       return std::ranges::includes(known, left);
     })) << ::testing::PrintToString(names());
     try {
-      server::WebClient viewer(output.substr(at, output.find_first_not_of("0123456789", at) - at));
+      server::WebClient viewer(port);
       const auto end =
           std::chrono::steady_clock::now() + std::chrono::microseconds(20'000 + random() % 100'000);
       while (std::chrono::steady_clock::now() < end) {

@@ -134,6 +134,15 @@ std::unique_ptr<Process> start_robot(const std::string& link, const Words& more)
   return robot;
 }
 
+std::string page_port(Process& daemon) {
+  static const std::string kBefore = "page: http://127.0.0.1:";
+  if (!daemon.wait_for(kBefore) || !daemon.wait_for("/"))
+    throw std::runtime_error("no page is served: " + daemon.output());
+  const std::string& output = daemon.output();
+  const std::size_t at = output.find(kBefore) + kBefore.size();
+  return output.substr(at, output.find('/', at) - at);
+}
+
 double figure(const std::string& stats, const std::string& name) {
   const std::string text = read_bytes(stats), key = "\"" + name + "\": ";
   const std::size_t at = text.find(key);

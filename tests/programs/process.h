@@ -62,6 +62,9 @@ Finished run(std::vector<std::string> arguments);
 /// Starts `tp100-sim robot` with the arguments `more`; returns when its port is there, at `link`.
 std::unique_ptr<Process> start_robot(const std::string& link, const Words& more = {});
 
+/// The port of the page that `tp100d run` serves; waits for it.
+std::string page_port(Process& daemon);
+
 /// The first number of that name in the file that tp100d --stats writes once a second; -1 if there
 /// is none yet.
 double figure(const std::string& stats, const std::string& name);

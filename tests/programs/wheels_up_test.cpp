@@ -51,11 +51,8 @@ class WheelsUpFromThePage : public testing::Test {
     daemon_ = std::make_unique<Process>(
         std::vector<std::string>{"tp100d", "run", "--port", port(), "--stay", "--wait", "--listen",
                                  "127.0.0.1:0", "--setup", "stand"});
-    ASSERT_TRUE(daemon_->wait_for("page: http://127.0.0.1:")) << daemon_->output();
+    page_ = page_port(*daemon_);
     ASSERT_TRUE(daemon_->wait_for("-> ready")) << daemon_->output();
-    const std::string output = daemon_->output();
-    const std::size_t at = output.find("http://127.0.0.1:") + std::strlen("http://127.0.0.1:");
-    page_ = output.substr(at, output.find('/', at) - at);
     caller_ = std::make_unique<Caller>(page_);
   }
   /// Begins a check as soon as the robot is at rest.

@@ -4,22 +4,22 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <thread>
 #include <vector>
 
 #include "../messages/fixtures.h"
+#include "../support/eventually.h"
 #include "core/clock.h"
 #include "fake_controls.h"
 #include "server/server.h"
 #include "web_client.h"
 
 namespace tp100::server {
+
+using test::eventually;
 
 inline constexpr unsigned char kPage[] = "<html>cockpit</html>";
 inline const std::string kHost = "Host: 127.0.0.1\r\n";
@@ -33,9 +33,8 @@ class ServerTest : public ::testing::Test {
   ServerTest() {
     settings_.listen = "127.0.0.1:0";
     settings_.page = [](std::string_view path) {
-      return path == "/"
-                 ? std::optional(PageFile{"text/html", {kPage, sizeof kPage - 1}, "\"1\""})
-                 : std::nullopt;
+      return path == "/" ? std::optional(PageFile{"text/html", {kPage, sizeof kPage - 1}, "\"1\""})
+                         : std::nullopt;
     };
   }
   void start() {
@@ -66,13 +65,6 @@ class ServerTest : public ::testing::Test {
       ++record_.step;
       server_->take(record_);
     }
-  }
-  static bool eventually(const std::function<bool()>& condition) {
-    for (int i = 0; i < 3000; ++i) {
-      if (condition()) return true;
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    return false;
   }
 
   ServerSettings settings_;
