@@ -68,7 +68,7 @@ std::vector<server::ServiceRow> LiveControls::services() {
                  R"({"tracks":""})",
                  R"({"token":""})",
                  begin,
-                 {.consents = true, .needs = server::ServiceRow::Needs::kDrivable}});
+                 {.consents = true}});
   return all;
 }
 
@@ -103,6 +103,8 @@ void LiveControls::stop() {
 Result<std::string> LiveControls::begin_wheels_up(const server::Request& request) {
   if (request.arguments.text("tracks") != "free")
     return Refusal{"somebody has to confirm that the tracks turn freely: send tracks = \"free\""};
+  if (!request.state.why_not_drive.empty()) return Refusal{request.state.why_not_drive};
+  if (request.under_way()) return Refusal{server::kUnderWay};
   const std::lock_guard lock(mutex_);
   if (const Result<> may = may_move(request.consent, request.now); !may) return may.refusal();
   if (driving(request.now)) return Refusal{server::kUnderWay};

@@ -51,7 +51,7 @@ std::vector<server::ServiceRow> SelfTest::services() {
            R"({"port":"","errors":1,"warnings":1,"notes":1,)"
            R"("findings":[{"severity":"","name":"","seen":"","fix":""}]})",
            examine_part,
-           {.needs = server::ServiceRow::Needs::kRest}},
+           {.at_rest = true}},
           {Service::kWheelsUpWatch, "wheels_up_watch",
            R"({"token":"","input_ms":1.5,"question":1,"answer":""})", R"({"step":""})", watch}};
 }

@@ -10,7 +10,6 @@ constexpr double kMaxPlaceM = 100.0, kMaxYawRad = 100.0;
 constexpr double kMaxVelocity = 100.0;
 constexpr double kMaxInputMs = 1e15;
 
-using Needs = ServiceRow::Needs;
 using Text = Result<std::string>;
 
 bool within(const std::optional<double>& number, double most) {
@@ -126,7 +125,7 @@ std::vector<ServiceRow> motion_services(Controls& controls, Publisher& publisher
   constexpr const char* kChoice = R"({"course":"","robot":"","setup":""})";
   constexpr const char* kPlace = R"({"at":"","x_m":1.5,"y_m":1.5,"yaw_rad":1.5})";
   constexpr const char* kPose = R"({"x_m":1.5,"y_m":1.5,"yaw_rad":1.5})";
-  constexpr ServiceRow::Rules kConsent{.consents = true}, kRest{.needs = Needs::kRest};
+  constexpr ServiceRow::Rules kConsent{.consents = true}, kRest{.at_rest = true};
   return {
       {Service::kStart, "start", R"({"from":""})", kAccepted, at_once(&Motion::start), kConsent},
       {Service::kHold, "hold", "{}", kAccepted, hold},

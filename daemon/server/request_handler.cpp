@@ -149,9 +149,7 @@ Result<> RequestHandler::begin(const ServiceCall& call, std::uint32_t viewer, Pe
   const Result<Request> request =
       read_request(*row, call.payload, viewer, publisher_.clock(), state, now);
   if (!request) return request.refusal();
-  if (rules.needs == ServiceRow::Needs::kDrivable && !state.why_not_drive.empty())
-    return Refusal{state.why_not_drive};
-  if (rules.needs != ServiceRow::Needs::kNothing && under_way()) return Refusal{kUnderWay};
+  if (rules.at_rest && under_way()) return Refusal{kUnderWay};
   if (const Later* later = std::get_if<Later>(&row->does)) return (*later)(*request, answer);
   const Result<std::string> done = std::get<AtOnce>(row->does)(*request);
   if (!done) return done.refusal();

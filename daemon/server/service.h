@@ -101,17 +101,11 @@ using AtOnce = std::function<Result<std::string>(const Request&)>;     ///< retu
 using Later = std::function<Result<>(const Request&, const Answer&)>;  ///< answers or refuses
 
 struct ServiceRow {
-  /// The state that a request needs.
-  enum class Needs : std::uint8_t {
-    kNothing,
-    kRest,      ///< no run is under way, and nobody drives by hand
-    kDrivable,  ///< rest, and a robot that may be driven
-  };
   struct Rules {
     bool consents = false;        ///< sets the robot in motion, and so carries what the person saw
     bool more_arguments = false;  ///< takes others than those of the example
     Permission permission = Permission::kCommand;  ///< kStopOnly: taken from everybody
-    Needs needs = Needs::kNothing;
+    bool at_rest = false;  ///< refused while a run is under way or somebody drives by hand
   };
 
   Service service{};

@@ -23,7 +23,6 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using server::ServiceRow;
 using ::testing::HasSubstr;
-using Needs = ServiceRow::Needs;
 
 constexpr HostNs kNow = 100 * kNsPerS;
 
@@ -146,29 +145,18 @@ TEST_F(Services, WhoMayNotCommandMayStopAndWatchAndNothingElse) {
 
 // A change of course, or tracks that run, under somebody who drives.
 TEST_F(Services, WhatNeedsARobotAtRestIsRefusedInARun) {
-  const auto calls = [&](Needs needs) {
-    std::vector<std::pair<std::string, json>> all;
-    for (const auto& [name, request] :
-         std::map<std::string, json>{{"choose", {{"course", "1-curve"}}},
-                                     {"place", {{"at", "start"}}},
-                                     {"doctor", {{"part", "machine"}}},
-                                     {"wheels_up_begin", {{"tracks", "free"}}}}) {
-      const auto row = std::ranges::find(handler_.services(), name, &ServiceRow::name);
-      if (row->rules.needs == needs) all.emplace_back(name, request);
-    }
-    return all;
-  };
-  ASSERT_EQ(calls(Needs::kRest).size(), 3U);
-  ASSERT_EQ(calls(Needs::kDrivable).size(), 1U);
+  const std::map<std::string, json> calls = {{"choose", {{"course", "1-curve"}}},
+                                             {"place", {{"at", "start"}}},
+                                             {"doctor", {{"part", "machine"}}},
+                                             {"wheels_up_begin", {{"tracks", "free"}}}};
   for (const RunState state : {RunState::kArming, RunState::kRunning, RunState::kDriving}) {
     show(state);
-    for (const Needs needs : {Needs::kRest, Needs::kDrivable})
-      for (const auto& [name, request] : calls(needs))
-        EXPECT_EQ(refused(name, request), server::kUnderWay) << name;
+    for (const auto& [name, request] : calls)
+      EXPECT_EQ(refused(name, request), server::kUnderWay) << name;
   }
   show(RunState::kIdle, StartRefusal::kNoSession);
-  for (const auto& [name, request] : calls(Needs::kDrivable))
-    EXPECT_EQ(refused(name, request), to_string(StartRefusal::kNoSession)) << name;
+  EXPECT_EQ(refused("wheels_up_begin", calls.at("wheels_up_begin")),
+            to_string(StartRefusal::kNoSession));
 }
 
 TEST_F(Services, ArgumentsAreChecked) {
