@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/enum_names.h"
+#include "core/fields.h"
 #include "core/time.h"
 
 namespace tp100 {
@@ -73,51 +74,19 @@ struct LinkCounters {
   std::uint64_t corrupted() const { return crc_errors + cobs_errors + oversize + undersize; }
 };
 
-/// Calls visit(name, counter) for each of `link`, in their order: a LinkCounters, constant or not.
-template <class Counters, class Visit>
-void each_counter(Counters& link, Visit&& visit) {
-  auto& [bytes_in, bytes_out, frames_in, frames_out, samples, early, lost, duplicated, reordered,
-         crc_errors, cobs_errors, oversize, undersize, unknown_type, wrong_size, implausible,
-         foreign_bytes, unwritten, sync_replies, sync_rejected, reconnects, reboots, silences,
-         unanswered, refused, unknown_board, robot_faults, robot_corrupted, missed_edges] = link;
-  visit("bytes_in", bytes_in);
-  visit("bytes_out", bytes_out);
-  visit("frames_in", frames_in);
-  visit("frames_out", frames_out);
-  visit("samples", samples);
-  visit("early", early);
-  visit("lost", lost);
-  visit("duplicated", duplicated);
-  visit("reordered", reordered);
-  visit("crc_errors", crc_errors);
-  visit("cobs_errors", cobs_errors);
-  visit("oversize", oversize);
-  visit("undersize", undersize);
-  visit("unknown_type", unknown_type);
-  visit("wrong_size", wrong_size);
-  visit("implausible", implausible);
-  visit("foreign_bytes", foreign_bytes);
-  visit("unwritten", unwritten);
-  visit("sync_replies", sync_replies);
-  visit("sync_rejected", sync_rejected);
-  visit("reconnects", reconnects);
-  visit("reboots", reboots);
-  visit("silences", silences);
-  visit("unanswered", unanswered);
-  visit("refused", refused);
-  visit("unknown_board", unknown_board);
-  visit("robot_faults", robot_faults);
-  visit("robot_corrupted", robot_corrupted);
-  visit("missed_edges", missed_edges);
-}
+TP100_FIELDS(LinkCounters, bytes_in, bytes_out, frames_in, frames_out, samples, early, lost,
+             duplicated, reordered, crc_errors, cobs_errors, oversize, undersize, unknown_type,
+             wrong_size, implausible, foreign_bytes, unwritten, sync_replies, sync_rejected,
+             reconnects, reboots, silences, unanswered, refused, unknown_board, robot_faults,
+             robot_corrupted, missed_edges)
 
 /// Counts since `before`, an earlier state of the same counters.
 inline LinkCounters operator-(LinkCounters now, LinkCounters before) {
   std::array<std::uint64_t, sizeof(LinkCounters) / sizeof(std::uint64_t)> earlier{};
   std::size_t i = 0;
-  each_counter(before, [&](const char*, std::uint64_t counter) { earlier[i++] = counter; });
+  visit_fields([&](auto, std::uint64_t counter) { earlier[i++] = counter; }, before);
   i = 0;
-  each_counter(now, [&](const char*, std::uint64_t& counter) { counter -= earlier[i++]; });
+  visit_fields([&](auto, std::uint64_t& counter) { counter -= earlier[i++]; }, now);
   return now;
 }
 

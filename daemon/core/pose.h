@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/arithmetic.h"
+#include "core/fields.h"
 
 namespace tp100 {
 
@@ -25,6 +26,9 @@ struct Twist {
   double vy_mps = 0.0;
   double yaw_rate_radps = 0.0;
 };
+
+TP100_FIELDS(Pose, x_m, y_m, z_m, roll_rad, pitch_rad, yaw_rad)
+TP100_FIELDS(Twist, vx_mps, vy_mps, yaw_rate_radps)
 
 /// Speeds of the tracks, forward positive.
 struct TrackSpeeds {

@@ -34,7 +34,7 @@ Json pose(const Pose& pose) {
 
 Json link_figures(const LinkCounters& link) {
   Json json;
-  each_counter(link, [&](const char* name, std::uint64_t count) { json[name] = count; });
+  visit_fields([&](auto name, std::uint64_t count) { json[name] = count; }, link);
   return json;
 }
 

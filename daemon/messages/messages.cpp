@@ -12,21 +12,15 @@ namespace {
 
 constexpr double kPathSpacingM = 0.02;
 
-void write_pose(text::JsonWriter& json, const Pose& pose) {
-  json.field("x_m", pose.x_m)
-      .field("y_m", pose.y_m)
-      .field("z_m", pose.z_m)
-      .field("roll_rad", pose.roll_rad)
-      .field("pitch_rad", pose.pitch_rad)
-      .field("yaw_rad", pose.yaw_rad);
+template <class Values>
+void write_fields(text::JsonWriter& json, const Values& values) {
+  visit_fields([&](auto name, double value) { json.field(name, value); }, values);
 }
 
 void write_motion(text::JsonWriter& json, const Estimate& estimate) {
-  write_pose(json, estimate.pose);
-  json.field("vx_mps", estimate.twist.vx_mps)
-      .field("vy_mps", estimate.twist.vy_mps)
-      .field("yaw_rate_radps", estimate.twist.yaw_rate_radps)
-      .field("sd_x_m", std::sqrt(estimate.covariance.xx))
+  write_fields(json, estimate.pose);
+  write_fields(json, estimate.twist);
+  json.field("sd_x_m", std::sqrt(estimate.covariance.xx))
       .field("sd_y_m", std::sqrt(estimate.covariance.yy))
       .field("sd_yaw_rad", std::sqrt(estimate.covariance.yaw_yaw));
 }
@@ -43,7 +37,7 @@ void write_filter(text::JsonWriter& json, const FilterFigures& filter) {
 void write_truth(text::JsonWriter& json, const std::optional<Truth>& truth, HostNs now) {
   if (!truth) return;
   json.key("truth").begin_object();
-  write_pose(json, truth->pose);
+  write_fields(json, truth->pose);
   json.field("age_us", (now - truth->at_ns) / kNsPerUs).end_object();
 }
 
@@ -220,7 +214,7 @@ std::string Messages::estimate(const StepRecord& record, const std::optional<Tru
     json.end_object();
   }
   json.key("world").begin_object();
-  write_pose(json, snapshot.world);
+  write_fields(json, snapshot.world);
   json.end_object();
   write_truth(json, truth, record.now_ns);
   write_reference(json, path(), snapshot.progress_m);

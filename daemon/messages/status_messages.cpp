@@ -16,7 +16,7 @@ void write_durations(text::JsonWriter& json, std::string_view name, const Durati
 
 void write_counters(text::JsonWriter& json, const LinkCounters& link) {
   json.key("counters").begin_object();
-  each_counter(link, [&](const char* name, std::uint64_t count) { json.field(name, count); });
+  visit_fields([&](auto name, std::uint64_t count) { json.field(name, count); }, link);
   json.end_object();
 }
 

@@ -6,15 +6,14 @@
 #include <span>
 #include <string>
 
+#include "core/descriptor.h"
+
 namespace tp100::record {
 
 class AnonymousFile {
  public:
   /// On the disk of `folder`. Throws SetupError.
   explicit AnonymousFile(const std::string& folder);
-  ~AnonymousFile();
-  AnonymousFile(const AnonymousFile&) = delete;
-  AnonymousFile& operator=(const AnonymousFile&) = delete;
 
   /// Appends all of `bytes`, or nothing. 0 or an errno.
   int append(std::span<const std::uint8_t> bytes);
@@ -23,7 +22,7 @@ class AnonymousFile {
   std::uint64_t size() const { return size_; }
 
  private:
-  int descriptor_ = -1;
+  Descriptor file_;
   std::uint64_t size_ = 0;
 };
 

@@ -119,50 +119,31 @@ McapMessage message_of(Span content, const Directory& directory) {
   return message;
 }
 
-struct ChunkPlace {
-  std::uint64_t first_ns, last_ns, offset, length;
-  std::vector<std::uint16_t> channels;
-};
-
 }  // namespace
 
 struct McapReader::State {
   explicit State(const std::string& p) : path(p) {}
-  ~State() {
-    if (descriptor >= 0) ::close(descriptor);
-  }
-  State(const State&) = delete;
-  State& operator=(const State&) = delete;
 
   void open();
   Span read(std::uint64_t offset, std::uint64_t size, Bytes& buffer) const;
-  void read_summary();
-  void take_summary_record(McapOp op, Span content);
+  bool find_summary() const;
   bool hand_on(McapOp op, Span content, Directory& known, McapHandler& handler,
                Bytes& unpacked) const;
-  [[noreturn]] void fail(std::uint64_t offset, const std::string& what) const {
-    throw SetupError(path + ": corrupted at byte " + std::to_string(offset) + " (" + what +
-                     "); tp100d recover saves the intact part");
-  }
 
   std::string path;
-  int descriptor = -1;
+  Descriptor file;
   std::uint64_t size = 0;
-
   bool has_summary = false;
-  Directory directory;
-  std::vector<ChunkPlace> chunks;
-  std::uint64_t message_count = 0;
 };
 
 void McapReader::State::open() {
-  descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY);
+  file = Descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY));
   struct stat status {};
-  if (descriptor < 0 || ::fstat(descriptor, &status) != 0)
+  if (!file || ::fstat(file.get(), &status) != 0)
     throw SetupError(path + ": cannot be read (" + std::strerror(errno) +
                      "); name a recording or its folder, as tp100d run --record makes them");
   if (!S_ISREG(status.st_mode)) throw SetupError(path + ": not a file; give a recording");
-  mark_in_use(descriptor);
+  mark_in_use(file.get());
   size = static_cast<std::uint64_t>(status.st_size);
   Bytes buffer;
   if (size < kMcapMagic.size() ||
@@ -174,22 +155,18 @@ void McapReader::State::open() {
 Span McapReader::State::read(std::uint64_t offset, std::uint64_t bytes, Bytes& buffer) const {
   buffer.resize(static_cast<std::size_t>(bytes));
   std::size_t done = 0;
-  while (done < buffer.size()) {
-    const ssize_t n = ::pread(descriptor, buffer.data() + done, buffer.size() - done,
-                              static_cast<off_t>(offset + done));
-    if (n < 0 && errno == EINTR) continue;
-    if (n <= 0)
-      throw SetupError(path + ": cannot be read (" +
-                       (n < 0 ? std::strerror(errno) : "it became shorter") + ")");
-    done += static_cast<std::size_t>(n);
-  }
+  const int error = move_all(buffer.size(), done, [&](std::size_t at, std::size_t left) {
+    return ::pread(file.get(), buffer.data() + at, left, static_cast<off_t>(offset + at));
+  });
+  if (error != 0)
+    throw SetupError(path + ": cannot be read (" + std::strerror(error) + "), or became shorter");
   return buffer;
 }
 
-// The summary is used only if all of it is valid.
-void McapReader::State::read_summary() {
+// Whether the file ends with a summary all of which is valid.
+bool McapReader::State::find_summary() const {
   const std::uint64_t tail = kMcapRecordHead + kMcapFooterSize + kMcapMagic.size();
-  if (size < kMcapMagic.size() + tail) return;
+  if (size < kMcapMagic.size() + tail) return false;
   Bytes buffer;
   ByteReader in(read(size - tail, tail, buffer));
   const auto op = static_cast<McapOp>(in.number<std::uint8_t>());
@@ -199,45 +176,20 @@ void McapReader::State::read_summary() {
   const auto crc = in.number<std::uint32_t>();
   if (op != McapOp::kFooter || length != kMcapFooterSize ||
       !std::ranges::equal(in.bytes(kMcapMagic.size()), kMcapMagic))
-    return;
+    return false;
   const std::uint64_t footer_at = size - tail;
   if (summary_at < kMcapMagic.size() || summary_at > footer_at || footer_at - summary_at > kMaxSize)
-    return;
+    return false;
   const Span bytes =
       read(summary_at, footer_at - summary_at + kMcapRecordHead + kMcapFooterSize, buffer);
-  if (crc != 0 && crc != crc32(bytes.first(bytes.size() - 4))) return;
+  if (crc != 0 && crc != crc32(bytes.first(bytes.size() - 4))) return false;
   try {
     RecordList records(bytes.first(static_cast<std::size_t>(footer_at - summary_at)));
-    while (records.next()) take_summary_record(records.op, records.content);
-    has_summary = true;
-  } catch (const CorruptFile&) {
-    chunks.clear();
-  }
-}
-
-void McapReader::State::take_summary_record(McapOp op, Span content) {
-  ByteReader in(content);
-  if (op == McapOp::kSchema) {
-    directory.add_schema(in);
-  } else if (op == McapOp::kChannel) {
-    directory.add_channel(in);
-  } else if (op == McapOp::kStatistics) {
-    message_count = in.number<std::uint64_t>();
-  } else if (op == McapOp::kChunkIndex) {
-    ChunkPlace chunk{};
-    chunk.first_ns = in.number<std::uint64_t>();
-    chunk.last_ns = in.number<std::uint64_t>();
-    chunk.offset = in.number<std::uint64_t>();
-    chunk.length = in.number<std::uint64_t>();
-    ByteReader offsets(in.bytes(in.number<std::uint32_t>()));
-    while (offsets.ok() && offsets.left() > 0) {
-      chunk.channels.push_back(offsets.number<std::uint16_t>());
-      offsets.number<std::uint64_t>();
+    while (records.next()) {
     }
-    if (!in.ok() || !offsets.ok() || chunk.length > size || chunk.offset > size - chunk.length ||
-        chunk.length < kMcapRecordHead || chunk.length > kMaxSize)
-      throw CorruptFile{"the index is invalid"};
-    chunks.push_back(std::move(chunk));
+    return true;
+  } catch (const CorruptFile&) {
+    return false;
   }
 }
 
@@ -299,7 +251,7 @@ bool McapReader::State::hand_on(McapOp op, Span content, Directory& known, McapH
 McapReader::McapReader(const std::string& path) : state_(std::make_unique<State>(path)) {
   state_->open();
   text::note_read(path);
-  state_->read_summary();
+  state_->has_summary = state_->find_summary();
 }
 
 McapReader::~McapReader() = default;
@@ -348,38 +300,6 @@ McapEnd McapReader::stream(McapHandler& handler) const {
 }
 
 bool McapReader::indexed() const { return state_->has_summary; }
-std::uint64_t McapReader::message_count() const { return state_->message_count; }
 const std::string& McapReader::path() const { return state_->path; }
-
-void McapReader::read(const std::set<std::string>& topics, std::uint64_t from_ns,
-                      std::uint64_t to_ns, McapHandler& handler) const {
-  if (!state_->has_summary)
-    throw SetupError(path() + ": its end is missing; tp100d recover repairs it");
-  const auto wanted = [&](std::uint16_t id) {
-    const McapChannel* channel = state_->directory.find(id);
-    return channel != nullptr && (topics.empty() || topics.contains(channel->topic));
-  };
-  Bytes content, unpacked;
-  for (const ChunkPlace& chunk : state_->chunks) {
-    if (chunk.last_ns < from_ns || chunk.first_ns > to_ns) continue;
-    if (std::ranges::none_of(chunk.channels, wanted)) continue;
-    try {
-      RecordList chunk_record(state_->read(chunk.offset, chunk.length, content));
-      if (!chunk_record.next() || chunk_record.op != McapOp::kChunk)
-        throw CorruptFile{"the index points to something that is not a chunk"};
-      unpack(chunk_record.content, unpacked);
-      RecordList records(unpacked);
-      while (records.next()) {
-        if (records.op != McapOp::kMessage) continue;
-        const McapMessage message = message_of(records.content, state_->directory);
-        if (message.log_ns < from_ns || message.log_ns > to_ns || !wanted(message.channel->id))
-          continue;
-        if (!handler.message(message)) return;
-      }
-    } catch (const CorruptFile& corruption) {
-      state_->fail(chunk.offset, corruption.what);
-    }
-  }
-}
 
 }  // namespace tp100::record

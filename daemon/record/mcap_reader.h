@@ -3,11 +3,8 @@
 // are checked before anything is allocated, memory stays bounded, CRCs are validated.
 
 #include <cstdint>
-#include <functional>
-#include <limits>
 #include <map>
 #include <memory>
-#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -76,14 +73,8 @@ class McapReader {
   /// CRC or invalid content; stops where the next record cannot be found.
   McapEnd stream(McapHandler& handler) const;
 
-  /// Whether the file has a valid summary, so that read() works.
+  /// Whether the file has a valid summary.
   bool indexed() const;
-  /// Messages of these topics (all, if empty) with log time in [from, to], chunk by chunk, found
-  /// through the index; within a chunk in file order. Throws SetupError: no index, or corruption.
-  void read(const std::set<std::string>& topics, std::uint64_t from_ns, std::uint64_t to_ns,
-            McapHandler& handler) const;
-  /// Messages in the file by its statistics; needs indexed().
-  std::uint64_t message_count() const;
 
   const std::string& path() const;
 

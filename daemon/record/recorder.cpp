@@ -35,9 +35,6 @@ struct Request {
   std::uint64_t forget = 0;   // the steps before this one; 0: none
 };
 
-constexpr double Pose::*kPose[] = {&Pose::x_m,      &Pose::y_m,       &Pose::z_m,
-                                   &Pose::roll_rad, &Pose::pitch_rad, &Pose::yaw_rad};
-
 }  // namespace
 
 struct Recorder::State {
@@ -230,7 +227,7 @@ struct Recorder::State {
   void write_truth(ByteReader in) {
     messages::Truth truth;
     truth.at_ns = in.number<HostNs>();
-    for (double Pose::*value : kPose) truth.pose.*value = in.number<double>();
+    visit_fields([&](auto, double& value) { value = in.number<double>(); }, truth.pose);
     writer->truth(truth);
   }
   void write_message(ByteReader in) {
@@ -368,7 +365,7 @@ void Recorder::take_truth(HostNs at, const Pose& truth) {
   state_->put(EntryKind::kTruth, [&](Bytes& entry) {
     ByteWriter out(entry);
     out.number(at);
-    for (double Pose::*value : kPose) out.number(truth.*value);
+    visit_fields([&](auto, double value) { out.number(value); }, truth);
   });
 }
 

@@ -95,15 +95,15 @@ class Distributor : public McapHandler {
     const auto refuse = [&] { fail("truth " + std::to_string(message.sequence) + " is invalid"); };
     if (message.data.size() > kLongestTruth) refuse();
     const Json json = Json::parse(message.text(), nullptr, false);
-    const auto number = [&](const char* name) {
+    const auto number = [&](std::string_view name) {
       const auto found = json.find(name);
       if (!json.is_object() || found == json.end() || !found->is_number()) refuse();
       const auto value = found->get<double>();
       if (!(std::abs(value) <= kMaxInput)) refuse();
       return value;
     };
-    const Pose pose{number("x_m"),      number("y_m"),       number("z_m"),
-                    number("roll_rad"), number("pitch_rad"), number("yaw_rad")};
+    Pose pose;
+    visit_fields([&](auto name, double& value) { value = number(name); }, pose);
     const auto at = json.find("host_ns");
     if (at == json.end() || !at->is_number_integer() || !is_time(at->get<HostNs>())) refuse();
     visitor_.truth(at->get<HostNs>(), pose);

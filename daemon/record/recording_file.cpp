@@ -20,32 +20,25 @@ namespace tp100::record {
 
 RecordingFile::RecordingFile(std::string path) : path_(std::move(path)) {
   text::require_not_read(path_);
-  descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOCTTY, 0666);
-  if (descriptor_ < 0)
+  file_ =
+      Descriptor(::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOCTTY, 0666));
+  if (!file_)
     throw SetupError(path_ + ": cannot be written (" + std::strerror(errno) +
                      "); check folder, permission and free space");
   text::note_written(path_);
-  mark_in_use(descriptor_);
+  mark_in_use(file_.get());
 }
-
-RecordingFile::~RecordingFile() { ::close(descriptor_); }
 
 void RecordingFile::append(std::span<const std::uint8_t> bytes) {
   if (error_ != 0) return;
   std::size_t written = 0;
-  while (written < bytes.size()) {
-    const ssize_t n = ::write(descriptor_, bytes.data() + written, bytes.size() - written);
-    if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) {
-      error_ = n < 0 ? errno : EIO;
-      break;
-    }
-    written += static_cast<std::size_t>(n);
-  }
+  error_ = move_all(bytes.size(), written, [&](std::size_t at, std::size_t left) {
+    return ::write(file_.get(), bytes.data() + at, left);
+  });
   if (error_ == 0) {
     size_ += bytes.size();
-  } else if (written > 0 && (::ftruncate(descriptor_, static_cast<off_t>(size_)) != 0 ||
-                             ::lseek(descriptor_, static_cast<off_t>(size_), SEEK_SET) < 0)) {
+  } else if (written > 0 && (::ftruncate(file_.get(), static_cast<off_t>(size_)) != 0 ||
+                             ::lseek(file_.get(), static_cast<off_t>(size_), SEEK_SET) < 0)) {
     // The partial record stays; readers stop there.
     size_ += written;
   }
@@ -54,7 +47,7 @@ void RecordingFile::append(std::span<const std::uint8_t> bytes) {
 std::uint64_t RecordingFile::room() const {
   std::uint64_t room = std::numeric_limits<std::uint64_t>::max();
   struct statvfs disk {};
-  if (::fstatvfs(descriptor_, &disk) == 0) room = disk.f_bavail * disk.f_frsize;
+  if (::fstatvfs(file_.get(), &disk) == 0) room = disk.f_bavail * disk.f_frsize;
   struct rlimit limit {};
   if (::getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
     room = std::min<std::uint64_t>(room,
@@ -65,12 +58,8 @@ std::uint64_t RecordingFile::room() const {
 void mark_in_use(int descriptor) { ::flock(descriptor, LOCK_SH | LOCK_NB); }
 
 UsedFile::UsedFile(const std::string& path)
-    : descriptor_(::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC)) {
-  if (descriptor_ >= 0) mark_in_use(descriptor_);
-}
-
-UsedFile::~UsedFile() {
-  if (descriptor_ >= 0) ::close(descriptor_);
+    : file_(::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC)) {
+  if (file_) mark_in_use(file_.get());
 }
 
 void remove_recording(const std::string& path) {

@@ -5,6 +5,8 @@
 #include <span>
 #include <string>
 
+#include "core/descriptor.h"
+
 namespace tp100::record {
 
 /// Name of a recording in the folder of its run.
@@ -14,9 +16,6 @@ class RecordingFile {
  public:
   /// Creates the file, or truncates an existing one. Throws SetupError.
   explicit RecordingFile(std::string path);
-  ~RecordingFile();
-  RecordingFile(const RecordingFile&) = delete;
-  RecordingFile& operator=(const RecordingFile&) = delete;
 
   /// Appends all of `bytes`, or nothing, with the cause in error(). After an error nothing more is
   /// written.
@@ -31,7 +30,7 @@ class RecordingFile {
 
  private:
   std::string path_;
-  int descriptor_ = -1;
+  Descriptor file_;
   int error_ = 0;
   std::uint64_t size_ = 0;
 };
@@ -45,12 +44,9 @@ void mark_in_use(int descriptor);
 class UsedFile {
  public:
   explicit UsedFile(const std::string& path);
-  ~UsedFile();
-  UsedFile(const UsedFile&) = delete;
-  UsedFile& operator=(const UsedFile&) = delete;
 
  private:
-  int descriptor_;
+  Descriptor file_;
 };
 
 /// Removes a recording, and its folder if that is empty then; a missing one is no error.

@@ -29,18 +29,10 @@ const std::string& with_folder(const std::string& path) {
 
 std::string truth_text(const messages::PublishClock& clock, const messages::Truth& truth) {
   std::string text;
-  const Pose& pose = truth.pose;
-  text::JsonWriter(text)
-      .begin_object()
-      .field("t_s", clock.t_s(truth.at_ns))
-      .field("host_ns", truth.at_ns)
-      .field("x_m", pose.x_m)
-      .field("y_m", pose.y_m)
-      .field("z_m", pose.z_m)
-      .field("roll_rad", pose.roll_rad)
-      .field("pitch_rad", pose.pitch_rad)
-      .field("yaw_rad", pose.yaw_rad)
-      .end_object();
+  text::JsonWriter json(text);
+  json.begin_object().field("t_s", clock.t_s(truth.at_ns)).field("host_ns", truth.at_ns);
+  visit_fields([&](auto name, double value) { json.field(name, value); }, truth.pose);
+  json.end_object();
   return text;
 }
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <memory>
+#include <string_view>
 #include <type_traits>
 
 #include "core/bytes.h"
@@ -20,8 +22,8 @@ class Encoder {
   explicit Encoder(Bytes& out) : out_(out) {}
 
   template <class T>
-  void operator()(const char*, const T& value) {
-    if constexpr (std::same_as<T, bool>) {
+  void operator()(std::string_view, const T& value) {
+    if constexpr (std::same_as<T, bool> || std::is_enum_v<T>) {
       out_.number(static_cast<std::uint8_t>(value));
     } else if constexpr (Scalar<T>) {
       out_.number(value);
@@ -29,18 +31,18 @@ class Encoder {
       visit_fields(*this, value);
     }
   }
+  template <class T>
+  void operator()(std::string_view name, T value, T) {
+    (*this)(name, value);
+  }
   template <std::size_t N>
-  void operator()(const char* name, const std::array<double, N>& values) {
+  void operator()(std::string_view name, const std::array<double, N>& values) {
     for (const double value : values) (*this)(name, value);
   }
-  template <class T>
-  void operator()(const char*, T value, T) {
-    out_.number(static_cast<std::uint8_t>(value));
-  }
-  template <class T, std::size_t N, class... Last>
-  void list(const char* name, const BoundedList<T, N>& entries, Last... last) {
+  template <class T, std::size_t N>
+  void operator()(std::string_view name, const BoundedList<T, N>& entries) {
     out_.number(static_cast<std::uint32_t>(entries.size()));
-    for (const T& entry : entries) (*this)(name, entry, last...);
+    for (const T& entry : entries) (*this)(name, entry);
   }
 
  private:
@@ -52,7 +54,7 @@ class Decoder {
   explicit Decoder(std::span<const std::uint8_t> in) : in_(in) {}
 
   template <class T>
-  void operator()(const char* name, T& value) {
+  void operator()(std::string_view name, T& value) {
     if constexpr (std::same_as<T, bool>) {
       const auto byte = in_.number<std::uint8_t>();
       if (byte > 1) refuse(name);
@@ -60,27 +62,29 @@ class Decoder {
     } else if constexpr (Scalar<T>) {
       value = in_.number<T>();
       if (!plausible(value)) refuse(name);
+    } else if constexpr (std::is_enum_v<T>) {
+      (*this)(name, value, last_of(value));
     } else {
       if constexpr (std::same_as<T, LinkCounters>) inputs_ = false;
       visit_fields(*this, value);
     }
   }
-  template <std::size_t N>
-  void operator()(const char* name, std::array<double, N>& values) {
-    for (double& value : values) (*this)(name, value);
-  }
   template <class T>
-  void operator()(const char* name, T& value, T last) {
+  void operator()(std::string_view name, T& value, T last) {
     const auto byte = in_.number<std::uint8_t>();
     if (byte > static_cast<std::uint8_t>(last)) return refuse(name);
     value = static_cast<T>(byte);
   }
-  template <class T, std::size_t N, class... Last>
-  void list(const char* name, BoundedList<T, N>& entries, Last... last) {
+  template <std::size_t N>
+  void operator()(std::string_view name, std::array<double, N>& values) {
+    for (double& value : values) (*this)(name, value);
+  }
+  template <class T, std::size_t N>
+  void operator()(std::string_view name, BoundedList<T, N>& entries) {
     const auto count = in_.number<std::uint32_t>();
     entries.resize(count > N ? 0 : count);
     if (count > N) return refuse(name);
-    for (T& entry : entries) (*this)(name, entry, last...);
+    for (T& entry : entries) (*this)(name, entry);
   }
 
   std::optional<std::string> problem() const {
@@ -91,7 +95,7 @@ class Decoder {
   }
 
  private:
-  void refuse(const char* name) {
+  void refuse(std::string_view name) {
     if (refused_.empty()) refused_ = name;
   }
   template <class T>
@@ -123,44 +127,44 @@ const char* type_name() {
 class SchemaWriter {
  public:
   template <class T>
-  void operator()(const char* name, const T& value) {
+  void operator()(std::string_view name, const T& value) {
     if constexpr (Scalar<T>) {
       entry(name, std::is_same_v<T, bool> ? "bool" : type_name<T>());
+    } else if constexpr (std::is_enum_v<T>) {
+      (*this)(name, value, last_of(value));
     } else {
-      open(name);
-      visit_fields(*this, value);
-      text += "]]";
+      group(name, [&] { visit_fields(*this, value); });
     }
   }
-  template <std::size_t N>
-  void operator()(const char* name, const std::array<double, N>&) {
-    entry(name, "f64[" + std::to_string(N) + "]");
-  }
   template <class T>
-  void operator()(const char* name, T, T last) {
+  void operator()(std::string_view name, T, T last) {
     entry(name, "enum 0.." + std::to_string(static_cast<unsigned>(last)));
   }
-  template <class T, std::size_t N, class... Last>
-  void list(const char* name, const BoundedList<T, N>&, Last... last) {
-    open(name);
-    entry("count", "u32");
-    (*this)("entry", T{}, last...);
-    text += "]]";
+  template <std::size_t N>
+  void operator()(std::string_view name, const std::array<double, N>&) {
+    entry(name, "f64[" + std::to_string(N) + "]");
+  }
+  template <class T, std::size_t N>
+  void operator()(std::string_view name, const BoundedList<T, N>&) {
+    group(name, [&] {
+      entry("count", "u32");
+      (*this)("entry", T{});
+    });
   }
 
   std::string text;
 
  private:
-  void separate() {
+  void entry(std::string_view name, const std::string& type) {
     if (text.ends_with(']')) text += ",";
+    text += "[\"" + std::string(name) + "\",\"" + type + "\"]";
   }
-  void entry(const std::string& name, const std::string& type) {
-    separate();
-    text += "[\"" + name + "\",\"" + type + "\"]";
-  }
-  void open(const std::string& name) {
-    separate();
-    text += "[\"" + name + "\",[";
+  template <class Fields>
+  void group(std::string_view name, Fields fields) {
+    if (text.ends_with(']')) text += ",";
+    text += "[\"" + std::string(name) + "\",[";
+    fields();
+    text += "]]";
   }
 };
 

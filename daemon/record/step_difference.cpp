@@ -3,117 +3,86 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "core/arithmetic.h"
 #include "record/step_fields.h"
+#include "text/format.h"
 
 namespace tp100::record {
 namespace {
 
-template <class T>
-concept Number = std::is_arithmetic_v<T>;
-
 /// All results in order.
 class Results {
  public:
+  enum class Kind : std::uint8_t { kFlag, kUnsigned, kSigned, kReal };
   struct Entry {
-    std::string_view name;  ///< without the names of the structures around it
+    std::string_view name;
+    std::size_t group;  ///< the structure around it
+    Kind kind;
     std::uint64_t bits;
-    bool real;
   };
 
+  explicit Results(const StepRecord& record) { visit_results(*this, record); }
+
   template <class T>
-  void operator()(const char* name, const T& value) {
+  void operator()(std::string_view name, const T& value) {
     if constexpr (std::same_as<T, double>) {
-      entries.push_back({name, std::bit_cast<std::uint64_t>(value), true});
-    } else if constexpr (Number<T>) {
-      entries.push_back({name, static_cast<std::uint64_t>(value), false});
+      add(name, Kind::kReal, std::bit_cast<std::uint64_t>(value));
+    } else if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T>) {
+      add(name,
+          std::same_as<T, bool> ? Kind::kFlag
+          : std::is_signed_v<T> ? Kind::kSigned
+                                : Kind::kUnsigned,
+          static_cast<std::uint64_t>(value));
     } else {
+      groups_.emplace_back(name, group_);
+      const std::size_t outer = std::exchange(group_, groups_.size() - 1);
       visit_fields(*this, value);
+      group_ = outer;
     }
   }
   template <std::size_t N>
-  void operator()(const char* name, const std::array<double, N>& values) {
+  void operator()(std::string_view name, const std::array<double, N>& values) {
     for (const double value : values) (*this)(name, value);
   }
-  template <class T>
-  void operator()(const char* name, T value, T) {
-    (*this)(name, static_cast<std::uint8_t>(value));
+
+  /// With the names of the structures around it.
+  std::string full_name(const Entry& entry) const {
+    std::string name(entry.name);
+    for (std::size_t at = entry.group; at != 0; at = groups_[at].second)
+      name = std::string(groups_[at].first) + "." + name;
+    return name;
   }
 
-  std::vector<Entry> entries;
-};
-
-/// Calls `each` with the index and both entries of all results that differ, until it returns false.
-template <class Each>
-void each_difference(const StepRecord& recorded, const StepRecord& computed, const Each& each) {
-  thread_local Results was, is;
-  was.entries.clear();
-  is.entries.clear();
-  visit_results(was, recorded);
-  visit_results(is, computed);
-  for (std::size_t i = 0; i < was.entries.size(); ++i) {
-    if (was.entries[i].bits != is.entries[i].bits && !each(i, was.entries[i], is.entries[i]))
-      return;
-  }
-}
-
-template <class T>
-std::string shown(T value) {
-  std::array<char, 40> digits{};
-  if constexpr (std::same_as<T, bool>) return value ? "true" : "false";
-  const auto end = [&] {
-    if constexpr (std::integral<T>)
-      return std::to_chars(digits.data(), digits.data() + digits.size(), +value).ptr;
-    else
-      return std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-  }();
-  return {digits.data(), end};
-}
-
-/// Lists names and texts of all results in order. Slow: only for records known to differ.
-class Lister {
- public:
-  template <class T>
-  void operator()(const char* name, const T& value) {
-    if constexpr (Number<T>) {
-      entries.push_back({prefix_ + name, shown(value)});
-    } else {
-      const std::string outer = prefix_;
-      prefix_ += name;
-      prefix_ += '.';
-      visit_fields(*this, value);
-      prefix_ = outer;
-    }
-  }
-  template <std::size_t N>
-  void operator()(const char* name, const std::array<double, N>& values) {
-    for (const double value : values) (*this)(name, value);
-  }
-  template <class T>
-  void operator()(const char* name, T value, T) {
-    (*this)(name, static_cast<std::uint8_t>(value));
-  }
-
-  struct Entry {
-    std::string field, value;
-  };
   std::vector<Entry> entries;
 
  private:
-  std::string prefix_;
+  void add(std::string_view name, Kind kind, std::uint64_t bits) {
+    entries.push_back({name, group_, kind, bits});
+  }
+
+  std::vector<std::pair<std::string_view, std::size_t>> groups_{{}};  // name and outer group
+  std::size_t group_ = 0;
 };
 
-Lister listed(const StepRecord& record) {
-  Lister lister;
-  visit_results(lister, record);
-  return lister;
+std::string shown(const Results::Entry& entry) {
+  switch (entry.kind) {
+    case Results::Kind::kFlag:
+      return entry.bits != 0 ? "true" : "false";
+    case Results::Kind::kUnsigned:
+      return std::to_string(entry.bits);
+    case Results::Kind::kSigned:
+      return std::to_string(static_cast<std::int64_t>(entry.bits));
+    case Results::Kind::kReal:
+      break;
+  }
+  return text::shortest(std::bit_cast<double>(entry.bits));
 }
 
 double distance(double a, double b) {
@@ -126,20 +95,21 @@ double distance(double a, double b) {
 
 std::optional<StepDifference> first_difference(const StepRecord& recorded,
                                                const StepRecord& computed) {
-  std::optional<StepDifference> found;
-  each_difference(recorded, computed, [&](std::size_t i, const auto&, const auto&) {
-    const auto was = listed(recorded).entries[i], is = listed(computed).entries[i];
-    found = {was.field, was.value, is.value};
-    return false;
-  });
-  return found;
+  const Results was(recorded), is(computed);
+  const auto [first, other] = std::ranges::mismatch(was.entries, is.entries, {},
+                                                    &Results::Entry::bits, &Results::Entry::bits);
+  if (first == was.entries.end()) return std::nullopt;
+  return StepDifference{was.full_name(*first), shown(*first), shown(*other)};
 }
 
 void LargestDifference::add(const StepRecord& recorded, const StepRecord& computed) {
-  each_difference(recorded, computed, [&](std::size_t, const auto& was, const auto& is) {
-    if (!was.real) {
+  const Results before(recorded), after(computed);
+  for (std::size_t i = 0; i < before.entries.size(); ++i) {
+    const Results::Entry &was = before.entries[i], &is = after.entries[i];
+    if (was.bits == is.bits) continue;
+    if (was.kind != Results::Kind::kReal) {
       decided = true;
-      return true;
+      continue;
     }
     const auto a = std::bit_cast<double>(was.bits), b = std::bit_cast<double>(is.bits);
     const double apart = distance(a, b);
@@ -151,8 +121,7 @@ void LargestDifference::add(const StepRecord& recorded, const StepRecord& comput
       const double scale = std::isinf(apart) ? 1.0 : std::max({1.0, std::abs(a), std::abs(b)});
       other = std::max(other, apart / scale);
     }
-    return true;
-  });
+  }
 }
 
 bool LargestDifference::within(double limit) const {

@@ -74,7 +74,7 @@ Json json_of(const CameraFigures& camera) {
 
 Json json_of(const LinkCounters& link) {
   Json json;
-  each_counter(link, [&](const char* name, std::uint64_t count) { json[name] = count; });
+  visit_fields([&](auto name, std::uint64_t count) { json[name] = count; }, link);
   return json;
 }
 

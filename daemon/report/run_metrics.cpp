@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include "core/arithmetic.h"
-#include "record/step_fields.h"
 #include "report/result_text.h"
 #include "report/run_result.h"
 
@@ -13,12 +12,6 @@ namespace tp100::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// Collects the counters by their names in recordings.
-struct CounterList {
-  std::vector<std::pair<std::string, std::uint64_t>> list;
-  void operator()(const char* name, const std::uint64_t& value) { list.emplace_back(name, value); }
-};
 
 }  // namespace
 
@@ -39,9 +32,9 @@ Difference model_from_odometry(const RecordedRun& run) {
 }
 
 std::vector<std::pair<std::string, std::uint64_t>> counters_of(const LinkCounters& link) {
-  CounterList counters;
-  record::visit_fields(counters, link);
-  return counters.list;
+  std::vector<std::pair<std::string, std::uint64_t>> counters;
+  visit_fields([&](auto name, std::uint64_t count) { counters.emplace_back(name, count); }, link);
+  return counters;
 }
 
 std::string metrics_json(const RecordedRun& run, const std::optional<RunFigures>& figures) {

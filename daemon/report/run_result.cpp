@@ -9,8 +9,10 @@ namespace tp100::report {
 
 std::string pose_columns(std::string_view name) {
   std::string columns;
-  for (const char* value : {"x_m", "y_m", "z_m", "roll_rad", "pitch_rad", "yaw_rad"})
-    columns += "," + std::string(name) + "_" + value;
+  constexpr Pose kAny{};
+  visit_fields(
+      [&](auto field, double) { columns += "," + std::string(name) + "_" + std::string(field); },
+      kAny);
   return columns;
 }
 
@@ -25,8 +27,7 @@ std::string poses_csv(const RunResult& result) {
   for (const TrajectoryPoint& point : result.points) {
     out << point.t_s;
     const auto write = [&out](const Pose& pose) {
-      out << ',' << pose.x_m << ',' << pose.y_m << ',' << pose.z_m << ',' << pose.roll_rad << ','
-          << pose.pitch_rad << ',' << pose.yaw_rad;
+      visit_fields([&](auto, double value) { out << ',' << value; }, pose);
     };
     write(point.truth);
     write(point.world);

@@ -189,9 +189,10 @@ Status link_status(const StepRecord& record, const messages::RunContext& run_con
     status.values = {entry("robot_state", to_string(record.snapshot.sample.state)),
                      entry("age_us", std::to_string(record.snapshot.age_us))};
   }
-  each_counter(record.link, [&](const char* name, std::uint64_t count) {
-    status.values.push_back(entry(name, std::to_string(count)));
-  });
+  const auto add = [&](std::string_view name, std::uint64_t count) {
+    status.values.push_back(entry(std::string(name), std::to_string(count)));
+  };
+  visit_fields(add, record.link);
   return status;
 }
 

@@ -74,7 +74,7 @@ class WorkFolder {
 
  private:
   std::string path_;
-  const OpenFile open_;  // tells other programs that the folder is in use
+  const Descriptor open_;  // tells other programs that the folder is in use
 };
 
 /// Puts a file in the place of another, or of a link. Throws SetupError.

@@ -118,29 +118,18 @@ fs::path run_path(const std::string& folder, const std::string& run) {
   return path;
 }
 
-/// A recording that nobody else uses, and that nobody can mark as in use from here on.
-class OwnRecording {
- public:
-  /// Throws SetupError.
-  OwnRecording(const fs::path& path, const std::string& run)
-      : fd_(::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC)) {
-    struct stat status {};
-    std::string why;
-    if (fd_ < 0 || ::fstat(fd_, &status) != 0 || !S_ISREG(status.st_mode))
-      why = ": has no run.mcap, so it may be something else; delete it by hand";
-    else if (::flock(fd_, LOCK_EX | LOCK_NB) != 0)
-      why = ": is open: it is being recorded, replayed, reported or downloaded; try again later";
-    if (why.empty()) return;
-    if (fd_ >= 0) ::close(fd_);
-    throw SetupError(run + why);
-  }
-  ~OwnRecording() { ::close(fd_); }
-  OwnRecording(const OwnRecording&) = delete;
-  OwnRecording& operator=(const OwnRecording&) = delete;
-
- private:
-  int fd_;
-};
+/// Opens a recording that nobody else uses, and that nobody can mark as in use while it is open.
+/// Throws SetupError.
+Descriptor own_recording(const fs::path& path, const std::string& run) {
+  Descriptor file(::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+  struct stat status {};
+  if (!file || ::fstat(file.get(), &status) != 0 || !S_ISREG(status.st_mode))
+    throw SetupError(run + ": has no run.mcap, so it may be something else; delete it by hand");
+  if (::flock(file.get(), LOCK_EX | LOCK_NB) != 0)
+    throw SetupError(run + ": is open: it is being recorded, replayed, reported or downloaded; " +
+                     "try again later");
+  return file;
+}
 
 }  // namespace
 
@@ -181,22 +170,19 @@ std::vector<std::string> files_of(const std::string& folder, const std::string& 
   return names;
 }
 
-OpenFile::~OpenFile() {
-  if (fd_ >= 0) ::close(fd_);
-}
-
-OpenFile open_run_file(const std::string& folder, const std::string& run, const std::string& file,
-                       std::uint64_t& bytes) {
-  if (folder.empty() || !text::is_found_name(run) || !text::is_found_name(file)) return OpenFile();
-  const OpenFile root(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  const OpenFile inside(
+Descriptor open_run_file(const std::string& folder, const std::string& run, const std::string& file,
+                         std::uint64_t& bytes) {
+  if (folder.empty() || !text::is_found_name(run) || !text::is_found_name(file))
+    return Descriptor();
+  const Descriptor root(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  const Descriptor inside(
       ::openat(root.get(), run.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
   // Opening a pipe must not block.
-  OpenFile found(
+  Descriptor found(
       ::openat(inside.get(), file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
   struct stat status {};
   if (!inside || !found || ::fstat(found.get(), &status) != 0 || !S_ISREG(status.st_mode))
-    return OpenFile();
+    return Descriptor();
   record::mark_in_use(found.get());
   bytes = static_cast<std::uint64_t>(status.st_size);
   return found;
@@ -229,7 +215,7 @@ void delete_run(const std::string& folder, const std::string& run) {
   // A deletion that was interrupted leaves an empty folder at last.
   if (fs::remove(path, error)) return;
   error.clear();
-  const OwnRecording own(path / kRecordingFile, run);
+  const Descriptor own = own_recording(path / kRecordingFile, run);
   std::vector<fs::path> files;
   for (fs::directory_iterator at(path, error), end; !error && at != end; at.increment(error)) {
     if (is_folder(at->path()))

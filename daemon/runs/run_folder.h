@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
+#include "core/descriptor.h"
 #include "runs/run_note.h"
 
 namespace tp100::runs {
@@ -44,28 +44,11 @@ std::vector<Run> list_runs(const std::string& folder);
 /// run.
 std::vector<std::string> files_of(const std::string& folder, const std::string& run);
 
-/// An open file that closes itself.
-class OpenFile {
- public:
-  explicit OpenFile(int fd = -1) : fd_(fd) {}
-  ~OpenFile();
-  OpenFile(OpenFile&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
-  OpenFile& operator=(OpenFile&& other) noexcept {
-    std::swap(fd_, other.fd_);
-    return *this;
-  }
-  int get() const { return fd_; }
-  explicit operator bool() const { return fd_ >= 0; }
-
- private:
-  int fd_;
-};
-
 /// Opens a regular file of a run for reading; an empty result: there is none that may be read. No
 /// link is followed. The file is in use (record/recording_file.h) while it is open. `bytes`: its
 /// size.
-OpenFile open_run_file(const std::string& folder, const std::string& run, const std::string& file,
-                       std::uint64_t& bytes);
+Descriptor open_run_file(const std::string& folder, const std::string& run, const std::string& file,
+                         std::uint64_t& bytes);
 
 /// Changes the note of a run; a note that is then empty is removed. Returns the new note. Throws
 /// SetupError: no such run, invalid text, or an error of the disk.

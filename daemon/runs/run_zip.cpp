@@ -56,7 +56,7 @@ RunZip::RunZip(const std::string& folder, const std::string& run, std::uint64_t 
   used_.emplace(folder + "/" + run + "/" + record::kRecordingFile);
   for (const std::string& name : names) {
     std::uint64_t bytes = 0;
-    const OpenFile file = open_run_file(folder, run, name, bytes);
+    const Descriptor file = open_run_file(folder, run, name, bytes);
     struct stat status {};
     if (!file || ::fstat(file.get(), &status) != 0) continue;
     if (entries_.size() == kMaxZipFiles)
@@ -163,7 +163,7 @@ std::optional<std::size_t> RunZip::read(std::span<char> into) {
     case Next::kContent: {
       const auto got = read_file(into);
       if (got && offset_ == entries_[at_].bytes) {
-        file_ = OpenFile();
+        file_ = Descriptor();
         offset_ = 0;
         next_ = ++at_ < entries_.size() ? Next::kChecksum : Next::kDirectory;
       }

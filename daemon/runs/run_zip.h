@@ -64,7 +64,7 @@ class RunZip {
   std::uint64_t size_ = 0;
   std::size_t at_ = 0;  // the entry being read
   Next next_ = Next::kChecksum;
-  OpenFile file_;
+  Descriptor file_;
   std::uint64_t offset_ = 0;  // in the file, or in the directory
   boost::crc_32_type crc_;
 };

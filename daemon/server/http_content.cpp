@@ -88,8 +88,8 @@ HttpAnswer file_answer(const HttpRequest& request, std::string_view path,
                : http_text(404, "no such file");
   const std::string_view name = path.substr(slash + 1);
   std::uint64_t size = 0;
-  runs::OpenFile file = runs::open_run_file(sources.runs_folder, std::string(path.substr(0, slash)),
-                                            std::string(name), size);
+  Descriptor file = runs::open_run_file(sources.runs_folder, std::string(path.substr(0, slash)),
+                                        std::string(name), size);
   if (!file) return http_text(404, "no such file");
   HttpAnswer answer;
   answer.type = runs::kind_of(name).media_type;

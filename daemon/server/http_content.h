@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/descriptor.h"
 #include "runs/run_folder.h"
 #include "runs/run_zip.h"
 
@@ -40,7 +41,7 @@ struct HttpAnswer {
   std::vector<std::pair<std::string, std::string>> headers;
   std::string body;                        ///< the body, unless one of the next three has it
   std::span<const unsigned char> bytes{};  ///< of a file of the page
-  runs::OpenFile file{};                   ///< a part of a file on the disk
+  Descriptor file{};                       ///< a part of a file on the disk
   std::unique_ptr<runs::RunZip> zip{};     ///< an archive, made while it is sent
   std::uint64_t offset = 0;                ///< of the part in the file
   std::uint64_t length = 0;                ///< of the body, wherever it is

@@ -16,6 +16,7 @@
 #include <system_error>
 #include <utility>
 
+#include "core/descriptor.h"
 #include "text/temporary.h"
 
 namespace tp100::text {
@@ -89,16 +90,16 @@ class Output {
  public:
   explicit Output(const Target& target) {
     if (target.direct) {
-      descriptor_ = ::open(target.path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
+      file_ = Descriptor(::open(target.path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY));
     } else if (!fs::path(target.path).filename().empty()) {
       const std::string folder = folder_of(target.path);
-      descriptor_ = make_temporary_file(folder.empty() ? "." : folder, temporary_);
+      file_ = Descriptor(make_temporary_file(folder.empty() ? "." : folder, temporary_));
       // Closing the other one shows an error of the disk while this one still holds the lock.
-      if (descriptor_ >= 0) lock_ = ::fcntl(descriptor_, F_DUPFD_CLOEXEC, 0);
+      if (file_) lock_ = Descriptor(::fcntl(file_.get(), F_DUPFD_CLOEXEC, 0));
     } else {
       errno = ENOENT;
     }
-    if (descriptor_ < 0) {
+    if (!file_) {
       temporary_.clear();
       fail(target.path, errno);
     }
@@ -107,38 +108,32 @@ class Output {
   Output& operator=(const Output&) = delete;
   ~Output() {
     if (!temporary_.empty()) ::unlink(temporary_.c_str());
-    if (descriptor_ >= 0) ::close(descriptor_);
-    if (lock_ >= 0) ::close(lock_);
   }
 
   /// Zero or an errno.
   int write(std::string_view content) {
-    while (!content.empty()) {
-      const ssize_t n = ::write(descriptor_, content.data(), content.size());
-      if (n < 0 && errno == EINTR) continue;
-      if (n < 0) return errno;
-      content.remove_prefix(static_cast<std::size_t>(n));
-    }
-    return 0;
+    std::size_t done = 0;
+    return move_all(content.size(), done, [&](std::size_t at, std::size_t left) {
+      return ::write(file_.get(), content.data() + at, left);
+    });
   }
 
   int close(Flush flush) {
     // Pipes and terminals have nothing to flush.
-    if (flush == Flush::kYes && ::fsync(descriptor_) != 0 && errno != EINVAL && errno != ENOTSUP &&
+    if (flush == Flush::kYes && ::fsync(file_.get()) != 0 && errno != EINVAL && errno != ENOTSUP &&
         errno != EROFS)
       return errno;
-    const int result = ::close(std::exchange(descriptor_, -1));
-    return result == 0 ? 0 : errno;
+    return ::close(file_.release()) == 0 ? 0 : errno;
   }
 
   /// Gives the file the permissions of the one that it replaces, or of any new one.
   int permit(const std::optional<struct stat>& like) {
-    if (!like) return ::fchmod(descriptor_, 0666 & ~kMask) == 0 ? 0 : errno;
+    if (!like) return ::fchmod(file_.get(), 0666 & ~kMask) == 0 ? 0 : errno;
     // Only root may give files away; a group may be one of ours.
-    if (::fchown(descriptor_, like->st_uid, like->st_gid) != 0 &&
-        ::fchown(descriptor_, static_cast<uid_t>(-1), like->st_gid) != 0 && errno != EPERM)
+    if (::fchown(file_.get(), like->st_uid, like->st_gid) != 0 &&
+        ::fchown(file_.get(), static_cast<uid_t>(-1), like->st_gid) != 0 && errno != EPERM)
       return errno;
-    return ::fchmod(descriptor_, like->st_mode & 07777) == 0 ? 0 : errno;
+    return ::fchmod(file_.get(), like->st_mode & 07777) == 0 ? 0 : errno;
   }
 
   int rename_to(const std::string& path) {
@@ -148,7 +143,7 @@ class Output {
   }
 
  private:
-  int descriptor_ = -1, lock_ = -1;
+  Descriptor lock_, file_;
   std::string temporary_;
 };
 

@@ -144,7 +144,7 @@ std::vector<Figure> figures_of(const LinkCounters& link, const StepMonitor& step
     all.push_back({name, static_cast<double>(count)});
   };
   add("corrupted", link.corrupted());
-  each_counter(link, add);
+  visit_fields(add, link);
   return all;
 }
 

@@ -13,29 +13,31 @@ class RandomFiller {
   explicit RandomFiller(std::uint64_t seed) : random_(seed) {}
 
   template <class T>
-  void operator()(const char*, T& value) {
+  void operator()(std::string_view, T& value) {
     if constexpr (std::same_as<T, bool>) {
       value = random_() % 2 == 1;
     } else if constexpr (std::same_as<T, double>) {
       value = std::uniform_real_distribution<>(-0.4, 0.4)(random_);
     } else if constexpr (std::is_arithmetic_v<T>) {
       value = static_cast<T>(random_() >> 5);
+    } else if constexpr (std::is_enum_v<T>) {
+      (*this)("", value, last_of(value));
     } else {
       visit_fields(*this, value);
     }
   }
   template <std::size_t N>
-  void operator()(const char* name, std::array<double, N>& values) {
+  void operator()(std::string_view name, std::array<double, N>& values) {
     for (double& value : values) (*this)(name, value);
   }
   template <class T>
-  void operator()(const char*, T& value, T last) {
+  void operator()(std::string_view, T& value, T last) {
     value = static_cast<T>(random_() % (static_cast<unsigned>(last) + 1));
   }
-  template <class T, std::size_t N, class... Last>
-  void list(const char* name, BoundedList<T, N>& entries, Last... last) {
+  template <class T, std::size_t N>
+  void operator()(std::string_view name, BoundedList<T, N>& entries) {
     entries.resize(random_() % 4);
-    for (T& entry : entries) (*this)(name, entry, last...);
+    for (T& entry : entries) (*this)(name, entry);
   }
 
  private:
