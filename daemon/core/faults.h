@@ -54,6 +54,12 @@ constexpr std::optional<Fault> first_fault(FaultMask mask) {
   return static_cast<Fault>(std::countr_zero(mask));
 }
 
+/// Calls visit(fault) for each of them, the lowest bit first.
+template <class Visit>
+constexpr void each_fault(FaultMask mask, const Visit& visit) {
+  for (; mask != 0; mask &= mask - 1) visit(*first_fault(mask));
+}
+
 // How to fix a board without this firmware, worded the same in all messages.
 
 /// The command to run, from the source tree or the installed package. `port`: of the board; empty:

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/board.h"
+#include "core/enum_names.h"
 #include "core/estimates.h"
 #include "core/faults.h"
 #include "core/histogram.h"
@@ -105,6 +106,14 @@ struct StopFigures {
   Status status = Status::kNone;
   double acknowledged_ms = 0.0;
 };
+
+/// Names as in /state.stop.status.
+inline constexpr std::array<EnumName<StopFigures::Status>, 4> kStopStatusNames = {{
+    {StopFigures::Status::kNone, "none"},
+    {StopFigures::Status::kPending, "pending"},
+    {StopFigures::Status::kAcknowledged, "acknowledged"},
+    {StopFigures::Status::kNotAcknowledged, "not_acknowledged"},
+}};
 
 /// The client that drives by hand.
 struct DriverFigures {

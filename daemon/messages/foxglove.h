@@ -38,30 +38,20 @@ inline constexpr Colour kPathColour{1.0, 1.0, 1.0, 1.0};
 
 /// foxglove's time, from Unix nanoseconds.
 inline void write_time(text::JsonWriter& json, std::string_view name, std::uint64_t unix_ns) {
-  json.key(name)
-      .begin_object()
-      .field("sec", unix_ns / 1'000'000'000U)
-      .field("nsec", unix_ns % 1'000'000'000U)
-      .end_object();
+  json.object(name, [&] {
+    json.field("sec", unix_ns / 1'000'000'000U).field("nsec", unix_ns % 1'000'000'000U);
+  });
 }
 
 inline void write_xyz(text::JsonWriter& json, std::string_view name, const Point& point) {
-  json.key(name)
-      .begin_object()
-      .field("x", point.x_m)
-      .field("y", point.y_m)
-      .field("z", point.z_m)
-      .end_object();
+  json.object(name,
+              [&] { json.field("x", point.x_m).field("y", point.y_m).field("z", point.z_m); });
 }
 
 inline void write_colour(text::JsonWriter& json, const Colour& colour) {
-  json.key("color")
-      .begin_object()
-      .field("r", colour[0])
-      .field("g", colour[1])
-      .field("b", colour[2])
-      .field("a", colour[3])
-      .end_object();
+  json.object("color", [&] {
+    json.field("r", colour[0]).field("g", colour[1]).field("b", colour[2]).field("a", colour[3]);
+  });
 }
 
 /// {"x","y","z","w"} under `name`.

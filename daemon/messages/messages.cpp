@@ -1,9 +1,11 @@
 #include "messages/messages.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
+#include "core/enum_names.h"
 #include "core/faults.h"
 #include "text/json_writer.h"
 
@@ -11,6 +13,17 @@ namespace tp100::messages {
 namespace {
 
 constexpr double kPathSpacingM = 0.02;
+
+constexpr std::array<EnumName<Event::Level>, 3> kLevelNames = {{
+    {Event::Level::kInfo, "info"},
+    {Event::Level::kWarning, "warning"},
+    {Event::Level::kError, "error"},
+}};
+constexpr std::array<EnumName<course::PathSegment::Kind>, 3> kKindNames = {{
+    {course::PathSegment::Kind::kLine, "line"},
+    {course::PathSegment::Kind::kArc, "arc"},
+    {course::PathSegment::Kind::kPivot, "pivot"},
+}};
 
 template <class Values>
 void write_fields(text::JsonWriter& json, const Values& values) {
@@ -34,46 +47,12 @@ void write_filter(text::JsonWriter& json, const FilterFigures& filter) {
       .field("recoveries", filter.recoveries);
 }
 
-void write_truth(text::JsonWriter& json, const std::optional<Truth>& truth, HostNs now) {
-  if (!truth) return;
-  json.key("truth").begin_object();
-  write_fields(json, truth->pose);
-  json.field("age_us", (now - truth->at_ns) / kNsPerUs).end_object();
-}
-
-void write_reference(text::JsonWriter& json, const course::Path* path, double progress_m) {
-  if (path == nullptr) return;
-  const course::PathPoint point = path->at(progress_m);
-  json.key("reference")
-      .begin_object()
-      .field("x_m", point.x_m)
-      .field("y_m", point.y_m)
-      .field("yaw_rad", point.yaw_rad)
-      .end_object();
-}
-
 void write_tracks(text::JsonWriter& json, const StepRecord& record) {
   const Snapshot& snapshot = record.snapshot;
-  json.key("tracks")
-      .begin_object()
-      .field("left_mps", snapshot.left_mps)
-      .field("right_mps", snapshot.right_mps);
+  json.field("left_mps", snapshot.left_mps).field("right_mps", snapshot.right_mps);
   if (record.command_valid)
     json.field("left_commanded_mps", snapshot.commanded_left_mps)
         .field("right_commanded_mps", snapshot.commanded_right_mps);
-  json.end_object();
-}
-
-const char* level_name(Event::Level level) {
-  switch (level) {
-    case Event::Level::kInfo:
-      return "info";
-    case Event::Level::kWarning:
-      return "warning";
-    case Event::Level::kError:
-      break;
-  }
-  return "error";
 }
 
 void write_place(text::JsonWriter& json, const course::Place& place) {
@@ -81,98 +60,65 @@ void write_place(text::JsonWriter& json, const course::Place& place) {
 }
 
 void write_terrain(text::JsonWriter& json, const course::Terrain& terrain) {
-  json.key("ramps").begin_array();
-  for (const course::Ramp& ramp : terrain.ramps) {
-    json.begin_object();
+  json.objects("ramps", terrain.ramps, [&](const course::Ramp& ramp) {
     write_place(json, ramp.place);
     json.field("height_m", ramp.height_m)
         .field("up_rad", ramp.up_rad)
         .field("top_m", ramp.top_m)
         .field("down_rad", ramp.down_rad)
-        .field("width_m", ramp.width_m)
-        .end_object();
-  }
-  json.end_array().key("blocks").begin_array();
-  for (const course::Block& block : terrain.blocks) {
-    json.begin_object();
+        .field("width_m", ramp.width_m);
+  });
+  json.objects("blocks", terrain.blocks, [&](const course::Block& block) {
     write_place(json, block.place);
     json.field("height_m", block.height_m)
         .field("depth_m", block.depth_m)
-        .field("width_m", block.width_m)
-        .end_object();
-  }
-  json.end_array().key("surfaces").begin_array();
-  for (const course::Surface& surface : terrain.surfaces) {
-    json.begin_object().field("name", surface.name);
+        .field("width_m", block.width_m);
+  });
+  json.objects("surfaces", terrain.surfaces, [&](const course::Surface& surface) {
+    json.field("name", surface.name);
     write_place(json, surface.place);
     json.field("length_m", surface.length_m)
         .field("width_m", surface.width_m)
         .field("friction_factor", surface.friction_factor)
-        .field("slip_offset", surface.slip_offset)
-        .end_object();
-  }
-  json.end_array();
-}
-
-const char* kind_name(course::PathSegment::Kind kind) {
-  switch (kind) {
-    case course::PathSegment::Kind::kLine:
-      return "line";
-    case course::PathSegment::Kind::kArc:
-      return "arc";
-    case course::PathSegment::Kind::kPivot:
-      break;
-  }
-  return "pivot";
+        .field("slip_offset", surface.slip_offset);
+  });
 }
 
 void write_path(text::JsonWriter& json, const course::Path* path) {
-  json.key("path").begin_array();
-  if (path != nullptr) {
-    for (const course::PathPoint& point : path_points(*path)) {
-      json.begin_object()
-          .field("x_m", point.x_m)
-          .field("y_m", point.y_m)
-          .field("yaw_rad", point.yaw_rad)
-          .field("s_m", point.s_m)
-          .end_object();
-    }
-  }
-  json.end_array().key("segments").begin_array();
-  if (path != nullptr) {
-    for (const course::PathSegment& segment : path->segments()) {
-      const double k = segment.begin.curvature_1pm;
-      json.begin_object()
-          .field("kind", kind_name(segment.kind))
-          .field("from_m", segment.begin.s_m)
-          .field("to_m", segment.end.s_m)
-          .field("angle_rad", segment.end.yaw_rad - segment.begin.yaw_rad)
-          .field("radius_m", k == 0.0 ? 0.0 : 1.0 / std::abs(k))
-          .end_object();
-    }
-  }
-  json.end_array();
+  const auto points = path == nullptr ? std::vector<course::PathPoint>{} : path_points(*path);
+  json.objects("path", points, [&](const course::PathPoint& point) {
+    json.field("x_m", point.x_m)
+        .field("y_m", point.y_m)
+        .field("yaw_rad", point.yaw_rad)
+        .field("s_m", point.s_m);
+  });
+  static const std::vector<course::PathSegment> kNone;
+  json.objects("segments", path == nullptr ? kNone : path->segments(),
+               [&](const course::PathSegment& segment) {
+                 const double k = segment.begin.curvature_1pm;
+                 json.field("kind", name_in(kKindNames, segment.kind))
+                     .field("from_m", segment.begin.s_m)
+                     .field("to_m", segment.end.s_m)
+                     .field("angle_rad", segment.end.yaw_rad - segment.begin.yaw_rad)
+                     .field("radius_m", k == 0.0 ? 0.0 : 1.0 / std::abs(k));
+               });
 }
 
 void write_robot(text::JsonWriter& json, const course::Robot& robot) {
-  json.key("robot")
-      .begin_object()
-      .field("name", robot.name)
+  json.field("name", robot.name)
       .field("length_m", robot.shape.length_m)
       .field("width_m", robot.emulated.body.width_m)
       .field("height_m", robot.shape.height_m)
       .field("gauge_m", robot.shape.gauge_m)
       .field("axle_spacing_m", robot.shape.axle_spacing_m)
       .field("wheel_radius_m", robot.shape.wheel_radius_m)
-      .field("shoe_width_m", robot.emulated.body.shoe_width_m)
-      .end_object();
+      .field("shoe_width_m", robot.emulated.body.shoe_width_m);
 }
 
-void write_polygon(text::JsonWriter& json, const course::Polygon& polygon) {
-  json.begin_array();
-  for (const course::Vertex& corner : polygon)
-    json.begin_object().field("x_m", corner.x_m).field("y_m", corner.y_m).end_object();
-  json.end_array();
+void write_corners(text::JsonWriter& json, const course::Polygon& polygon) {
+  json.objects("corners", polygon, [&](const course::Vertex& corner) {
+    json.field("x_m", corner.x_m).field("y_m", corner.y_m);
+  });
 }
 
 }  // namespace
@@ -201,185 +147,151 @@ Messages::Messages(RunContext run_context, PublishClock clock)
 
 std::string Messages::estimate(const StepRecord& record, const std::optional<Truth>& truth) const {
   const Snapshot& snapshot = record.snapshot;
-  std::string text;
-  text.reserve(2048);
-  text::JsonWriter json(text);
-  json.begin_object().field("t_s", clock_.t_s(record.now_ns)).field("step", record.step);
-  if (snapshot.has_sample) json.field("age_us", snapshot.age_us);
-  json.field("steering", to_string(snapshot.steering));
-  for (const PoseSource source : kPoseSources) {
-    json.key(to_string(source)).begin_object();
-    write_motion(json, snapshot.estimates[source]);
-    if (source == PoseSource::kFused) write_filter(json, snapshot.filter);
-    json.end_object();
-  }
-  json.key("world").begin_object();
-  write_fields(json, snapshot.world);
-  json.end_object();
-  write_truth(json, truth, record.now_ns);
-  write_reference(json, path(), snapshot.progress_m);
-  json.key("imu")
-      .begin_object()
-      .field("roll_rad", snapshot.imu_roll_rad)
-      .field("pitch_rad", snapshot.imu_pitch_rad)
-      .field("slope", to_string(snapshot.imu_slope))
-      .field("obstacle_class", to_string(snapshot.imu_obstacle))
-      .end_object()
-      .field("pitch_source", to_string(snapshot.terrain_contact.pitch_source));
-  json.key("terrain_contact")
-      .begin_object()
-      .field("obstacle", to_string(snapshot.terrain_contact.obstacle))
-      .field("climbing", snapshot.terrain_contact.climbing)
-      .field("slope_rad", snapshot.terrain_contact.slope_rad)
-      .field("traction", to_string(snapshot.terrain_contact.traction))
-      .end_object();
-  write_tracks(json, record);
-  json.field("cross_track_m", snapshot.cross_track_m)
-      .field("heading_error_rad", snapshot.heading_error_rad)
-      .field("desired_yaw_rad", snapshot.command.desired_yaw_rad)
-      .field("desired_speed_mps", snapshot.command.speed_mps)
-      .field("at_fence", snapshot.at_fence)
-      .field("progress_m", snapshot.progress_m)
-      .field("recovering", snapshot.recovering)
-      .end_object();
-  return text;
+  return text::json_object([&](text::JsonWriter& json) {
+    json.field("t_s", clock_.t_s(record.now_ns)).field("step", record.step);
+    if (snapshot.has_sample) json.field("age_us", snapshot.age_us);
+    json.field("steering", to_string(snapshot.steering));
+    for (const PoseSource source : kPoseSources)
+      json.object(to_string(source), [&] {
+        write_motion(json, snapshot.estimates[source]);
+        if (source == PoseSource::kFused) write_filter(json, snapshot.filter);
+      });
+    json.object("world", [&] { write_fields(json, snapshot.world); });
+    if (truth)
+      json.object("truth", [&] {
+        write_fields(json, truth->pose);
+        json.field("age_us", (record.now_ns - truth->at_ns) / kNsPerUs);
+      });
+    if (path() != nullptr) {
+      const course::PathPoint point = path()->at(snapshot.progress_m);
+      json.object("reference", [&] {
+        json.field("x_m", point.x_m).field("y_m", point.y_m).field("yaw_rad", point.yaw_rad);
+      });
+    }
+    json.object("imu", [&] {
+      json.field("roll_rad", snapshot.imu_roll_rad)
+          .field("pitch_rad", snapshot.imu_pitch_rad)
+          .field("slope", to_string(snapshot.imu_slope))
+          .field("obstacle_class", to_string(snapshot.imu_obstacle));
+    });
+    const TerrainContact& contact = snapshot.terrain_contact;
+    json.field("pitch_source", to_string(contact.pitch_source));
+    json.object("terrain_contact", [&] {
+      json.field("obstacle", to_string(contact.obstacle))
+          .field("climbing", contact.climbing)
+          .field("slope_rad", contact.slope_rad)
+          .field("traction", to_string(contact.traction));
+    });
+    json.object("tracks", [&] { write_tracks(json, record); });
+    json.field("cross_track_m", snapshot.cross_track_m)
+        .field("heading_error_rad", snapshot.heading_error_rad)
+        .field("desired_yaw_rad", snapshot.command.desired_yaw_rad)
+        .field("desired_speed_mps", snapshot.command.speed_mps)
+        .field("at_fence", snapshot.at_fence)
+        .field("progress_m", snapshot.progress_m)
+        .field("recovering", snapshot.recovering);
+  });
 }
 
 std::string Messages::sample(const Sample& sample, HostNs now) const {
-  std::string text;
-  text.reserve(640);
-  text::JsonWriter json(text);
-  json.begin_object()
-      .field("t_s", clock_.t_s(sample.measured_ns))
-      .field("sequence", sample.sequence)
-      .field("lost_before", sample.lost_before)
-      .field("device_us", sample.device_us)
-      .field("age_us", (now - sample.measured_ns) / kNsPerUs)
-      .field("left_counts", sample.left_counts)
-      .field("right_counts", sample.right_counts);
-  json.key("gyro_radps").begin_array();
-  for (const double rate : sample.gyro_radps) json.value(rate);
-  json.end_array().key("accel_mps2").begin_array();
-  for (const double force : sample.accel_mps2) json.value(force);
-  json.end_array()
-      .field("temperature_degc", sample.temperature_degc)
-      .field("battery_v", sample.battery_v)
-      .field("left_duty", sample.left_duty)
-      .field("right_duty", sample.right_duty)
-      .field("state", to_string(sample.state));
-  json.key("faults").begin_array();
-  FaultMask faults = sample.faults;
-  while (const auto fault = first_fault(faults)) {
-    json.value(describe(*fault).name);
-    faults &= ~fault_bit(*fault);
-  }
-  json.end_array().field("imu_age", sample.imu_age).end_object();
-  return text;
+  std::vector<std::string_view> faults;
+  each_fault(sample.faults, [&](Fault fault) { faults.push_back(describe(fault).name); });
+  return text::json_object([&](text::JsonWriter& json) {
+    json.field("t_s", clock_.t_s(sample.measured_ns))
+        .field("sequence", sample.sequence)
+        .field("lost_before", sample.lost_before)
+        .field("device_us", sample.device_us)
+        .field("age_us", (now - sample.measured_ns) / kNsPerUs)
+        .field("left_counts", sample.left_counts)
+        .field("right_counts", sample.right_counts)
+        .values("gyro_radps", sample.gyro_radps)
+        .values("accel_mps2", sample.accel_mps2)
+        .field("temperature_degc", sample.temperature_degc)
+        .field("battery_v", sample.battery_v)
+        .field("left_duty", sample.left_duty)
+        .field("right_duty", sample.right_duty)
+        .field("state", to_string(sample.state))
+        .values("faults", faults)
+        .field("imu_age", sample.imu_age);
+  });
 }
 
 std::string Messages::command(const StepRecord& record) const {
   const Command& command = record.snapshot.command;
-  std::string text;
-  text.reserve(256);
-  text::JsonWriter json(text);
-  json.begin_object()
-      .field("t_s", clock_.t_s(record.now_ns))
-      .field("answers", command.answers)
-      .field("x_m", command.pose.x_m)
-      .field("y_m", command.pose.y_m)
-      .field("yaw_rad", command.pose.yaw_rad)
-      .field("desired_yaw_rad", command.desired_yaw_rad)
-      .field("yaw_rate_radps", command.yaw_rate_radps)
-      .field("speed_mps", command.speed_mps)
-      .field("gyro_bias_radps", command.gyro_bias_radps);
-  if (record.inputs.clock.valid) {
+  return text::json_object([&](text::JsonWriter& json) {
+    json.field("t_s", clock_.t_s(record.now_ns))
+        .field("answers", command.answers)
+        .field("x_m", command.pose.x_m)
+        .field("y_m", command.pose.y_m)
+        .field("yaw_rad", command.pose.yaw_rad)
+        .field("desired_yaw_rad", command.desired_yaw_rad)
+        .field("yaw_rate_radps", command.yaw_rate_radps)
+        .field("speed_mps", command.speed_mps)
+        .field("gyro_bias_radps", command.gyro_bias_radps);
+    if (!record.inputs.clock.valid) return;
     const HostNs left_ns = record.inputs.clock.to_host(command.expiry_us) - record.now_ns;
     json.field("expires_in_ms", to_s(left_ns) * 1e3);
-  }
-  json.end_object();
-  return text;
+  });
 }
 
 std::string Messages::slip(const StepRecord& record) const {
   const Snapshot& snapshot = record.snapshot;
-  std::string text;
-  text::JsonWriter json(text);
-  json.begin_object()
-      .field("t_s", clock_.t_s(record.now_ns))
-      .field("left", snapshot.slip_left)
-      .field("right", snapshot.slip_right)
-      .field("fused_left", snapshot.filter.slip_left)
-      .field("fused_right", snapshot.filter.slip_right)
-      .field("gyro_bias_radps", snapshot.gyro_bias_radps)
-      .field("fused_gyro_bias_radps", snapshot.filter.gyro_bias_radps)
-      .field("slope_rad", snapshot.terrain_contact.slope_rad)
-      .end_object();
-  return text;
+  return text::json_object([&](text::JsonWriter& json) {
+    json.field("t_s", clock_.t_s(record.now_ns))
+        .field("left", snapshot.slip_left)
+        .field("right", snapshot.slip_right)
+        .field("fused_left", snapshot.filter.slip_left)
+        .field("fused_right", snapshot.filter.slip_right)
+        .field("gyro_bias_radps", snapshot.gyro_bias_radps)
+        .field("fused_gyro_bias_radps", snapshot.filter.gyro_bias_radps)
+        .field("slope_rad", snapshot.terrain_contact.slope_rad);
+  });
 }
 
 std::string Messages::course() const {
-  std::string text;
-  text::JsonWriter json(text);
   static const course::Course kNone{};
   const course::Course& course = run_context_.course == nullptr ? kNone : *run_context_.course;
-  json.begin_object()
-      .field("name", course.name)
-      .field("description", course.description)
-      .field("speed_mps", course.speed_mps)
-      .field("length_m", path() == nullptr ? 0.0 : path()->length_m());
-  json.key("start")
-      .begin_object()
-      .field("x_m", course.start.x_m)
-      .field("y_m", course.start.y_m)
-      .field("yaw_rad", course.start.yaw_rad)
-      .end_object();
-  write_path(json, path());
-  write_terrain(json, course.terrain);
-  json.key("disturbances").begin_array();
-  for (const course::Disturbance& disturbance : course.disturbances) {
-    json.begin_object()
-        .field("at_m", disturbance.at_m)
-        .field("sideways_m", disturbance.sideways_m)
-        .field("yaw_rad", disturbance.yaw_rad)
-        .field("duration_s", disturbance.duration_s)
-        .end_object();
-  }
-  json.end_array();
-  if (run_context_.course != nullptr) {
-    json.key("fence")
-        .begin_object()
-        .field("min_x_m", course.fence.min_x_m)
-        .field("max_x_m", course.fence.max_x_m)
-        .field("min_y_m", course.fence.min_y_m)
-        .field("max_y_m", course.fence.max_y_m)
-        .key("corners");
-    write_polygon(json, course::corners_of(course.fence));
-    json.end_object();
-  }
-  json.key("keep_out").begin_array();
-  for (const course::Polygon& area : course.fence.keep_out) {
-    json.begin_object().key("corners");
-    write_polygon(json, area);
-    json.end_object();
-  }
-  json.end_array();
-  write_robot(json, run_context_.robot);
-  json.end_object();
-  return text;
+  return text::json_object([&](text::JsonWriter& json) {
+    json.field("name", course.name)
+        .field("description", course.description)
+        .field("speed_mps", course.speed_mps)
+        .field("length_m", path() == nullptr ? 0.0 : path()->length_m());
+    json.object("start", [&] {
+      json.field("x_m", course.start.x_m)
+          .field("y_m", course.start.y_m)
+          .field("yaw_rad", course.start.yaw_rad);
+    });
+    write_path(json, path());
+    write_terrain(json, course.terrain);
+    json.objects("disturbances", course.disturbances, [&](const course::Disturbance& one) {
+      json.field("at_m", one.at_m)
+          .field("sideways_m", one.sideways_m)
+          .field("yaw_rad", one.yaw_rad)
+          .field("duration_s", one.duration_s);
+    });
+    if (run_context_.course != nullptr)
+      json.object("fence", [&] {
+        json.field("min_x_m", course.fence.min_x_m)
+            .field("max_x_m", course.fence.max_x_m)
+            .field("min_y_m", course.fence.min_y_m)
+            .field("max_y_m", course.fence.max_y_m);
+        write_corners(json, course::corners_of(course.fence));
+      });
+    json.objects("keep_out", course.fence.keep_out,
+                 [&](const course::Polygon& area) { write_corners(json, area); });
+    json.object("robot", [&] { write_robot(json, run_context_.robot); });
+  });
 }
 
 std::string Messages::event(const Event& event) const {
-  std::string text;
-  text::JsonWriter(text)
-      .begin_object()
-      .field("t_s", clock_.t_s(event.at_ns))
-      .field("kind", event.kind)
-      .field("level", level_name(event.level))
-      .field("text", event.text)
-      .field("cause", event.cause)
-      .field("fix", event.fix)
-      .end_object();
-  return text;
+  return text::json_object([&](text::JsonWriter& json) {
+    json.field("t_s", clock_.t_s(event.at_ns))
+        .field("kind", event.kind)
+        .field("level", name_in(kLevelNames, event.level))
+        .field("text", event.text)
+        .field("cause", event.cause)
+        .field("fix", event.fix);
+  });
 }
 
 }  // namespace tp100::messages

@@ -1,8 +1,11 @@
 #include "messages/parameter_text.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "core/enum_names.h"
+#include "text/format.h"
 #include "text/json_writer.h"
 
 namespace tp100::messages {
@@ -10,29 +13,15 @@ namespace {
 
 using Type = ParameterText::Type;
 
-const char* type_name(Type type) {
-  switch (type) {
-    case Type::kNumber:
-      return "number";
-    case Type::kInteger:
-      return "integer";
-    case Type::kBoolean:
-      return "boolean";
-    case Type::kText:
-      return "text";
-    case Type::kChoice:
-      break;
-  }
-  return "choice";
-}
+constexpr std::array<EnumName<Type>, 5> kTypeNames = {{
+    {Type::kNumber, "number"},
+    {Type::kInteger, "integer"},
+    {Type::kBoolean, "boolean"},
+    {Type::kText, "text"},
+    {Type::kChoice, "choice"},
+}};
 
 bool is_number(Type type) { return type == Type::kNumber || type == Type::kInteger; }
-
-std::string number_text(double number) {
-  std::string text;
-  text::JsonWriter(text).value(number);
-  return text;
-}
 
 void write_value(text::JsonWriter& json, std::string_view name, const ParameterValue& value) {
   json.key(name);
@@ -48,8 +37,8 @@ std::string why_not(const ParameterText& parameter, const ParameterValue& value)
     if (parameter.type == Type::kInteger && *number != std::floor(*number))
       return parameter.name + " takes a whole number";
     if (*number < parameter.range.min || *number > parameter.range.max)
-      return parameter.name + " ranges from " + number_text(parameter.range.min) + " to " +
-             number_text(parameter.range.max) +
+      return parameter.name + " ranges from " + text::shortest(parameter.range.min) + " to " +
+             text::shortest(parameter.range.max) +
              (parameter.unit.empty() ? "" : " " + parameter.unit);
     return {};
   }
@@ -69,27 +58,21 @@ std::string why_not(const ParameterText& parameter, const ParameterValue& value)
 }
 
 std::string parameters_message(const std::vector<ParameterText>& parameters) {
-  std::string text;
-  text::JsonWriter json(text);
-  json.begin_object().key("parameters").begin_array();
-  for (const ParameterText& parameter : parameters) {
-    json.begin_object().field("name", parameter.name);
-    write_value(json, "value", parameter.value);
-    write_value(json, "default", parameter.standard);
-    json.field("type", type_name(parameter.type)).field("unit", parameter.unit);
-    if (is_number(parameter.type))
-      json.field("min", parameter.range.min).field("max", parameter.range.max);
-    json.key("choices").begin_array();
-    for (const std::string& choice : parameter.choices) json.value(choice);
-    json.end_array()
-        .field("meaning", parameter.meaning)
-        .field("live", parameter.live)
-        .field("when", parameter.only_at_standstill ? "not running" : "always")
-        .field("may_save", parameter.may_save)
-        .end_object();
-  }
-  json.end_array().end_object();
-  return text;
+  return text::json_object([&](text::JsonWriter& json) {
+    json.objects("parameters", parameters, [&](const ParameterText& parameter) {
+      json.field("name", parameter.name);
+      write_value(json, "value", parameter.value);
+      write_value(json, "default", parameter.standard);
+      json.field("type", name_in(kTypeNames, parameter.type)).field("unit", parameter.unit);
+      if (is_number(parameter.type))
+        json.field("min", parameter.range.min).field("max", parameter.range.max);
+      json.values("choices", parameter.choices)
+          .field("meaning", parameter.meaning)
+          .field("live", parameter.live)
+          .field("when", parameter.only_at_standstill ? "not running" : "always")
+          .field("may_save", parameter.may_save);
+    });
+  });
 }
 
 }  // namespace tp100::messages

@@ -21,14 +21,11 @@ Pose pose_of(const course::Place& place, double z_m) {
 }
 
 std::string cube(const Pose& pose, const Point& size, const Colour& colour) {
-  std::string text;
-  text::JsonWriter json(text);
-  json.begin_object();
-  write_foxglove_pose(json, pose);
-  write_xyz(json, "size", size);
-  write_colour(json, colour);
-  json.end_object();
-  return text;
+  return text::json_object([&](text::JsonWriter& json) {
+    write_foxglove_pose(json, pose);
+    write_xyz(json, "size", size);
+    write_colour(json, colour);
+  });
 }
 
 /// A list of triangles, two for each quad a, b, c, d.
@@ -38,13 +35,10 @@ class Triangles {
     for (const Point& corner : {a, b, c, a, c, d}) points_.push_back(corner);
   }
   std::string json(const Pose& pose, const Colour& colour) const {
-    std::string text;
-    text::JsonWriter json(text);
-    json.begin_object();
-    write_foxglove_pose(json, pose);
-    write_vertices(json, points_, colour);
-    json.end_object();
-    return text;
+    return text::json_object([&](text::JsonWriter& json) {
+      write_foxglove_pose(json, pose);
+      write_vertices(json, points_, colour);
+    });
   }
 
  private:
@@ -129,15 +123,14 @@ void write_robot(text::JsonWriter& json, const course::Robot& robot, std::uint64
 
 std::string scene_text(const Messages& messages, HostNs at) {
   const std::uint64_t unix_ns = messages.clock().unix_ns(at);
-  std::string text;
-  text::JsonWriter json(text);
-  json.begin_object().key("deletions").begin_array();
-  write_deletion_of_all(json, unix_ns);
-  json.end_array().key("entities").begin_array();
-  if (messages.path() != nullptr) write_course(json, messages, unix_ns);
-  write_robot(json, messages.run_context().robot, unix_ns);
-  json.end_array().end_object();
-  return text;
+  return text::json_object([&](text::JsonWriter& json) {
+    json.key("deletions").begin_array();
+    write_deletion_of_all(json, unix_ns);
+    json.end_array().key("entities").begin_array();
+    if (messages.path() != nullptr) write_course(json, messages, unix_ns);
+    write_robot(json, messages.run_context().robot, unix_ns);
+    json.end_array();
+  });
 }
 
 }  // namespace tp100::messages

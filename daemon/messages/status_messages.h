@@ -17,8 +17,6 @@ std::string state_message(HostNs now, const PublishClock& clock, const StateFigu
 std::string recording_message(const RecordingFigures& recording);
 std::string clients_message(const ClientsFigures& clients);
 
-/// Name as in /state.stop.status.
-const char* to_string(StopFigures::Status status);
 /// "good", "poor" or "lost".
 const char* link_quality(const LinkFigures& link);
 

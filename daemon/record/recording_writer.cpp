@@ -28,12 +28,10 @@ const std::string& with_folder(const std::string& path) {
 }
 
 std::string truth_text(const messages::PublishClock& clock, const messages::Truth& truth) {
-  std::string text;
-  text::JsonWriter json(text);
-  json.begin_object().field("t_s", clock.t_s(truth.at_ns)).field("host_ns", truth.at_ns);
-  visit_fields([&](auto name, double value) { json.field(name, value); }, truth.pose);
-  json.end_object();
-  return text;
+  return text::json_object([&](text::JsonWriter& json) {
+    json.field("t_s", clock.t_s(truth.at_ns)).field("host_ns", truth.at_ns);
+    visit_fields([&](auto name, double value) { json.field(name, value); }, truth.pose);
+  });
 }
 
 /// False for channels that only make sense live, or follow from the others.

@@ -60,16 +60,14 @@ void RunMonitor::states(const StepRecord& record) {
 }
 
 void RunMonitor::faults(const StepRecord& record) {
-  FaultMask now = record.snapshot.faults & ~faults_;
-  faults_ = record.snapshot.faults;
-  while (const auto fault = first_fault(now)) {
-    const FaultText& words = describe(*fault);
+  each_fault(record.snapshot.faults & ~faults_, [&](Fault fault) {
+    const FaultText& words = describe(fault);
     add({.at_ns = record.now_ns,
          .text = std::string(words.name) + ": " + std::string(words.cause),
          .fix = std::string(words.fix),
          .bad = true});
-    now &= ~fault_bit(*fault);
-  }
+  });
+  faults_ = record.snapshot.faults;
 }
 
 }  // namespace tp100::report

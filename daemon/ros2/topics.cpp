@@ -141,8 +141,8 @@ nav_msgs::Path path_of(const std_msgs::Header& header, const course::Path& path)
   return out;
 }
 
-diagnostic_msgs::KeyValue entry(const char* key, std::string value) {
-  return {.key = key, .value = std::move(value)};
+diagnostic_msgs::KeyValue entry(std::string_view key, std::string value) {
+  return {.key = std::string(key), .value = std::move(value)};
 }
 
 Status run_status(const StepRecord& record, const messages::RunContext& run_context) {
@@ -190,7 +190,7 @@ Status link_status(const StepRecord& record, const messages::RunContext& run_con
                      entry("age_us", std::to_string(record.snapshot.age_us))};
   }
   const auto add = [&](std::string_view name, std::uint64_t count) {
-    status.values.push_back(entry(std::string(name), std::to_string(count)));
+    status.values.push_back(entry(name, std::to_string(count)));
   };
   visit_fields(add, record.link);
   return status;

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <deque>
 #include <filesystem>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -31,27 +32,26 @@ std::string address(const std::string& run, const std::string& file) {
   return "/runs/" + text::percent_encoded(run) + "/" + text::percent_encoded(file);
 }
 
+void write_note(text::JsonWriter& json, const RunNote& note) {
+  json.field("name", note.name)
+      .field("note", note.note)
+      .field("tags", note.tags)
+      .field("keep", note.keep);
+}
+
 void write_run(text::JsonWriter& json, const Run& run, bool active) {
-  json.begin_object()
-      .field("run", run.folder)
-      .field("name", run.note.name)
-      .field("note", run.note.note)
-      .field("tags", run.note.tags)
-      .field("keep", run.note.keep)
-      .field("note_error", run.note_error)
+  json.field("run", run.folder);
+  write_note(json, run.note);
+  json.field("note_error", run.note_error)
       .field("modified_unix_s", run.recorded_unix_s)
       .field("bytes", run.bytes)
       .field("active", active)
-      .key("files")
-      .begin_array();
-  for (const RunFile& file : run.files)
-    json.begin_object()
-        .field("name", file.name)
-        .field("bytes", file.bytes)
-        .field("url", address(run.folder, file.name))
-        .field("kind", kind_of(file.name).kind)
-        .end_object();
-  json.end_array().end_object();
+      .objects("files", run.files, [&](const RunFile& file) {
+        json.field("name", file.name)
+            .field("bytes", file.bytes)
+            .field("url", address(run.folder, file.name))
+            .field("kind", kind_of(file.name).kind);
+      });
 }
 
 /// A temporary folder within `folder`, which no list shows; removed at the end.
@@ -87,9 +87,8 @@ void move_file(const fs::path& from, const fs::path& to) {
 }
 
 std::string report_json(const std::string& run, const std::string& url) {
-  std::string text;
-  text::JsonWriter(text).begin_object().field("run", run).field("url", url).end_object();
-  return text;
+  return text::json_object(
+      [&](text::JsonWriter& json) { json.field("run", run).field("url", url); });
 }
 
 std::string without(std::string text, const std::string& part) {
@@ -126,20 +125,17 @@ std::string RunArchive::json() {
   const std::vector<Run> runs = list_runs(settings_.folder);
   std::uint64_t bytes = 0;
   for (const Run& run : runs) bytes += run.bytes;
-  std::string text;
-  text::JsonWriter json(text);
   const std::string name = fs::path(settings_.folder + "/").parent_path().filename();
-  json.begin_object()
-      .field("directory", settings_.folder.empty() ? "" : name)
-      .field("bytes", bytes)
-      .field("free_bytes", free_bytes(settings_.folder))
-      .field("quota_bytes", settings_.quota_bytes)
-      .field("making", making)
-      .key("runs")
-      .begin_array();
-  for (std::size_t i = 0; i < std::min(runs.size(), kMaxListedRuns); ++i)
-    write_run(json, runs[i], !active.empty() && runs[i].folder == active);
-  json.end_array().end_object();
+  const std::string text = text::json_object([&](text::JsonWriter& json) {
+    json.field("directory", settings_.folder.empty() ? "" : name)
+        .field("bytes", bytes)
+        .field("free_bytes", free_bytes(settings_.folder))
+        .field("quota_bytes", settings_.quota_bytes)
+        .field("making", making)
+        .objects(
+            "runs", std::span(runs).first(std::min(runs.size(), kMaxListedRuns)),
+            [&](const Run& run) { write_run(json, run, !active.empty() && run.folder == active); });
+  });
   const std::lock_guard lock(mutex_);
   json_ = text;
   active_ = active;
@@ -163,16 +159,10 @@ void RunArchive::change_note(const std::string& run, const RunNoteChange& change
                              const Answer& answer) {
   disk_.ask(without_paths(answer), [this, run, change] {
     const RunNote note = runs::change_note(settings_.folder, run, change);
-    std::string text;
-    text::JsonWriter(text)
-        .begin_object()
-        .field("run", run)
-        .field("name", note.name)
-        .field("note", note.note)
-        .field("tags", note.tags)
-        .field("keep", note.keep)
-        .end_object();
-    return text;
+    return text::json_object([&](text::JsonWriter& json) {
+      json.field("run", run);
+      write_note(json, note);
+    });
   });
 }
 
@@ -180,9 +170,7 @@ void RunArchive::remove(const std::string& run, const Answer& answer) {
   disk_.ask(without_paths(answer), [this, run] {
     if (run == settings_.active()) throw SetupError(run + " is being recorded; end that first");
     delete_run(settings_.folder, run);
-    std::string text;
-    text::JsonWriter(text).begin_object().field("run", run).end_object();
-    return text;
+    return text::json_object([&](text::JsonWriter& json) { json.field("run", run); });
   });
 }
 
@@ -277,14 +265,10 @@ std::string RunArchive::make_robot(const std::vector<std::string>& names,
   }
   if (const std::string why = process_.run(arguments, settings_.limit, found); !why.empty())
     throw SetupError(without(why, work.path() + "/"));
-  std::string text;
-  text::JsonWriter(text)
-      .begin_object()
-      .key("found")
-      .raw(course::read_text_file(found).text)
-      .field("text", course::read_text_file(robot).text)
-      .end_object();
-  return text;
+  return text::json_object([&](text::JsonWriter& json) {
+    json.key("found").raw(course::read_text_file(found).text);
+    json.field("text", course::read_text_file(robot).text);
+  });
 }
 
 }  // namespace tp100::runs

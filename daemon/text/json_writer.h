@@ -72,6 +72,32 @@ class JsonWriter {
     return done();
   }
 
+  /// An entry of an object that is an object; `write` adds its entries.
+  template <class Write>
+  JsonWriter& object(std::string_view name, const Write& write) {
+    key(name).begin_object();
+    write();
+    return end_object();
+  }
+  /// An entry that is an array of objects; write(element) adds the entries of each.
+  template <class Elements, class Write>
+  JsonWriter& objects(std::string_view name, const Elements& elements, const Write& write) {
+    key(name).begin_array();
+    for (const auto& element : elements) {
+      begin_object();
+      write(element);
+      end_object();
+    }
+    return end_array();
+  }
+  /// An entry that is an array of values.
+  template <class Values>
+  JsonWriter& values(std::string_view name, const Values& values) {
+    key(name).begin_array();
+    for (const auto& one : values) value(one);
+    return end_array();
+  }
+
   /// One entry of an object.
   template <class T>
   JsonWriter& field(std::string_view name, const T& content) {
@@ -109,6 +135,18 @@ class JsonWriter {
   std::string& out_;
   bool comma_ = false;
 };
+
+/// The text of one object; write(JsonWriter&) adds its entries.
+template <class Write>
+std::string json_object(const Write& write) {
+  std::string text;
+  text.reserve(256);
+  JsonWriter json(text);
+  json.begin_object();
+  write(json);
+  json.end_object();
+  return text;
+}
 
 /// Bytes of the UTF-8 character at the beginning of `text`; 0 if there is none.
 std::size_t utf8_length(std::string_view text);
