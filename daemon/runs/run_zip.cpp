@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <utility>
 
 #include "core/error.h"
@@ -12,8 +11,8 @@
 namespace tp100::runs {
 namespace {
 
-constexpr std::uint32_t kIn64 = 0xFFFF'FFFF;  // the value is in the 64-bit field
-constexpr std::uint16_t kPlainVersion = 20, kLargeVersion = 45;
+constexpr std::uint64_t kMaxBytes = 0xFFFF'FFFE;  // more would need the 64-bit form
+constexpr std::uint16_t kVersion = 20;
 constexpr std::uint16_t kUnix = 3, kNamesInUtf8 = 1U << 11U;
 constexpr std::uint32_t kFileMode = (S_IFREG | 0644U) << 16U;
 
@@ -22,7 +21,6 @@ class Fields {
  public:
   Fields& u16(std::uint64_t value) { return put(value, 2); }
   Fields& u32(std::uint64_t value) { return put(value, 4); }
-  Fields& u64(std::uint64_t value) { return put(value, 8); }
   Fields& text(const std::string& text) {
     bytes_ += text;
     return *this;
@@ -49,8 +47,7 @@ std::uint32_t dos_time(std::time_t at) {
 
 }  // namespace
 
-RunZip::RunZip(const std::string& folder, const std::string& run, std::uint64_t max_plain_bytes)
-    : folder_(folder), run_(run) {
+RunZip::RunZip(const std::string& folder, const std::string& run) : folder_(folder), run_(run) {
   // The name is checked before anything is opened by it.
   const std::vector<std::string> names = files_of(folder, run);
   used_.emplace(folder + "/" + run + "/" + record::kRecordingFile);
@@ -68,39 +65,28 @@ RunZip::RunZip(const std::string& folder, const std::string& run, std::uint64_t 
                         .inode = status.st_ino,
                         .modified = status.st_mtime});
   }
-  const auto lay_out = [&] {
-    size_ = 0;
-    for (Entry& entry : entries_) {
-      entry.at = size_;
-      size_ += header(entry, false).size() + entry.bytes;
-    }
-    size_ += directory().size();
-  };
-  lay_out();
-  large_ = size_ > max_plain_bytes;
-  if (large_) lay_out();
+  for (Entry& entry : entries_) {
+    entry.at = size_;
+    size_ += header(entry, false).size() + entry.bytes;
+  }
+  size_ += directory().size();
+  if (size_ > kMaxBytes)
+    throw SetupError(run + ": more than 4 GB; load its files one by one, or copy its folder");
   if (entries_.empty()) next_ = Next::kDirectory;
 }
 
 std::string RunZip::header(const Entry& entry, bool central) const {
   const std::string name = name_in_archive(entry);
-  const std::uint64_t bytes = large_ ? kIn64 : entry.bytes;
   Fields fields;
   if (central)
-    fields.u32(0x02014b50).u16(kUnix << 8U | kLargeVersion);
+    fields.u32(0x02014b50).u16(kUnix << 8U | kVersion);
   else
     fields.u32(0x04034b50);
-  fields.u16(large_ ? kLargeVersion : kPlainVersion).u16(kNamesInUtf8).u16(0);
+  fields.u16(kVersion).u16(kNamesInUtf8).u16(0);
   fields.u32(dos_time(entry.modified));
-  fields.u32(entry.crc).u32(bytes).u32(bytes).u16(name.size());
-  fields.u16(!large_ ? 0 : central ? 28 : 20);
-  if (central) fields.u16(0).u16(0).u16(0).u32(kFileMode).u32(large_ ? kIn64 : entry.at);
-  fields.text(name);
-  if (large_) {
-    fields.u16(1).u16(central ? 24 : 16).u64(entry.bytes).u64(entry.bytes);
-    if (central) fields.u64(entry.at);
-  }
-  return fields.take();
+  fields.u32(entry.crc).u32(entry.bytes).u32(entry.bytes).u16(name.size()).u16(0);
+  if (central) fields.u16(0).u16(0).u16(0).u32(kFileMode).u32(entry.at);
+  return fields.text(name).take();
 }
 
 std::string RunZip::directory() const {
@@ -112,13 +98,8 @@ std::string RunZip::directory() const {
           ? 0
           : entries_.back().at + header(entries_.back(), false).size() + entries_.back().bytes;
   Fields end;
-  if (large_) {
-    end.u32(0x06064b50).u64(44).u16(kUnix << 8U | kLargeVersion).u16(kLargeVersion).u32(0).u32(0);
-    end.u64(count).u64(count).u64(bytes).u64(at);
-    end.u32(0x07064b50).u32(0).u64(at + bytes).u32(1);
-  }
   end.u32(0x06054b50).u16(0).u16(0).u16(count).u16(count).u32(bytes);
-  end.u32(large_ ? kIn64 : at).u16(0);
+  end.u32(at).u16(0);
   return all + end.take();
 }
 
@@ -136,13 +117,13 @@ std::optional<std::size_t> RunZip::read_file(std::span<char> into) {
   if (!file_ && !open()) return std::nullopt;
   const std::uint64_t left = entries_[at_].bytes - offset_;
   const auto wanted = static_cast<std::size_t>(std::min<std::uint64_t>(left, into.size()));
-  ssize_t got = 0;
-  do {
-    got = ::pread(file_.get(), into.data(), wanted, static_cast<off_t>(offset_));
-  } while (got < 0 && errno == EINTR);
-  if (got < 0 || (got == 0 && wanted > 0)) return std::nullopt;
-  offset_ += static_cast<std::uint64_t>(got);
-  return static_cast<std::size_t>(got);
+  std::size_t got = 0;
+  const int error = move_all(wanted, got, [&](std::size_t at, std::size_t more) {
+    return ::pread(file_.get(), into.data() + at, more, static_cast<off_t>(offset_ + at));
+  });
+  if (error != 0) return std::nullopt;
+  offset_ += got;
+  return got;
 }
 
 std::optional<std::size_t> RunZip::read(std::span<char> into) {

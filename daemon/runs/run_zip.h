@@ -2,7 +2,7 @@
 // A recorded run as one ZIP archive, written while it is sent: its size is known before its first
 // byte, and nothing is kept on the disk. The files are stored as they are (a recording is
 // compressed already) in a folder with the run's name. Layout: APPNOTE.TXT 6.3.9 of PKWARE,
-// sections 4.3.7, 4.3.12, 4.3.14 to 4.3.16.
+// sections 4.3.7, 4.3.12 and 4.3.16.
 
 #include <boost/crc.hpp>
 #include <cstdint>
@@ -24,11 +24,9 @@ inline constexpr std::size_t kMaxZipFiles = 1000;
 /// (record/recording_file.h).
 class RunZip {
  public:
-  /// Takes the regular files of the run as they are now, no links. An archive of more than
-  /// `max_plain_bytes` has the 64-bit form (ZIP64), which old programs cannot read. Throws
-  /// SetupError: no such run, or too many files.
-  RunZip(const std::string& folder, const std::string& run,
-         std::uint64_t max_plain_bytes = 0xFFFF'FFFE);
+  /// Takes the regular files of the run as they are now, no links. Throws SetupError: no such run,
+  /// too many files, or more than 4 GB.
+  RunZip(const std::string& folder, const std::string& run);
 
   /// Size of the whole archive, in bytes.
   std::uint64_t size() const { return size_; }
@@ -60,7 +58,6 @@ class RunZip {
   const std::string folder_, run_;
   std::optional<record::UsedFile> used_;
   std::vector<Entry> entries_;
-  bool large_ = false;  // ZIP64
   std::uint64_t size_ = 0;
   std::size_t at_ = 0;  // the entry being read
   Next next_ = Next::kChecksum;
