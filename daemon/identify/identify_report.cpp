@@ -7,7 +7,6 @@
 #include "text/format.h"
 #include "text/json_writer.h"
 #include "text/key.h"
-#include "text/unit.h"
 
 namespace tp100::identify {
 namespace {

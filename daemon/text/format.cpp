@@ -8,22 +8,12 @@
 #include <cstdio>
 #include <ctime>
 #include <stdexcept>
+#include <utility>
 
 namespace tp100::text {
 namespace {
 
 constexpr std::size_t kLongestName = 64;
-
-struct Renamed {
-  std::string_view before, now;
-};
-constexpr std::array kRenamed = {Renamed{"belt_radius_m", "wheel_radius_m"},
-                                 Renamed{"belt_width_m", "shoe_width_m"},
-                                 Renamed{"belt_deficit_left", "track_deficit_left"},
-                                 Renamed{"belt_deficit_right", "track_deficit_right"},
-                                 Renamed{"push_radps", "disturbance_radps"},
-                                 Renamed{"shove", "disturbance"},
-                                 Renamed{"bench", "stand"}};
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), now(b.size() + 1);
@@ -91,11 +81,6 @@ std::string utc_minute(std::int64_t unix_s) {
 std::string_view nearest_name(std::string_view name,
                               const std::vector<std::string_view>& candidates) {
   if (name.size() > kLongestName) return {};
-  const auto renamed = std::find_if(kRenamed.begin(), kRenamed.end(),
-                                    [name](const Renamed& one) { return one.before == name; });
-  if (renamed != kRenamed.end() &&
-      std::find(candidates.begin(), candidates.end(), renamed->now) != candidates.end())
-    return renamed->now;
   std::string_view best;
   std::size_t best_distance = std::max<std::size_t>(2, name.size() / 3) + 1;
   for (const std::string_view candidate : candidates) {
@@ -114,6 +99,50 @@ std::string_view nearest_name(std::string_view name,
 std::string suggestion(std::string_view name, const std::vector<std::string_view>& candidates) {
   const std::string meant(nearest_name(name, candidates));
   return meant.empty() ? std::string() : "; did you mean '" + meant + "'?";
+}
+
+std::string_view unit_of(std::string_view key) {
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 36> kUnits = {{
+      {"_radps_rts", "rad/s/sqrt(s)"},
+      {"_radps_rthz", "rad/s/sqrt(Hz)"},
+      {"_mps2_rthz", "m/s^2/sqrt(Hz)"},
+      {"_radps_per_lsb", "rad/s"},
+      {"_mps_per_v", "m/s/V"},
+      {"_bias_per_degc", "rad/s/K"},
+      {"_radps_per_degc", "rad/s/K"},
+      {"counts_per_metre", "1/m"},
+      {"_amps_per_n", "A/N"},
+      {"amps_per_n", "A/N"},
+      {"_n_per_v", "N/V"},
+      {"_radps2", "rad/s^2"},
+      {"_radps", "rad/s"},
+      {"_mps2", "m/s^2"},
+      {"_degc", "degC"},
+      {"_mps", "m/s"},
+      {"_1pm", "1/m"},
+      {"_1ps", "1/s"},
+      {"_deg", "deg"},
+      {"_rad", "rad"},
+      {"_ohm", "ohm"},
+      {"_ppm", "ppm"},
+      {"_hz", "Hz"},
+      {"_ms", "ms"},
+      {"_us", "us"},
+      {"_kg", "kg"},
+      {"_mb", "MB"},
+      {"_as", "A s"},
+      {"baud", "baud"},
+      {"_pa", "Pa"},
+      {"_m", "m"},
+      {"_s", "s"},
+      {"_v", "V"},
+      {"_n", "N"},
+      {"_a", "A"},
+      {"_bytes", "B"},
+  }};
+  for (const auto& [suffix, unit] : kUnits)
+    if (key.ends_with(suffix)) return unit;
+  return {};
 }
 
 }  // namespace tp100::text

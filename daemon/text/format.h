@@ -28,11 +28,14 @@ std::string counted(std::uint64_t count, std::string_view noun);
 /// Seconds since 1970 as "2026-05-31 14:05 UTC".
 std::string utc_minute(std::int64_t unix_s);
 
-/// The name that the user probably meant: the candidate whose name in an earlier version was
-/// `name`, or the one with the smallest edit distance to `name` (insert, delete, replace, swap
-/// neighbours); empty if none is near enough to be a typing error, as for all long names.
+/// The name that the user probably meant: the candidate with the smallest edit distance to `name`
+/// (insert, delete, replace, swap neighbours); empty if none is near enough to be a typing error,
+/// as for all long names.
 std::string_view nearest_name(std::string_view name,
                               const std::vector<std::string_view>& candidates);
+
+/// Unit of a key or column, by the suffix of its name (speed_mps: "m/s"); empty if it has none.
+std::string_view unit_of(std::string_view key);
 
 /// "; did you mean 'worn'?" with the nearest_name(), or nothing.
 std::string suggestion(std::string_view name, const std::vector<std::string_view>& candidates);

@@ -46,10 +46,18 @@ std::string toml_comment(std::string_view text) {
   return result + line + "\n";
 }
 
-std::string range_and_unit(std::string_view key, Range range) {
-  const std::string_view unit = unit_of(key);
-  return number_text(range.min) + " to " + number_text(range.max) +
-         (unit.empty() ? std::string() : " " + std::string(unit));
+std::string toml_value(const TomlValue& value) {
+  if (const bool* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
+  if (const auto* whole = std::get_if<long long>(&value)) return std::to_string(*whole);
+  if (const double* number = std::get_if<double>(&value)) return toml_number(*number);
+  return toml_string(std::get<std::string>(value));
+}
+
+KeyText::Value shown_value(const TomlValue& value) {
+  if (const auto* whole = std::get_if<long long>(&value)) return static_cast<double>(*whole);
+  if (const bool* flag = std::get_if<bool>(&value)) return *flag;
+  if (const double* number = std::get_if<double>(&value)) return *number;
+  return std::get<std::string>(value);
 }
 
 Origins read_origins(std::string_view text, std::string_view table) {

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "text/toml_document.h"
-#include "text/unit.h"
 
 namespace tp100::text {
 
@@ -51,10 +50,10 @@ struct Key {
 std::string toml_number(double value);
 /// A quoted TOML string.
 std::string toml_string(std::string_view value);
+/// A value as it is written in a file: numbers as by toml_number.
+std::string toml_value(const TomlValue& value);
 /// `text` as comment lines of at most 100 columns.
 std::string toml_comment(std::string_view text);
-/// "0.1 to 0.3 m/s"; only the unit, if there is one, is in brackets.
-std::string range_and_unit(std::string_view key, Range range);
 
 /// Reads every key of `keys`; absent ones keep their value. Throws SetupError.
 template <class T>
@@ -81,23 +80,21 @@ void read_keys(TomlTable& table, std::span<const Key<T>> keys, T& values) {
   }
 }
 
-/// Value of one key as written in a file.
+/// Value of one key, in the file's unit.
 template <class T>
-std::string show_key(const Key<T>& key, const T& values) {
-  if (const auto* field = std::get_if<double T::*>(&key.field))
-    return toml_number(values.**field / key.si);
+TomlValue value_of(const Key<T>& key, const T& values) {
+  if (const auto* field = std::get_if<double T::*>(&key.field)) return values.**field / key.si;
   if (const auto* number = std::get_if<int T::*>(&key.field))
-    return std::to_string(values.**number);
-  if (const auto* flag = std::get_if<bool T::*>(&key.field))
-    return values.**flag ? "true" : "false";
-  if (const auto* text = std::get_if<std::string T::*>(&key.field))
-    return toml_string(values.**text);
+    return static_cast<long long>(values.**number);
+  if (const auto* flag = std::get_if<bool T::*>(&key.field)) return values.**flag;
+  if (const auto* text = std::get_if<std::string T::*>(&key.field)) return values.**text;
   const auto& choice = std::get<Choice<T>>(key.field);
-  return toml_string(choice.names[choice.get(values)]);
+  return std::string(choice.names[choice.get(values)]);
 }
 
 /// A key with its value and documentation, for display.
 struct KeyText {
+  /// In the order of Key::field.
   enum class Type { kNumber, kInteger, kBoolean, kText, kChoice };
   using Value = std::variant<double, bool, std::string>;
 
@@ -110,38 +107,23 @@ struct KeyText {
   std::string meaning{};
 };
 
+/// A value as a KeyText has it.
+KeyText::Value shown_value(const TomlValue& value);
+
 /// The keys of one table, named with `prefix` ("control.").
 template <class T>
 void describe_keys(const std::string& prefix, std::span<const Key<T>> keys, const T& values,
                    std::vector<KeyText>& out) {
-  using Type = KeyText::Type;
-  const T standard{};
   for (const Key<T>& key : keys) {
-    KeyText text;
-    text.name = prefix + std::string(key.name);
-    text.unit = unit_of(key.name);
-    text.range = key.range;
-    text.meaning = key.meaning;
-    const auto fill = [&](Type type, auto read) {
-      text.type = type;
-      text.value = read(values);
-      text.standard = read(standard);
-    };
-    if (const auto* field = std::get_if<double T::*>(&key.field)) {
-      fill(Type::kNumber, [&](const T& from) { return from.**field / key.si; });
-    } else if (const auto* number = std::get_if<int T::*>(&key.field)) {
-      fill(Type::kInteger, [&](const T& from) { return static_cast<double>(from.**number); });
-    } else if (const auto* flag = std::get_if<bool T::*>(&key.field)) {
-      fill(Type::kBoolean, [&](const T& from) { return from.**flag; });
-    } else if (const auto* content = std::get_if<std::string T::*>(&key.field)) {
-      fill(Type::kText, [&](const T& from) { return from.**content; });
-    } else {
-      const auto& choice = std::get<Choice<T>>(key.field);
-      fill(Type::kChoice,
-           [&](const T& from) { return std::string(choice.names[choice.get(from)]); });
-      text.choices.assign(choice.names.begin(), choice.names.end());
-    }
-    out.push_back(std::move(text));
+    out.push_back({.name = prefix + std::string(key.name),
+                   .type = static_cast<KeyText::Type>(key.field.index()),
+                   .value = shown_value(value_of(key, values)),
+                   .standard = shown_value(value_of(key, T{})),
+                   .unit = std::string(unit_of(key.name)),
+                   .range = key.range,
+                   .meaning = std::string(key.meaning)});
+    if (const auto* choice = std::get_if<Choice<T>>(&key.field))
+      out.back().choices.assign(choice->names.begin(), choice->names.end());
   }
 }
 
@@ -157,7 +139,7 @@ template <class T>
 std::string write_keys(std::span<const Key<T>> keys, const T& values, const Origins& origins = {}) {
   std::string text;
   for (const Key<T>& key : keys) {
-    std::string comment = std::string(key.meaning) + ". Default " + show_key(key, T{});
+    std::string comment = std::string(key.meaning) + ". Default " + toml_value(value_of(key, T{}));
     if (const auto* choice = std::get_if<Choice<T>>(&key.field)) {
       comment += ", one of";
       for (const std::string_view name : choice->names) comment += " " + toml_string(name);
@@ -170,7 +152,7 @@ std::string write_keys(std::span<const Key<T>> keys, const T& values, const Orig
     text += toml_comment(comment + ".");
     if (const auto origin = origins.find(key.name); origin != origins.end())
       text += toml_comment("From " + origin->second + ".");
-    text += std::string(key.name) + " = " + show_key(key, values) + "\n";
+    text += std::string(key.name) + " = " + toml_value(value_of(key, values)) + "\n";
   }
   return text;
 }

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "text/toml_depth.h"
-#include "text/unit.h"
 #include "toml++/toml.h"
 
 namespace tp100::text {
@@ -37,13 +36,13 @@ std::string type_name(const toml::node& node) {
   }
 }
 
-std::string range_text(std::string_view key, Range range) {
+}  // namespace
+
+std::string range_and_unit(std::string_view key, Range range) {
   const std::string_view unit = unit_of(key);
   return number_text(range.min) + " to " + number_text(range.max) +
          (unit.empty() ? std::string() : " " + std::string(unit));
 }
-
-}  // namespace
 
 struct TomlTable::State {
   std::shared_ptr<const toml::table> document;
@@ -110,7 +109,7 @@ struct TomlTable::State {
   void check_range(std::string_view key, const toml::node& node, double value, Range range) const {
     if (value >= range.min && value <= range.max) return;
     throw SetupError(at(file, node.source().begin) + full(key) + " is " + number_text(value) +
-                     ", allowed " + range_text(key, range));
+                     ", allowed " + range_and_unit(key, range));
   }
 
   double number(std::string_view key, const toml::node& node, Range range) const {

@@ -23,6 +23,9 @@ struct Range {
   double max;
 };
 
+/// "0.1 to 0.3 m/s"; the unit is that of the key, if it has one.
+std::string range_and_unit(std::string_view key, Range range);
+
 /// Size limit of a TOML file, bytes. Ours are below 20 kB.
 inline constexpr std::size_t kMaxTomlSize = 1 << 18;
 

@@ -125,13 +125,6 @@ class Editor {
 
 }  // namespace
 
-std::string toml_value(const TomlValue& value) {
-  if (const bool* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
-  if (const auto* whole = std::get_if<long long>(&value)) return std::to_string(*whole);
-  if (const double* number = std::get_if<double>(&value)) return toml_number(*number);
-  return toml_string(std::get<std::string>(value));
-}
-
 std::string with_values_in_place(const std::string& text, const std::string& file,
                                  const NamedValues& values) {
   Editor editor(text, file);

@@ -8,9 +8,6 @@
 
 namespace tp100::text {
 
-/// A value as it is written in a file: numbers as by toml_number.
-std::string toml_value(const TomlValue& value);
-
 /// `text` with these values in the place of the present ones. A key that is absent is added behind
 /// the last key of its table; a table that is absent, at the end. Names are bare keys joined by
 /// dots, without repetition. `file` is only used in messages. Throws SetupError: text that is not

@@ -78,7 +78,6 @@ TEST(Configuration, RefusesUnknownKeysAndValuesOutOfRangeInOneLine) {
   EXPECT_EQ(error_of("[control]\ncommand_life_ms = 500\n"),
             "tp100.toml:2:19: 'control.command_life_ms' is 500, allowed 20 to 190 ms");
   EXPECT_THAT(error_of("setup = 'flatt'\n"), HasSubstr("did you mean 'flat'?"));
-  EXPECT_THAT(error_of("setup = 'bench'\n"), HasSubstr("did you mean 'stand'?"));
 }
 
 TEST(Configuration, TheRobotGivesModelAndDriveAndTheConfigurationTheTurningThreshold) {

@@ -120,8 +120,6 @@ TEST(CourseFile, RefusesWhatIsMissingMistypedOrOutOfRangeAtItsPlace) {
       {kLine + "[[ramp]]\nx_m = 1\ny_m = 0\nheight_m = 0.1\nup_deg = 90\n" + kFence,
        "'ramp.up_deg' is 90, allowed 1 to 60 deg"},
       {kLine + "[[surface]]\nx_m = 1\n" + kFence, "needs a 'name'"},
-      {kLine + "[[shove]]\nat_m = 0.5\n" + kFence,
-       "unknown key 'shove'; did you mean 'disturbance'?"},
   });
 }
 
