@@ -15,7 +15,7 @@
 #include "config/run_setup.h"
 #include "report/recorded_run.h"
 #include "report/report_page.h"
-#include "report/run_metrics.h"
+#include "report/result_text.h"
 #include "text/atomic_file.h"
 
 namespace tp100::app {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <string_view>
 
 #include "report/colours.h"
 
@@ -79,27 +80,15 @@ std::string anchor(std::size_t heading) { return "part-" + std::to_string(headin
 }  // namespace
 
 std::string escaped(const std::string& text) {
+  constexpr std::string_view kSpecial = "&<>\"'";
+  constexpr const char* kEscapes[] = {"&amp;", "&lt;", "&gt;", "&quot;", "&#39;"};
   std::string out;
   for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      case '\'':
-        out += "&#39;";
-        break;
-      default:
-        out += c;
-    }
+    const std::size_t at = kSpecial.find(c);
+    if (at == kSpecial.npos)
+      out += c;
+    else
+      out += kEscapes[at];
   }
   return out;
 }

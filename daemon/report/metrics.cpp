@@ -269,10 +269,6 @@ class Tally {
 
 }  // namespace
 
-PoseErrors pose_errors(const std::vector<TrajectoryPoint>& points, const PoseOf& estimate) {
-  return pose_errors_between(points, {}, estimate);
-}
-
 RestartedPoses restarted_poses(const std::vector<TrajectoryPoint>& points,
                                const std::vector<DisturbanceWindow>& disturbances,
                                const PoseOf& estimate) {
@@ -298,9 +294,8 @@ RestartedPoses restarted_poses(const std::vector<TrajectoryPoint>& points,
   return restarted;
 }
 
-PoseErrors pose_errors_between(const std::vector<TrajectoryPoint>& points,
-                               const std::vector<DisturbanceWindow>& disturbances,
-                               const PoseOf& estimate) {
+PoseErrors pose_errors(const std::vector<TrajectoryPoint>& points,
+                       const std::vector<DisturbanceWindow>& disturbances, const PoseOf& estimate) {
   Tally tally;
   const RestartedPoses restarted = restarted_poses(points, disturbances, estimate);
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -322,8 +317,6 @@ TrackingErrors tracking_errors(const std::vector<TrajectoryPoint>& points,
   }
   result.rms_cross_track_m = std::sqrt(squares / static_cast<double>(points.size()));
   result.recovery = recoveries(points, deviations, disturbances);
-  for (const DisturbanceResponse& one : result.recovery)
-    result.recovery_s.push_back(one.settling_s);
   result.false_alarms = false_alarms(points, disturbances);
   return result;
 }
@@ -376,8 +369,8 @@ RunFigures figures(const RunResult& run, const course::Course& course) {
       return p.estimates[source];
     };
     const bool blind = blind_to_disturbances(source);
-    result.estimates[source] = blind ? pose_errors_between(run.points, run.disturbances, estimate)
-                                     : pose_errors(run.points, estimate);
+    result.estimates[source] = pose_errors(
+        run.points, blind ? run.disturbances : std::vector<DisturbanceWindow>{}, estimate);
     const auto judged = blind ? undisturbed(run) : std::span(run.points);
     if (!stand && !judged.empty()) result.within_2_sd[source] = coverage(judged, source);
   }
@@ -385,8 +378,8 @@ RunFigures figures(const RunResult& run, const course::Course& course) {
     const auto& form = run.baselines.forms[i];
     if (!form || stand) continue;
     const std::vector<Pose> poses = baseline_poses(run, model::kBaselines[i], *form);
-    result.baselines[i] = pose_errors_between(
-        run.points, run.disturbances, [&](const TrajectoryPoint& point) -> const Pose& {
+    result.baselines[i] =
+        pose_errors(run.points, run.disturbances, [&](const TrajectoryPoint& point) -> const Pose& {
           return poses[static_cast<std::size_t>(&point - run.points.data())];
         });
   }

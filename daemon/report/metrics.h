@@ -79,8 +79,7 @@ struct TrackingErrors {
   double rms_cross_track_m = 0.0;
   /// From the tangent; while turning on the spot, from the commanded turn.
   double max_yaw_error_rad = 0.0;
-  std::vector<std::optional<double>> recovery_s;  ///< per disturbance; nothing: never recovered
-  std::vector<DisturbanceResponse> recovery;      ///< the same disturbances in full
+  std::vector<DisturbanceResponse> recovery;  ///< per disturbance
   int false_alarms = 0;  ///< disturbances that the controller detected although there was none
 };
 
@@ -111,16 +110,12 @@ struct RunFigures {
 /// Selects the pose of a point to evaluate.
 using PoseOf = std::function<const Pose&(const TrajectoryPoint&)>;
 
-/// Errors of one pose over the whole run.
-PoseErrors pose_errors(const std::vector<TrajectoryPoint>& points, const PoseOf& estimate);
+/// Errors of one pose, which is reset to the truth at the end of each disturbance; points within a
+/// disturbance do not count. Disturbances in ascending order, not overlapping.
+PoseErrors pose_errors(const std::vector<TrajectoryPoint>& points,
+                       const std::vector<DisturbanceWindow>& disturbances, const PoseOf& estimate);
 
-/// Same, but reset to the truth at the end of each disturbance; points within a disturbance do not
-/// count. Disturbances in ascending order, not overlapping.
-PoseErrors pose_errors_between(const std::vector<TrajectoryPoint>& points,
-                               const std::vector<DisturbanceWindow>& disturbances,
-                               const PoseOf& estimate);
-
-/// The poses that pose_errors_between() compares with the truth: one for each point, none within a
+/// The poses that pose_errors() compares with the truth: one for each point, none within a
 /// disturbance, and the points at which it was reset.
 struct RestartedPoses {
   std::vector<std::optional<Pose>> poses;

@@ -9,7 +9,7 @@
 #include "report/html_page.h"
 #include "report/recorded_run.h"
 #include "report/report_figures.h"
-#include "report/run_metrics.h"
+#include "report/result_text.h"
 
 namespace tp100::report {
 

@@ -10,7 +10,6 @@
 
 #include "core/arithmetic.h"
 #include "course/path.h"
-#include "report/run_monitor.h"
 
 namespace tp100::report {
 namespace {
@@ -294,9 +293,9 @@ void Reader::finish() {
   run_.jitter_counts = messages::lateness_counts_of(times_->jitter);
   run_.sample_age = messages::durations_of(times_->sample_age);
   run_.world_age = messages::durations_of(times_->world_age);
-  for (const StepEvent& one : run_monitor_.events())
-    run_.events.push_back({t_s(one.at_ns), one.text, one.fix, one.bad});
-  std::ranges::stable_sort(run_.events, {}, &RunEvent::t_s);
+  run_.events = run_monitor_.events();
+  for (RunEvent& event : run_.events) event.t_s = t_s(event.at_ns);
+  std::ranges::stable_sort(run_.events, {}, &RunEvent::at_ns);
   run_.more_events = run_monitor_.more();
 }
 

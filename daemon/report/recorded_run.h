@@ -13,6 +13,7 @@
 #include "course/robot_file.h"
 #include "messages/figures.h"
 #include "record/recording.h"
+#include "report/run_monitor.h"
 #include "report/run_result.h"
 
 namespace tp100::report {
@@ -40,12 +41,6 @@ struct RunMoment {
 /// Steering pose against the path: the controller's own estimate, not the truth.
 struct EstimatedErrors {
   double max_cross_track_m = 0.0, rms_cross_track_m = 0.0, max_heading_error_rad = 0.0;
-};
-
-struct RunEvent {
-  double t_s = 0.0;  ///< as in the points; negative before the run
-  std::string text = {}, fix = {};
-  bool bad = false;
 };
 
 /// The last run of a recording; the whole recording, if no run began.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include "core/arithmetic.h"
 #include "course/path.h"
@@ -14,38 +15,60 @@ namespace {
 
 constexpr std::size_t kMaxPointsOfRun = 2000;
 
-using Value = std::function<double(const TrajectoryPoint&, const RunMoment&)>;
-
-ChartSeries empty_series(const std::string& name, const char* colour, bool dashed = false) {
-  return {.name = name, .colour = colour, .points = {}, .dashed = dashed};
-}
+using Value = std::function<double(const RecordedRun&, const TrajectoryPoint&, const RunMoment&)>;
+using Line = ChartSeries;
 
 /// `value` over time.
-ChartSeries over_time(const RecordedRun& run, ChartSeries series, const Value& value) {
+Line over_time(const RecordedRun& run, Line line, const Value& value) {
   for (std::size_t i = 0; i < run.moments.size(); ++i)
-    series.points.emplace_back(run.result.points[i].t_s,
-                               value(run.result.points[i], run.moments[i]));
-  return series;
+    line.points.emplace_back(run.result.points[i].t_s,
+                             value(run, run.result.points[i], run.moments[i]));
+  return line;
 }
 
-ChartSeries map_of(const RecordedRun& run, ChartSeries series,
-                   const std::function<const Pose&(const TrajectoryPoint&)>& pose) {
+Line map_of(const RecordedRun& run, Line line,
+            const std::function<const Pose&(const TrajectoryPoint&)>& pose) {
   for (const TrajectoryPoint& point : run.result.points)
-    series.points.emplace_back(pose(point).x_m, pose(point).y_m);
-  return series;
+    line.points.emplace_back(pose(point).x_m, pose(point).y_m);
+  return line;
 }
 
 /// Below the estimates, which it would hide or be hidden by.
-ChartSeries truth_series() {
-  ChartSeries series = empty_series("truth", kTruthColour);
-  series.broad = true;
-  return series;
+Line truth_line() { return {.name = "truth", .colour = kTruthColour, .broad = true}; }
+
+Line planned(const course::Course& course) {
+  return {.name = "path", .colour = kPathColour, .points = path_line(course), .dashed = true};
 }
 
-ChartSeries planned(const course::Course& course) {
-  ChartSeries series = empty_series("path", kPathColour, true);
-  series.points = path_line(course);
-  return series;
+Chart of_time(const std::string& title, const std::string& y_label, std::vector<Line> lines = {}) {
+  return {.title = title, .x_label = "time [s]", .y_label = y_label, .series = std::move(lines)};
+}
+
+Chart map(const std::string& title) {
+  return {.title = title, .x_label = "x [m]", .y_label = "y [m]", .equal_scale = true};
+}
+
+/// One value of a run over time, in a figure of its own; several runs are overlaid.
+struct Plot {
+  const char *name, *title, *y_label, *caption;
+  Value value;
+};
+
+Plot tracking() {
+  return {"tracking", "Cross-track, as the controller saw it", "left of the path [cm]",
+          "The steering pose against the path.",
+          [](auto&, auto&, auto& m) { return m.cross_track_m * kCmPerM; }};
+}
+
+Plot jitter() {
+  return {"jitter", "Jitter", "|step - period| [us]",
+          "Time between two steps against the loop's period.",
+          [](auto&, auto&, auto& m) { return m.jitter_us; }};
+}
+
+Figure figure_of(const Plot& plot, const RecordedRun& run) {
+  const Line line = over_time(run, {.colour = kValueColour}, plot.value);
+  return {plot.name, svg(of_time(plot.title, plot.y_label, {line})), plot.caption};
 }
 
 double distance_cm(const Pose& a, const Pose& b) {
@@ -59,19 +82,19 @@ std::vector<PoseSource> estimates_of(const RecordedRun& run) {
   return estimates;
 }
 
-ChartSeries series_of(PoseSource source) {
-  return empty_series(std::string(to_string(source)), colour_of(source));
+Line line_of(PoseSource source) {
+  return {.name = std::string(to_string(source)), .colour = colour_of(source)};
 }
 
 Figure path_figure(const RecordedRun& run) {
-  Chart chart{.title = "Path", .x_label = "x [m]", .y_label = "y [m]", .equal_scale = true};
+  Chart chart = map("Path");
   if (run.run_context.course != nullptr) chart.series.push_back(planned(*run.run_context.course));
   if (run.has_truth)
-    chart.series.push_back(map_of(run, truth_series(),
-                                  [](const TrajectoryPoint& p) -> const Pose& { return p.truth; }));
+    chart.series.push_back(
+        map_of(run, truth_line(), [](const TrajectoryPoint& p) -> const Pose& { return p.truth; }));
   for (const PoseSource source : estimates_of(run))
     chart.series.push_back(
-        map_of(run, series_of(source),
+        map_of(run, line_of(source),
                [&](const TrajectoryPoint& p) -> const Pose& { return p.estimates[source]; }));
   return {
       "path", svg(chart),
@@ -79,40 +102,35 @@ Figure path_figure(const RecordedRun& run) {
 }
 
 Figure yaw_figure(const RecordedRun& run) {
-  Chart chart{.title = "Yaw", .x_label = "time [s]", .y_label = "yaw [deg]"};
+  Chart chart = of_time("Yaw", "yaw [deg]");
   if (run.has_truth)
     chart.series.push_back(over_time(
-        run, truth_series(),
-        [](const TrajectoryPoint& p, const RunMoment&) { return p.truth.yaw_rad * kDegPerRad; }));
+        run, truth_line(), [](auto&, auto& p, auto&) { return p.truth.yaw_rad * kDegPerRad; }));
   for (const PoseSource source : estimates_of(run))
-    chart.series.push_back(
-        over_time(run, series_of(source), [&](const TrajectoryPoint& p, const RunMoment&) {
-          return p.estimates[source].yaw_rad * kDegPerRad;
-        }));
+    chart.series.push_back(over_time(run, line_of(source), [&](auto&, auto& p, auto&) {
+      return p.estimates[source].yaw_rad * kDegPerRad;
+    }));
   return {"yaw", svg(chart), "Yaw, counted on beyond a full turn."};
 }
 
 /// How far each estimate is from the truth; without one, from odometry.
-std::vector<ChartSeries> error_series(const RecordedRun& run) {
-  std::vector<ChartSeries> series;
+std::vector<Line> error_lines(const RecordedRun& run) {
+  std::vector<Line> lines;
   for (const PoseSource source : estimates_of(run)) {
     if (!run.has_truth && source == PoseSource::kOdometry) continue;
-    series.push_back(
-        over_time(run, series_of(source), [&](const TrajectoryPoint& p, const RunMoment&) {
-          return distance_cm(p.estimates[source],
-                             run.has_truth ? p.truth : p.estimates[PoseSource::kOdometry]);
-        }));
+    lines.push_back(over_time(run, line_of(source), [&](auto&, auto& p, auto&) {
+      return distance_cm(p.estimates[source],
+                         run.has_truth ? p.truth : p.estimates[PoseSource::kOdometry]);
+    }));
   }
-  return series;
+  return lines;
 }
 
 Figure error_figure(const RecordedRun& run) {
-  const Chart chart{.title = run.has_truth ? "Distance from the truth" : "Distance from odometry",
-                    .x_label = "time [s]",
-                    .y_label = "distance [cm]",
-                    .series = error_series(run)};
   return {
-      "error", svg(chart),
+      "error",
+      svg(of_time(run.has_truth ? "Distance from the truth" : "Distance from odometry",
+                  "distance [cm]", error_lines(run))),
       run.has_truth
           ? "How far each estimate was from the truth, from start to end, disturbances included."
           : "The truth is not known: how far the estimates were from each other, which is no "
@@ -120,82 +138,59 @@ Figure error_figure(const RecordedRun& run) {
 }
 
 Figure uncertainty_figure(const RecordedRun& run) {
-  Chart chart{.title = "Uncertainty", .x_label = "time [s]", .y_label = "distance [cm]"};
-  if (run.has_truth) chart.series = error_series(run);
-  for (const PoseSource source : estimates_of(run))
-    chart.series.push_back(over_time(
-        run, empty_series(std::string(to_string(source)) + ", 2 sd", colour_of(source), true),
-        [&](const TrajectoryPoint& p, const RunMoment&) {
-          return 2.0 * kCmPerM * magnitude(p.sd[source].x_m, p.sd[source].y_m);
-        }));
+  Chart chart = of_time("Uncertainty", "distance [cm]");
+  if (run.has_truth) chart.series = error_lines(run);
+  for (const PoseSource source : estimates_of(run)) {
+    Line line = line_of(source);
+    line.name += ", 2 sd";
+    line.dashed = true;
+    chart.series.push_back(over_time(run, line, [&](auto&, auto& p, auto&) {
+      return 2.0 * kCmPerM * magnitude(p.sd[source].x_m, p.sd[source].y_m);
+    }));
+  }
   return {
       "uncertainty", svg(chart),
       std::string("Dashed: two standard deviations of each position, by its own covariance.") +
           (run.has_truth ? " Lines: its distance from the truth, as in the figure before." : "")};
 }
 
-Figure tracking_figure(const RecordedRun& run) {
-  Chart chart{.title = "Cross-track, as the controller saw it",
-              .x_label = "time [s]",
-              .y_label = "left of the path [cm]"};
-  chart.series.push_back(over_time(
-      run, empty_series("", kValueColour),
-      [](const TrajectoryPoint&, const RunMoment& m) { return m.cross_track_m * kCmPerM; }));
-  return {"tracking", svg(chart), "The steering pose against the path."};
-}
-
 Figure slip_figure(const RecordedRun& run) {
-  Chart chart{.title = "Slip in use", .x_label = "time [s]", .y_label = "slip ratio"};
-  chart.series.push_back(
-      over_time(run, empty_series("left", kLeftColour),
-                [](const TrajectoryPoint&, const RunMoment& m) { return m.slip_left; }));
-  chart.series.push_back(
-      over_time(run, empty_series("right", kRightColour),
-                [](const TrajectoryPoint&, const RunMoment& m) { return m.slip_right; }));
-  return {"slip", svg(chart), "Slip ratios that the model used."};
-}
-
-Figure jitter_figure(const RecordedRun& run) {
-  Chart chart{.title = "Jitter", .x_label = "time [s]", .y_label = "|step - period| [us]"};
-  chart.series.push_back(
-      over_time(run, empty_series("", kValueColour),
-                [](const TrajectoryPoint&, const RunMoment& m) { return m.jitter_us; }));
-  return {"jitter", svg(chart), "Time between two steps against the loop's period."};
+  const auto left = [](auto&, auto&, auto& m) { return m.slip_left; };
+  const auto right = [](auto&, auto&, auto& m) { return m.slip_right; };
+  return {"slip",
+          svg(of_time("Slip in use", "slip ratio",
+                      {over_time(run, {.name = "left", .colour = kLeftColour}, left),
+                       over_time(run, {.name = "right", .colour = kRightColour}, right)})),
+          "Slip ratios that the model used."};
 }
 
 Figure climb_figure(const RecordedRun& run) {
-  Chart chart{.title = "Climb angle", .x_label = "time [s]", .y_label = "nose up [deg]"};
+  Chart chart = of_time("Climb angle", "nose up [deg]");
   if (run.has_truth)
-    chart.series.push_back(
-        over_time(run, truth_series(), [](const TrajectoryPoint& p, const RunMoment&) {
-          return -p.truth.pitch_rad * kDegPerRad;
-        }));
-  chart.series.push_back(over_time(run, empty_series("robot in the course's world", kValueColour),
-                                   [](const TrajectoryPoint&, const RunMoment& m) {
-                                     return -m.steering_world.pitch_rad * kDegPerRad;
-                                   }));
+    chart.series.push_back(over_time(
+        run, truth_line(), [](auto&, auto& p, auto&) { return -p.truth.pitch_rad * kDegPerRad; }));
+  chart.series.push_back(
+      over_time(run, {.name = "robot in the course's world", .colour = kValueColour},
+                [](auto&, auto&, auto& m) { return -m.steering_world.pitch_rad * kDegPerRad; }));
   return {"climb", svg(chart),
           "Where obstacles are virtual, the truth lies on the flat floor below them."};
 }
 
 /// A colour for each of several runs; dashed where colours repeat.
-ChartSeries series_of(const ComparedRun& run, std::size_t i) {
-  return empty_series(run.name, colour_of_run(i), i >= kRunColours);
+Line line_of(const ComparedRun& run, std::size_t i) {
+  return {.name = run.name, .colour = colour_of_run(i), .dashed = i >= kRunColours};
 }
 
 const Pose& shown_pose(const RecordedRun& run, const TrajectoryPoint& point) {
   return run.has_truth ? point.truth : point.estimates[run.run_context.steering];
 }
 
-Figure compared(const std::vector<ComparedRun>& runs, Figure figure, Chart chart,
-                const std::function<double(const RecordedRun&, const TrajectoryPoint&,
-                                           const RunMoment&)>& value) {
+/// Its name is in the plural.
+Figure figure_of(const Plot& plot, const std::vector<ComparedRun>& runs) {
+  Chart chart = of_time(plot.title, plot.y_label);
   for (std::size_t i = 0; i < runs.size(); ++i)
-    chart.series.push_back(over_time(
-        runs[i].run, series_of(runs[i], i),
-        [&](const TrajectoryPoint& p, const RunMoment& m) { return value(runs[i].run, p, m); }));
-  figure.svg = svg(chart);
-  return figure;
+    chart.series.push_back(over_time(runs[i].run, line_of(runs[i], i), plot.value));
+  return {std::string(plot.name) + "s", svg(chart), plot.caption};
 }
 
 }  // namespace
@@ -212,74 +207,53 @@ std::vector<std::pair<double, double>> path_line(const course::Course& course) {
 }
 
 std::vector<Figure> figures_of(const RecordedRun& run) {
-  std::vector<Figure> figures = {path_figure(run),        yaw_figure(run),      error_figure(run),
-                                 uncertainty_figure(run), tracking_figure(run), slip_figure(run),
-                                 jitter_figure(run)};
-  std::erase_if(figures, [&](const Figure& figure) {
-    return (figure.name == "tracking" && run.run_context.course == nullptr) ||
-           (figure.name == "jitter" && !in_real_time(run));
-  });
-  if (run.run_context.course != nullptr && !run.run_context.course->terrain.flat())
-    figures.push_back(climb_figure(run));
+  const course::Course* course = run.run_context.course.get();
+  std::vector<Figure> figures = {path_figure(run), yaw_figure(run), error_figure(run),
+                                 uncertainty_figure(run)};
+  if (course != nullptr) figures.push_back(figure_of(tracking(), run));
+  figures.push_back(slip_figure(run));
+  if (in_real_time(run)) figures.push_back(figure_of(jitter(), run));
+  if (course != nullptr && !course->terrain.flat()) figures.push_back(climb_figure(run));
   return figures;
 }
 
 std::vector<Figure> figures_of(const std::vector<ComparedRun>& runs) {
-  std::vector<Figure> figures;
-  Chart map{.title = "Paths", .x_label = "x [m]", .y_label = "y [m]", .equal_scale = true};
+  const auto any = [&](const auto& has) {
+    return std::ranges::any_of(runs, [&](const ComparedRun& one) { return has(one.run); });
+  };
+  Chart paths = map("Paths");
   if (!runs.empty() && runs[0].run.run_context.course != nullptr)
-    map.series.push_back(planned(*runs[0].run.run_context.course));
+    paths.series.push_back(planned(*runs[0].run.run_context.course));
   for (std::size_t i = 0; i < runs.size(); ++i)
-    map.series.push_back(map_of(
-        runs[i].run, series_of(runs[i], i),
+    paths.series.push_back(map_of(
+        runs[i].run, line_of(runs[i], i),
         [&](const TrajectoryPoint& p) -> const Pose& { return shown_pose(runs[i].run, p); }));
-  figures.push_back({"paths", svg(map),
-                     "The truth where it is known, else the steering pose. The path is that of "
-                     "the first run."});
-  figures.push_back(
-      compared(runs, {"yaws", {}, "Yaw, of the same poses."},
-               {.title = "Yaw", .x_label = "time [s]", .y_label = "yaw [deg]"},
-               [](const RecordedRun& run, const TrajectoryPoint& p, const RunMoment&) {
-                 return shown_pose(run, p).yaw_rad * kDegPerRad;
-               }));
+  std::vector<Figure> figures = {
+      {"paths", svg(paths),
+       "The truth where it is known, else the steering pose. The path is that of the first run."},
+      figure_of({"yaw", "Yaw", "yaw [deg]", "Yaw, of the same poses.",
+                 [](auto& run, auto& p, auto&) { return shown_pose(run, p).yaw_rad * kDegPerRad; }},
+                runs)};
   const struct {
     const char *name, *title, *caption;
     PoseSource source;
-  } errors[] = {{"model-errors", "Model: distance from the truth",
+  } errors[] = {{"model-error", "Model: distance from the truth",
                  "The model, only of runs whose truth is known.", PoseSource::kModel},
-                {"odometry-errors", "Odometry: distance from the truth",
+                {"odometry-error", "Odometry: distance from the truth",
                  "Odometry, of the same runs.", PoseSource::kOdometry},
-                {"fused-errors", "Fused pose: distance from the truth",
+                {"fused-error", "Fused pose: distance from the truth",
                  "The fused pose, of those of the runs that had a camera.", PoseSource::kFused}};
-  const auto shown = [&](PoseSource source) {
-    return std::ranges::any_of(
-        runs, [&](const ComparedRun& one) { return one.run.result.has_estimate(source); });
-  };
   for (const auto& one : errors) {
-    if (!shown(one.source)) continue;
-    figures.push_back(
-        compared(runs, {one.name, {}, one.caption},
-                 {.title = one.title, .x_label = "time [s]", .y_label = "distance [cm]"},
-                 [&](const RecordedRun& run, const TrajectoryPoint& p, const RunMoment&) {
-                   return run.has_truth && run.result.has_estimate(one.source)
-                              ? distance_cm(p.estimates[one.source], p.truth)
-                              : std::nan("");
-                 }));
+    if (!any([&](const RecordedRun& run) { return run.result.has_estimate(one.source); })) continue;
+    const Value error = [source = one.source](auto& run, auto& p, auto&) {
+      return run.has_truth && run.result.has_estimate(source)
+                 ? distance_cm(p.estimates[source], p.truth)
+                 : std::nan("");
+    };
+    figures.push_back(figure_of({one.name, one.title, "distance [cm]", one.caption, error}, runs));
   }
-  figures.push_back(compared(runs, {"trackings", {}, "The steering pose against the path."},
-                             {.title = "Cross-track, as the controller saw it",
-                              .x_label = "time [s]",
-                              .y_label = "left of the path [cm]"},
-                             [](const RecordedRun&, const TrajectoryPoint&, const RunMoment& m) {
-                               return m.cross_track_m * kCmPerM;
-                             }));
-  if (std::ranges::any_of(runs, [](const ComparedRun& one) { return in_real_time(one.run); }))
-    figures.push_back(
-        compared(runs, {"jitters", {}, "Time between two steps against the loop's period."},
-                 {.title = "Jitter", .x_label = "time [s]", .y_label = "|step - period| [us]"},
-                 [](const RecordedRun&, const TrajectoryPoint&, const RunMoment& m) {
-                   return m.jitter_us;
-                 }));
+  figures.push_back(figure_of(tracking(), runs));
+  if (any(in_real_time)) figures.push_back(figure_of(jitter(), runs));
   return figures;
 }
 

@@ -7,7 +7,7 @@
 #include "report/html_page.h"
 #include "report/page_parts.h"
 #include "report/report_figures.h"
-#include "report/run_metrics.h"
+#include "report/result_text.h"
 #include "text/file_name.h"
 #include "text/format.h"
 
@@ -108,8 +108,9 @@ void add_errors(HtmlPage& page, const RecordedRun& run, const std::optional<RunF
                       decimals(judged->tracking.max_yaw_error_rad * kDegPerRad, 2)}};
     page.table(tracking, "Tracking: the truth against the path");
     std::string recovery;
-    for (const auto& time : judged->tracking.recovery_s)
-      recovery += (recovery.empty() ? "" : ", ") + (time ? decimals(*time, 2) + " s" : "never");
+    for (const DisturbanceResponse& one : judged->tracking.recovery)
+      recovery += (recovery.empty() ? "" : ", ") +
+                  (one.settling_s ? decimals(*one.settling_s, 2) + " s" : "never");
     if (!recovery.empty())
       page.paragraph("Recovered from the disturbances after " + recovery + ".");
   } else {
@@ -162,8 +163,10 @@ void add_timing(HtmlPage& page, const RecordedRun& run) {
 void add_link(HtmlPage& page, const RecordedRun& run) {
   page.heading("Link");
   Rows rows = {{"counter", "since the start"}};
-  for (const auto& [name, value] : counters_of(run.result.link))
-    rows.push_back({name, std::to_string(value)});
+  const auto add = [&](std::string_view name, std::uint64_t value) {
+    rows.push_back({name, count(value)});
+  };
+  visit_fields(add, run.result.link);
   page.table(rows, "Every lost byte or frame is in exactly one of them");
 }
 

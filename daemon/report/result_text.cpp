@@ -1,7 +1,6 @@
 #include "report/result_text.h"
 
 #include <algorithm>
-#include <array>
 #include <nlohmann/json.hpp>
 
 #include "core/arithmetic.h"
@@ -36,10 +35,11 @@ Json json_of(const DisturbanceResponse& recovery) {
 }
 
 Json json_of(const TrackingErrors& errors) {
-  Json recovery = Json::array();
-  for (const std::optional<double>& time : errors.recovery_s) recovery.push_back(json_of(time));
-  Json details = Json::array();
-  for (const DisturbanceResponse& one : errors.recovery) details.push_back(json_of(one));
+  Json recovery = Json::array(), details = Json::array();
+  for (const DisturbanceResponse& one : errors.recovery) {
+    recovery.push_back(json_of(one.settling_s));
+    details.push_back(json_of(one));
+  }
   return {{"max_cross_track_m", errors.max_cross_track_m},
           {"rms_cross_track_m", errors.rms_cross_track_m},
           {"max_yaw_error_rad", errors.max_yaw_error_rad},
@@ -78,17 +78,7 @@ Json json_of(const LinkCounters& link) {
   return json;
 }
 
-constexpr std::array<PublishedErrors, 5> kRows = {{
-    {"1-straight", 1.5625, -1, -1, -1},
-    {"1-curve", 1.2028, -1, -1, -1},
-    {"1-sharp", 8.5838, -1, -1, -1},
-    {"2", -1, 0.1854, 0.1486, 0.801},
-    {"3", 34.1, 1.6607, 0.4948, 0.821},
-}};
-
-}  // namespace
-
-std::string result_json(const RunResult& run, const RunFigures& figures) {
+Json json_of(const RunResult& run, const RunFigures& figures) {
   Json json = {{"course", run.course}, {"board", run.board}, {"robot", run.robot},
                {"setup", run.setup},   {"seed", run.seed},   {"completed", run.completed}};
   if (!run.body.empty()) json["body"] = run.body;
@@ -117,8 +107,65 @@ std::string result_json(const RunResult& run, const RunFigures& figures) {
   json["link"] = json_of(run.link);
   json["loop"] = Json::object();
   for (const auto& [name, value] : run.loop) json["loop"][name] = value;
-  // File names may contain any bytes.
-  return json.dump(-1, ' ', true, Json::error_handler_t::replace);
+  return json;
+}
+
+}  // namespace
+
+// File names may contain any bytes.
+std::string result_json(const RunResult& run, const RunFigures& figures) {
+  return json_of(run, figures).dump(-1, ' ', true, Json::error_handler_t::replace);
+}
+
+std::optional<RunFigures> judged(const RecordedRun& run) {
+  if (run.runs == 0 || !run.has_truth || run.run_context.course == nullptr) return std::nullopt;
+  return figures(run.result, *run.run_context.course);
+}
+
+Difference model_from_odometry(const RecordedRun& run) {
+  Difference difference;
+  for (const TrajectoryPoint& point : run.result.points) {
+    const Pose& model = point.estimates[PoseSource::kModel];
+    const Pose& odometry = point.estimates[PoseSource::kOdometry];
+    difference.final_m = magnitude(model.x_m - odometry.x_m, model.y_m - odometry.y_m);
+    difference.max_m = std::max(difference.max_m, difference.final_m);
+  }
+  return difference;
+}
+
+std::string metrics_json(const RecordedRun& run, const std::optional<RunFigures>& figures) {
+  Json json = json_of(run.result, figures.value_or(RunFigures{}));
+  json.erase("realtime_factor");
+  json.erase("loop");
+  if (!figures)
+    for (const char* name : {"baselines", "tracking", "slope"}) json[name] = nullptr;
+  json["truth"] = run.has_truth;
+  json["steering"] = to_string(run.run_context.steering);
+  json["estimated"] = nullptr;
+  json["differences"] = nullptr;
+  if (run.runs > 0) {
+    json["estimated"] = {{"max_cross_track_m", run.estimated.max_cross_track_m},
+                         {"rms_cross_track_m", run.estimated.rms_cross_track_m},
+                         {"max_heading_error_rad", run.estimated.max_heading_error_rad}};
+    const Difference difference = model_from_odometry(run);
+    json["differences"] = {
+        {"model_from_odometry", {{"max_m", difference.max_m}, {"final_m", difference.final_m}}}};
+  }
+  json["timing"] = {{"rate_hz", run.run_context.rate_hz},
+                    {"jitter_us", run.jitter},
+                    {"sample_age_us", run.sample_age},
+                    {"world_age_us", run.world_age.count > 0 ? Json(run.world_age) : Json()}};
+  json["recording"] = {{"file", run.path},
+                       {"whole", run.whole},
+                       {"runs", run.runs},
+                       {"steps", run.steps},
+                       {"missing_steps", run.missing_steps},
+                       {"implausible_points", run.implausible},
+                       {"points_of_every", run.every}};
+  json["versions"] = Json::object();
+  for (const char* name : {"program", "version", "start_unix_ns"})
+    if (run.facts.contains(name)) json["versions"][name] = run.facts.at(name);
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 namespace {
@@ -130,18 +177,6 @@ std::string row(const std::string& name, const PoseErrors& e) {
                 e.max_position_error_m * kCmPerM, e.mean_position_error_m * kCmPerM,
                 e.rms_position_error_m * kCmPerM, e.final_position_error_m * kCmPerM, e.mse_x_m2,
                 e.mse_y_m2, e.mse_yaw_rad2, e.max_yaw_error_rad * kDegPerRad);
-}
-
-std::string printed_cell(int width, const char* as, double value) {
-  if (value < 0) return format("%*s", width, "-");
-  return format("%*.*f", width, as[0] == 'f' ? 2 : 4, value);
-}
-
-std::string printed_row(const PublishedErrors& p) {
-  return format("%-27s", "paper, as printed") + printed_cell(8, "f", p.max_position_error_cm) +
-         printed_cell(8, "f", -1) + printed_cell(8, "f", -1) + printed_cell(8, "f", -1) +
-         printed_cell(11, "g", p.mse_x) + printed_cell(11, "g", p.mse_y) +
-         printed_cell(11, "g", p.mse_yaw) + printed_cell(8, "f", -1) + "\n";
 }
 
 std::string seconds(const std::optional<double>& time) {
@@ -217,8 +252,6 @@ std::string result_table(const RunResult& run, const RunFigures& figures) {
   for (std::size_t i = 0; i < model::kBaselines.size(); ++i)
     if (figures.baselines[i])
       text += row("form: " + std::string(model::kBaselines[i].key), *figures.baselines[i]);
-  const auto paper = published_errors(run.course);
-  if (paper) text += printed_row(*paper);
   const TrackingErrors& tracking = figures.tracking;
   text += format(
       "\nours: true path against the reference [cm, deg]: cross-track max %.2f, rms %.2f, yaw max "
@@ -240,14 +273,6 @@ std::string result_table(const RunResult& run, const RunFigures& figures) {
         "Model and forms are judged between the disturbances and reset to the truth after each,\n"
         "because encoders cannot measure them; the model's standard deviations up to the first "
         "one.\n";
-  if (paper) {
-    text +=
-        "Lengths, radii and disturbances of the course are ours: the paper does not print them.\n";
-    if (paper->mse_x >= 0)
-      text +=
-          "The paper prints its mean squared errors in m and rad, and they contradict each other:\n"
-          "shown, not compared.\n";
-  }
   if (run.setup == "stand")
     text +=
         "On a stand nothing moves: the virtual pose stands in for the truth and is judged against "
@@ -257,12 +282,6 @@ std::string result_table(const RunResult& run, const RunFigures& figures) {
         "This robot's slip is fitted through its contacts and its tracks make eqs 1-5 nearly "
         "exact;\nthe uniformly loaded robot is the harder test.\n";
   return text;
-}
-
-std::optional<PublishedErrors> published_errors(std::string_view course) {
-  for (const PublishedErrors& row : kRows)
-    if (row.course == course) return row;
-  return std::nullopt;
 }
 
 }  // namespace tp100::report

@@ -1,11 +1,13 @@
 #pragma once
-// The result of a run as JSON and as a table, beside the paper's printed results.
+// The figures of a run as JSON and as a table. Errors of the model, of the estimates and of the
+// tracking are relative to the truth and exist only where it is known; of a recorded run, the
+// controller's own estimates are told apart from them.
 
 #include <optional>
 #include <string>
-#include <string_view>
 
 #include "report/metrics.h"
+#include "report/recorded_run.h"
 
 namespace tp100::report {
 
@@ -15,26 +17,21 @@ namespace tp100::report {
 /// from a disturbance is null if there was none.
 std::string result_json(const RunResult& run, const RunFigures& figures);
 
-/// The result as text: several lines, at most 100 columns, with notes on which values are the
-/// paper's and which are our own.
+/// The result as text: several lines, at most 100 columns, with notes on what they mean.
 std::string result_table(const RunResult& run, const RunFigures& figures);
 
-/// Errors that the paper prints for a course, in its own units; negative: not printed. Its mean
-/// squared errors carry units of m and rad and contradict its own maxima, so they are not compared.
-struct PublishedErrors {
-  std::string_view course;
-  double max_position_error_cm;
-  double mse_x, mse_y, mse_yaw;
+/// Nothing if no run began, or if the truth or the course is not known.
+std::optional<RunFigures> judged(const RecordedRun& run);
+
+/// metrics.json of a recorded run, one JSON object with line breaks: what result_json() has besides
+/// the speed of the machine (null where the truth is not known), and `estimated`, `differences`
+/// (both null if no run began), `timing`, `recording`, `versions`.
+std::string metrics_json(const RecordedRun& run, const std::optional<RunFigures>& figures);
+
+/// Largest and last distance between two estimates. [m]
+struct Difference {
+  double max_m = 0.0, final_m = 0.0;
 };
-
-/// The row of a bundled course, by its name.
-std::optional<PublishedErrors> published_errors(std::string_view course);
-
-/// Values of the tables "result of the equivalent wheelbase" and "obtained slip parameters".
-inline constexpr double kPublishedWheelbaseM = 0.2742;
-inline constexpr double kPublishedSlipLeft = 0.1;
-inline constexpr double kPublishedSlipRight = 0.1188;
-inline constexpr double kPublishedSlipAngleDeg = 0.404;  ///< straight on
-inline constexpr double kPublishedSlipAngleTurningDeg = 0.0;
+Difference model_from_odometry(const RecordedRun& run);
 
 }  // namespace tp100::report

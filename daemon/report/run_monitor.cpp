@@ -13,7 +13,7 @@ std::string change(const char* what, State from, State to) {
 
 }  // namespace
 
-void RunMonitor::add(StepEvent event) {
+void RunMonitor::add(RunEvent event) {
   if (events_.size() < kMax)
     events_.push_back(std::move(event));
   else

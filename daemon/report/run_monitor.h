@@ -10,11 +10,11 @@
 
 namespace tp100::report {
 
-/// One event.
-struct StepEvent {
+struct RunEvent {
   HostNs at_ns = 0;
   std::string text = {}, fix = {};
   bool bad = false;
+  double t_s = 0.0;  ///< as in the points of a run; negative before it
 };
 
 /// Takes steps in their order.
@@ -23,9 +23,9 @@ class RunMonitor {
   static constexpr std::size_t kMax = 500;
 
   void step(const StepRecord& record);
-  void add(StepEvent event);
+  void add(RunEvent event);
 
-  const std::vector<StepEvent>& events() const { return events_; }
+  const std::vector<RunEvent>& events() const { return events_; }
   /// Number of events beyond kMax.
   std::uint64_t more() const { return more_; }
 
@@ -33,7 +33,7 @@ class RunMonitor {
   void states(const StepRecord& record);
   void faults(const StepRecord& record);
 
-  std::vector<StepEvent> events_;
+  std::vector<RunEvent> events_;
   std::uint64_t more_ = 0;
   bool first_ = true;
   std::uint64_t step_ = 0;

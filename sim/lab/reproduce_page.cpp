@@ -5,7 +5,7 @@
 
 #include "core/arithmetic.h"
 #include "report/html_page.h"
-#include "report/result_text.h"
+#include "sim/lab/published.h"
 #include "sim/lab/reproduce.h"
 #include "sim/lab/reproduce_charts.h"
 #include "sim/lab/sampled.h"
@@ -29,7 +29,7 @@ std::string number(double value, int decimals = 2) {
 std::string scientific(double value) { return format("%.2e", value); }
 
 std::string paper_max_cm(const std::string& course) {
-  const auto paper = report::published_errors(course);
+  const auto paper = published_errors(course);
   return paper && paper->max_position_error_cm >= 0 ? number(paper->max_position_error_cm) : "-";
 }
 
@@ -80,7 +80,7 @@ Rows verdict_rows(const Reproduction& what) {
 }
 
 bool is_paper_course(const CourseStudy& study, const Reproduction& what) {
-  return study.robot == what.reference.name && report::published_errors(study.course) &&
+  return study.robot == what.reference.name && published_errors(study.course) &&
          study.board == "native" && study.blind.empty() && !study.uneven;
 }
 
@@ -88,7 +88,7 @@ Rows squared_table(const Reproduction& what) {
   Rows rows = {
       {"course", "ours: x [m^2]", "y [m^2]", "yaw [rad^2]", "paper, as printed: x", "y", "yaw"}};
   for (const CourseStudy& study : what.studies) {
-    const auto paper = report::published_errors(study.course);
+    const auto paper = published_errors(study.course);
     if (!paper || paper->mse_x < 0 || !is_paper_course(study, what) || study.setup == "stand")
       continue;
     rows.push_back({study.course + " (" + study.setup + ")", scientific(study.mse_x_m2.median),
@@ -310,7 +310,7 @@ std::string reproduction_json(const Reproduction& what) {
     one["model_mse"] = {{"x_m2", study.mse_x_m2.median},
                         {"y_m2", study.mse_y_m2.median},
                         {"yaw_rad2", study.mse_yaw_rad2.median}};
-    if (const auto paper = report::published_errors(study.course)) {
+    if (const auto paper = published_errors(study.course)) {
       one["paper"] = {{"max_position_error_cm", paper->max_position_error_cm},
                       {"mse_x", paper->mse_x},
                       {"mse_y", paper->mse_y},

@@ -4,7 +4,7 @@
 #include "core/arithmetic.h"
 #include "model/track_model.h"
 #include "report/html_page.h"
-#include "report/result_text.h"
+#include "sim/lab/published.h"
 #include "sim/lab/reproduce.h"
 #include "sim/lab/reproduce_charts.h"
 #include "text/format.h"
@@ -57,7 +57,7 @@ void write_wheelbase(report::HtmlPage& page, const Reproduction& what) {
   by_eq_7("L by eq 7, gamma 0 [m]", "the same without the offset in y");
   geometry.gamma = 1.0;
   by_eq_7("L by eq 7, gamma 1 [m]", "the same with the offsets as they are");
-  add("L, printed [m]", report::kPublishedWheelbaseM, "table 2");
+  add("L, printed [m]", kPublishedWheelbaseM, "table 2");
   const course::EmulatedBody& body = what.reference.emulated.body;
   geometry = {.length_m = body.axle_spacing_m,
               .width_m = body.gauge_m,
@@ -101,13 +101,13 @@ Rows slip_table(const course::Robot& robot) {
                     ours(extended, of_straight), ours(extended, of_turning)});
   };
   using model::TrackParameters;
-  add("slip angle [deg]", report::kPublishedSlipAngleDeg, report::kPublishedSlipAngleTurningDeg,
+  add("slip angle [deg]", kPublishedSlipAngleDeg, kPublishedSlipAngleTurningDeg,
       &TrackParameters::slip_angle_straight_rad, &TrackParameters::slip_angle_turning_rad,
       kRadPerDeg, 3);
-  add("slip ratio, left", report::kPublishedSlipLeft, report::kPublishedSlipLeft,
-      &TrackParameters::slip_left, &TrackParameters::slip_left, 1.0, 4);
-  add("slip ratio, right", report::kPublishedSlipRight, report::kPublishedSlipRight,
-      &TrackParameters::slip_right, &TrackParameters::slip_right, 1.0, 4);
+  add("slip ratio, left", kPublishedSlipLeft, kPublishedSlipLeft, &TrackParameters::slip_left,
+      &TrackParameters::slip_left, 1.0, 4);
+  add("slip ratio, right", kPublishedSlipRight, kPublishedSlipRight, &TrackParameters::slip_right,
+      &TrackParameters::slip_right, 1.0, 4);
   return rows;
 }
 

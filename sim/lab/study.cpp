@@ -54,9 +54,9 @@ TrialRun judged(report::RunResult result, const course::Course& course) {
   run.figures = report::figures(run.result, course);
   if (run.result.has_camera) judge_fused(run);
   run.model_rms_yaw_rad = std::sqrt(run.figures.estimates[PoseSource::kModel]->mse_yaw_rad2);
-  for (const std::optional<double>& time_s : run.figures.tracking.recovery_s)
-    run.slowest_recovery_s =
-        std::max(run.slowest_recovery_s, time_s.value_or(std::numeric_limits<double>::infinity()));
+  for (const report::DisturbanceResponse& one : run.figures.tracking.recovery)
+    run.slowest_recovery_s = std::max(
+        run.slowest_recovery_s, one.settling_s.value_or(std::numeric_limits<double>::infinity()));
   return run;
 }
 

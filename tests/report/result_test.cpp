@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <deque>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -21,7 +20,6 @@
 #include "report/html_page.h"
 #include "report/result_text.h"
 #include "report/run_result.h"
-#include "text/csv_reader.h"
 
 namespace tp100::report {
 namespace {
@@ -53,7 +51,6 @@ RunFigures some_figures() {
   figures.estimates[PoseSource::kModel].emplace().max_position_error_m = 0.1 + 0.2;
   figures.estimates[PoseSource::kOdometry].emplace().mse_x_m2 = 1.25e-5;
   figures.baselines[model::kEqsFitted].emplace().max_position_error_m = 0.0394;
-  figures.tracking.recovery_s = {1.5, std::nullopt};
   figures.tracking.recovery = {{.begin_s = 8.0,
                                 .detection_s = 0.03,
                                 .peak_cross_track_m = 0.041,
@@ -145,12 +142,10 @@ TEST(ResultJson, FusedIsThereOnlyIfACameraWas) {
   EXPECT_EQ(keys(json["fused"]), keys(json["model"]));
 }
 
-TEST(ResultTable, ShowsThePrintedValuesAndWhatIsOursInAHundredColumns) {
+TEST(ResultTable, ShowsEachFigureInAHundredColumns) {
   RunFigures figures = some_figures();
   std::string text = result_table(a_run(), figures);
   EXPECT_THAT(text, HasSubstr("completed\n41.2 s of robot time"));
-  EXPECT_THAT(text, HasSubstr("paper, as printed"));
-  EXPECT_THAT(text, HasSubstr("0.1854"));
   EXPECT_THAT(text, HasSubstr("form: eqs_1_5                  3.94"));
   EXPECT_THAT(text,
               HasSubstr("disturbance at   8.0 s               0.03      4.10      14.3      1.50"));
@@ -162,7 +157,6 @@ TEST(ResultTable, ShowsThePrintedValuesAndWhatIsOursInAHundredColumns) {
   own.cause = "fence";
   for (auto& errors : figures.baselines) errors.emplace().max_position_error_m = 99.9;
   text = result_table(own, figures);
-  EXPECT_THAT(text, Not(HasSubstr("as printed")));
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100u) << line;
 }
@@ -177,36 +171,20 @@ Pose pose(double number) {
           .yaw_rad = number + 0.6};
 }
 
-TEST(PosesCsv, EveryColumnHoldsWhatItsNameSays) {
+TEST(PosesCsv, HasAPoseOfEachKindWithAllItsValues) {
   RunResult run;
+  run.points.push_back({.t_s = 70,
+                        .truth = pose(10),
+                        .world = pose(20),
+                        .estimates = {{pose(30), pose(40), pose(50)}},
+                        .progress_m = 60});
+  const std::string csv = poses_csv(run);
+  EXPECT_THAT(csv, testing::StartsWith("t_s,truth_x_m,truth_y_m,truth_z_m,truth_roll_rad,"
+                                       "truth_pitch_rad,truth_yaw_rad,world_x_m,"));
+  EXPECT_THAT(csv, HasSubstr(",odometry_yaw_rad,progress_m\n70,10.1"));
+  EXPECT_THAT(csv, testing::MatchesRegex(".*\n70(,[1234]0\\.[0-9]+){24},60\n"));
   run.has_camera = true;
-  for (const double number : {0.0, 100.0, 200.0})
-    run.points.push_back({.t_s = number + 70,
-                          .truth = pose(number + 10),
-                          .world = pose(number + 20),
-                          .estimates = {{pose(number + 30), pose(number + 40), pose(number + 50)}},
-                          .progress_m = number + 60});
-  text::CsvColumns columns{{"t_s", "progress_m"}, {}};
-  const char* const poses[] = {"truth", "world", "model", "odometry", "fused"};
-  const char* const values[] = {"_x_m", "_y_m", "_z_m", "_roll_rad", "_pitch_rad", "_yaw_rad"};
-  std::deque<std::string> names;
-  for (const char* pose : poses)
-    for (const char* value : values)
-      columns.required.push_back(names.emplace_back(std::string(pose) + value));
-  const text::CsvTable table = text::parse_csv(poses_csv(run), "poses.csv", columns);
-  ASSERT_EQ(table.rows(), 3u);
-  for (std::size_t row = 0; row < 3; ++row) {
-    const double number = 100.0 * static_cast<double>(row);
-    EXPECT_EQ(table["t_s"][row], number + 70);
-    EXPECT_EQ(table["progress_m"][row], number + 60);
-    for (int i = 0; i < 5; ++i)
-      for (int k = 0; k < 6; ++k)
-        EXPECT_NEAR(table[std::string(poses[i]) + values[k]][row],
-                    number + 10 * (i + 1) + 0.1 * (k + 1), 1e-9)
-            << poses[i] << values[k];
-  }
-  run.has_camera = false;
-  EXPECT_THAT(poses_csv(run), testing::Not(testing::HasSubstr("fused")));
+  EXPECT_THAT(poses_csv(run), HasSubstr(",fused_x_m,"));
 }
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();

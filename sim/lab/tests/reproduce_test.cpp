@@ -373,8 +373,8 @@ TEST(Reproduction, ShowsTheModelAsItIsJudgedRestartedAfterEachPush) {
     if (!shown.poses[i]) continue;
     EXPECT_NEAR(shown.poses[i]->y_m, run.points[i].truth.y_m, 1e-12) << i;
   }
-  EXPECT_NEAR(report::pose_errors_between(run.points, run.disturbances, model).max_position_error_m,
-              0.0, 1e-12);
+  EXPECT_NEAR(report::pose_errors(run.points, run.disturbances, model).max_position_error_m, 0.0,
+              1e-12);
   const std::string page = reproduction_page(what);
   EXPECT_THAT(page, HasSubstr(">model, restarted<"));
   EXPECT_THAT(page, HasSubstr(">its restart<"));
