@@ -13,12 +13,9 @@ namespace {
 constexpr double kThicknessM = 0.004;
 constexpr double kLiftM = 0.004;
 
-// Red, blue and green as in the paper, and two for future estimates.
-constexpr std::array<Colour, 5> kColours = {{{0.90, 0.20, 0.18, 1.0},
-                                             {0.26, 0.53, 0.96, 1.0},
-                                             {0.20, 0.72, 0.35, 1.0},
-                                             {0.84, 0.54, 0.06, 1.0},
-                                             {0.07, 0.48, 0.54, 1.0}}};
+// Red, blue and green as in the paper.
+constexpr std::array<Colour, kPoseSources.size()> kColours = {
+    {{0.90, 0.20, 0.18, 1.0}, {0.26, 0.53, 0.96, 1.0}, {0.20, 0.72, 0.35, 1.0}}};
 
 }  // namespace
 
@@ -80,12 +77,12 @@ std::string PathHistory::message(const PublishClock& clock, HostNs now, bool all
     // Repeat the last point of the previous part, so that the strip has no gap.
     const std::size_t from = all || strip.given == 0 ? 0 : strip.given - 1;
     if (strip.points.size() < from + 2) continue;
-    write_entity(json,
-                 {.id = "path_history/" + std::string(to_string(kPoseSources[i])) + "/" +
-                        std::to_string(chunk_),
-                  .lines = line_strip(std::span(strip.points).subspan(from), kThicknessM,
-                                      kColours[i % kColours.size()])},
-                 at);
+    write_entity(
+        json,
+        {.id = "path_history/" + std::string(to_string(kPoseSources[i])) + "/" +
+               std::to_string(chunk_),
+         .lines = line_strip(std::span(strip.points).subspan(from), kThicknessM, kColours[i])},
+        at);
   }
   json.end_array().end_object();
   return text;

@@ -21,17 +21,12 @@ class Sink {
   virtual void take(const StepRecord& record) = 0;
   /// The robot's true pose at host time `at`, if it is measured from outside; called after the step
   /// that used the sample of that time.
-  virtual void take_truth(HostNs at, const Pose& truth) {
-    (void)at;
-    (void)truth;
-  }
+  virtual void take_truth(HostNs at [[maybe_unused]], const Pose& truth [[maybe_unused]]) {}
   /// From the next record on, at host time `at`, another course, robot or set-up is in force.
-  virtual void take_setup(const RunContext& run_context, HostNs at) {
-    (void)run_context;
-    (void)at;
-  }
+  virtual void take_setup(const RunContext& run_context [[maybe_unused]],
+                          HostNs at [[maybe_unused]]) {}
   /// A disturbance of the robot began at `at`, if that is known from outside.
-  virtual void take_disturbance(HostNs at) { (void)at; }
+  virtual void take_disturbance(HostNs at [[maybe_unused]]) {}
 };
 
 /// Several sinks as one; they must outlive it.

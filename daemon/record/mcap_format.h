@@ -38,20 +38,11 @@ enum class McapOp : std::uint8_t {
 inline constexpr std::size_t kMcapRecordHead = 9;  ///< type and length
 inline constexpr std::size_t kMcapFooterSize = 20;
 
-/// CRC-32 as in zlib, computed incrementally.
-class Crc32 {
- public:
-  void add(std::span<const std::uint8_t> bytes) { crc_.process_bytes(bytes.data(), bytes.size()); }
-  std::uint32_t value() const { return crc_.checksum(); }
-
- private:
-  boost::crc_32_type crc_;
-};
-
+/// As in zlib.
 inline std::uint32_t crc32(std::span<const std::uint8_t> bytes) {
-  Crc32 crc;
-  crc.add(bytes);
-  return crc.value();
+  boost::crc_32_type crc;
+  crc.process_bytes(bytes.data(), bytes.size());
+  return crc.checksum();
 }
 
 /// An error in a record; the catcher adds its position.

@@ -75,7 +75,7 @@ McapWriter::~McapWriter() = default;
 // The CRC covers only what is in the file.
 void McapWriter::write(const Bytes& bytes) {
   file_.append(bytes);
-  if (file_.error() == 0) data_crc_.add(bytes);
+  if (file_.error() == 0) data_crc_.process_bytes(bytes.data(), bytes.size());
 }
 
 std::uint16_t McapWriter::add_schema(const McapSchema& schema) {
@@ -310,7 +310,7 @@ void McapWriter::finish() {
   record_.clear();
   {
     Record record(record_, McapOp::kDataEnd);
-    record->number(data_crc_.value());
+    record->number(static_cast<std::uint32_t>(data_crc_.checksum()));
   }
   const std::uint64_t summary_at = record_.size();
   const std::uint64_t file_offset = file_.size();

@@ -3,6 +3,7 @@
 // end; a file without that end is still readable. Memory does not grow with the file: the long part
 // of the index is kept in a nameless file. One thread at a time.
 
+#include <boost/crc.hpp>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -90,7 +91,7 @@ class McapWriter {
   void write_statistics(ByteWriter& out) const;
 
   RecordingFile& file_;
-  Crc32 data_crc_;
+  boost::crc_32_type data_crc_;
   struct Zstd;
   std::unique_ptr<Zstd> zstd_;
 

@@ -46,7 +46,7 @@ struct Recorder::State {
 
   /// An entry of the queue; `fill` appends its content.
   template <class Fill>
-  void put(EntryKind kind, Fill fill) {
+  static const Bytes& entry_of(EntryKind kind, Fill fill) {
     thread_local Bytes entry;
     entry.clear();
     ByteWriter out(entry);
@@ -54,7 +54,11 @@ struct Recorder::State {
     out.number<std::uint32_t>(0);
     fill(entry);
     out.patch(1, static_cast<std::uint32_t>(entry.size() - kHead));
-    if (queue.put(entry)) return;
+    return entry;
+  }
+  template <class Fill>
+  void put(EntryKind kind, Fill fill) {
+    if (queue.put(entry_of(kind, fill))) return;
     const std::lock_guard lock(mutex);
     ++dropped;
   }
@@ -62,11 +66,7 @@ struct Recorder::State {
   /// Marks where a recording begins or ends in the queue. Call with the mutex held.
   void request(Request request) {
     requests.push_back(std::move(request));
-    Bytes entry;
-    ByteWriter out(entry);
-    out.number(static_cast<std::uint8_t>(EntryKind::kRequest));
-    out.number<std::uint32_t>(0);
-    queue.mark(entry);
+    queue.mark(entry_of(EntryKind::kRequest, [](const Bytes&) {}));
   }
 
   /// Takes a request to begin a recording, unless it is refused. Returns why. Call with the mutex
@@ -82,6 +82,17 @@ struct Recorder::State {
     begin.dropped = dropped;
     request(std::move(begin));
     return {};
+  }
+  /// Asks for a recording. Returns its number; 0: it is refused, and `refused` has received why.
+  std::uint64_t ask(Request begin, const Recorder::Answer& refused) {
+    std::string why;
+    {
+      const std::lock_guard lock(mutex);
+      why = admit(std::move(begin));
+      if (why.empty()) return number;
+    }
+    refused(why);
+    return 0;
   }
   /// Number of the recording that others see. Call with the mutex held.
   std::uint64_t shown() const { return makes_way ? 0 : number; }
@@ -209,6 +220,7 @@ struct Recorder::State {
     write(kind, payload);
   }
   void write(EntryKind kind, std::span<const std::uint8_t> payload) {
+    ByteReader in(payload);
     switch (kind) {
       case EntryKind::kRequest:
         break;
@@ -216,24 +228,20 @@ struct Recorder::State {
         decode_step(payload, *record);
         writer->step(*record, payload);
         break;
-      case EntryKind::kTruth:
-        write_truth(ByteReader(payload));
+      case EntryKind::kTruth: {
+        messages::Truth truth;
+        truth.at_ns = in.number<HostNs>();
+        visit_fields([&](auto, double& value) { value = in.number<double>(); }, truth.pose);
+        writer->truth(truth);
         break;
-      case EntryKind::kMessage:
-        write_message(ByteReader(payload));
+      }
+      case EntryKind::kMessage: {
+        const auto channel = static_cast<messages::Channel>(in.number<std::uint32_t>());
+        const auto at = in.number<HostNs>();
+        writer->message(channel, at, in.text());
         break;
+      }
     }
-  }
-  void write_truth(ByteReader in) {
-    messages::Truth truth;
-    truth.at_ns = in.number<HostNs>();
-    visit_fields([&](auto, double& value) { value = in.number<double>(); }, truth.pose);
-    writer->truth(truth);
-  }
-  void write_message(ByteReader in) {
-    const auto channel = static_cast<messages::Channel>(in.number<std::uint32_t>());
-    const auto at = in.number<HostNs>();
-    writer->message(channel, at, in.text());
   }
   void report() {
     RecordingStatus now;
@@ -295,40 +303,23 @@ Recorder::~Recorder() {
 }
 
 std::uint64_t Recorder::ask_begin(Make make, const Answer& answer) {
-  std::string why;
-  {
-    const std::lock_guard lock(state_->mutex);
-    why = state_->admit({.make = std::move(make), .answer = answer});
-    if (why.empty()) return state_->number;
-  }
-  answer(why);
-  return 0;
+  return state_->ask({.make = std::move(make), .answer = answer}, answer);
 }
 
 std::uint64_t Recorder::ask_look_back(Make make, const Ended& ended) {
-  std::string why;
-  {
-    const std::lock_guard lock(state_->mutex);
-    why = state_->admit({.make = std::move(make), .ended = ended});
-    if (why.empty()) return state_->number;
-  }
-  ended({.warning = why});
-  return 0;
+  return state_->ask({.make = std::move(make), .ended = ended},
+                     [&](const std::string& why) { ended({.warning = why}); });
 }
 
 void Recorder::ask_end(std::uint64_t number, Answer answer) {
-  std::string why;
   {
     const std::lock_guard lock(state_->mutex);
-    if (number == 0 ? state_->shown() == 0 : number != state_->number) {
-      why = "nothing is recorded";
-    } else {
-      // An end is never refused: each belongs to a begin that was accepted.
-      state_->request({.number = std::exchange(state_->number, 0), .answer = std::move(answer)});
-      return;
-    }
+    // An end is never refused: each belongs to a begin that was accepted.
+    if (number == 0 ? state_->shown() != 0 : number == state_->number)
+      return state_->request(
+          {.number = std::exchange(state_->number, 0), .answer = std::move(answer)});
   }
-  answer(why);
+  answer("nothing is recorded");
 }
 
 void Recorder::forget(std::uint64_t next) {

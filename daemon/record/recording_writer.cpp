@@ -3,11 +3,11 @@
 #include <cstring>
 #include <filesystem>
 #include <limits>
-#include <system_error>
 
 #include "core/error.h"
 #include "messages/foxglove.h"
 #include "record/step_codec.h"
+#include "text/atomic_file.h"
 #include "text/json_writer.h"
 
 namespace tp100::record {
@@ -18,12 +18,7 @@ constexpr std::uint64_t kChunkNs = 500'000'000;
 
 /// Creates the folder of `path`, and returns `path`.
 const std::string& with_folder(const std::string& path) {
-  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  std::error_code error;
-  if (!folder.empty()) std::filesystem::create_directories(folder, error);
-  if (error)
-    throw SetupError(folder.string() + ": cannot create the folder (" + error.message() +
-                     "); give another folder for recordings");
+  text::make_folder(std::filesystem::path(path).parent_path(), "folder for recordings");
   return path;
 }
 

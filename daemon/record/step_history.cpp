@@ -1,11 +1,11 @@
 #include "record/step_history.h"
 
 #include <cstring>
-#include <filesystem>
 #include <utility>
 
 #include "core/error.h"
 #include "record/step_codec.h"
+#include "text/atomic_file.h"
 
 namespace tp100::record {
 namespace {
@@ -64,8 +64,7 @@ void StepHistory::close_block() {
   if (settings_.folder.empty()) return give_up("the memory for them is full, and no folder is set");
   try {
     if (!span.file) {
-      std::error_code ignored;
-      std::filesystem::create_directories(settings_.folder, ignored);
+      text::make_folder(settings_.folder, "folder");
       span.file = std::make_unique<AnonymousFile>(settings_.folder);
     }
   } catch (const SetupError& error) {

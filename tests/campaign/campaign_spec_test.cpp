@@ -108,15 +108,6 @@ double number(const Variable& variable, std::uint64_t index, std::uint64_t seed 
   return std::get<double>(draw(variable, {seed, index, index}));
 }
 
-TEST(Variable, AValueIsTheSameInEveryRun) {
-  const Variable variable = one("0.25");
-  EXPECT_FALSE(variable.varies());
-  EXPECT_EQ(number(variable, 0), 0.25);
-  EXPECT_EQ(number(variable, 999), 0.25);
-  EXPECT_EQ(std::get<bool>(draw(one("true"), {1, 0, 0})), true);
-  EXPECT_EQ(std::get<long long>(draw(one("7"), {1, 0, 0})), 7);
-}
-
 TEST(Variable, UniformAndNormalValuesHaveTheirRangesAndMoments) {
   const Variable uniform = one("{ uniform = [-1, 3.0] }"), normal = one("{ normal = [5, 2] }");
   double least = 9.0, most = -9.0, sum = 0.0, off = 0.0, squares = 0.0;
@@ -147,14 +138,6 @@ TEST(Variable, WhatIsSampledDependsOnSeedIndexAndName) {
         EXPECT_EQ(number(variable, index, seed), number(variable, index, seed));
       }
   EXPECT_EQ(values.size(), 400u);
-}
-
-TEST(Variable, AListGoesRound) {
-  const Variable variable = one(R"({ list = ["a", "b", "c"] })");
-  EXPECT_EQ(variable.choices(), 3u);
-  for (std::uint64_t turn = 0; turn < 9; ++turn)
-    EXPECT_EQ(std::get<std::string>(draw(variable, {1, 0, turn})),
-              std::string(1, static_cast<char>('a' + turn % 3)));
 }
 
 TEST(Variable, TablesWithinAreNamedInFull) {

@@ -19,13 +19,6 @@ TEST(Arithmetic, NamesProcessorLibraryAndFma) {
               testing::MatchesRegex("(x86_64|aarch64), glibc 2\\.[0-9]+ with(out)? FMA"));
 }
 
-TEST(Magnitude, IsTheLengthOfAVector) {
-  EXPECT_EQ(magnitude(3.0, -4.0), 5.0);
-  EXPECT_EQ(magnitude(-2.0, 3.0, 6.0), 7.0);
-  EXPECT_EQ(magnitude(0.0, 0.0), 0.0);
-  EXPECT_EQ(magnitude(1e9, 0.0), 1e9);
-}
-
 TEST(Magnitude, IsNotFused) {
   // The square has a last bit that a fused sum keeps.
   constexpr double kX = 1.0 + 0x1p-30, kY = 0x1p-27;

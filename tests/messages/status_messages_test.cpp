@@ -93,7 +93,6 @@ TEST(LoopMessage, HasEveryTimeOfACycle) {
   EXPECT_EQ(json["privileges"]["SCHED_FIFO 80"], true);
 }
 
-// Percentiles are those of the histogram's buckets, see core/histogram.h.
 TEST(Durations, AreInMicrosecondsAndNonsenseIsLeftOut) {
   Histogram histogram;
   for (const double us : {-1.0, std::nan(""), HUGE_VAL}) add_us(histogram, us);
@@ -104,8 +103,6 @@ TEST(Durations, AreInMicrosecondsAndNonsenseIsLeftOut) {
   EXPECT_EQ(result.count, 10000U);
   EXPECT_DOUBLE_EQ(result.mean_us, 5000.5);
   EXPECT_DOUBLE_EQ(result.max_us, 10000.0);
-  EXPECT_NEAR(result.p50_us, 5000.0, 250.0);
-  EXPECT_NEAR(result.p99_us, 9900.0, 495.0);
 }
 
 TEST(LoopMessage, EveryDurationIsInItsBin) {

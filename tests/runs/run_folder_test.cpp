@@ -266,14 +266,5 @@ TEST(RunNote, TakesNoControlCharactersNoForeignBytesAndNoEndlessText) {
   EXPECT_EQ(why_not({.name = std::string(kMaxRunName, 'x')}), "");
 }
 
-TEST(RunNote, ErrorsInTheFileAreNamedWithTheirPlace) {
-  const auto error_of = [](const std::string& text) {
-    return refusal([&] { parse_run_note(text, "run.toml"); });
-  };
-  EXPECT_THAT(error_of("\nnmae = \"x\""), HasSubstr("run.toml:2:1"));
-  for (const char* text : {"keep = 1", "name = ", "name = \"a\\u0000b\"", "\xff"})
-    EXPECT_THAT(error_of(text), HasSubstr("run.toml:1:")) << text;
-}
-
 }  // namespace
 }  // namespace tp100::runs
