@@ -384,9 +384,6 @@ RunFigures figures(const RunResult& run, const course::Course& course) {
         });
   }
   result.tracking = tracking_errors(run.points, run.disturbances, path);
-  // In other set-ups the obstacles are not on the floor.
-  result.slope =
-      slope_figures(run.points, run.setup == "terrain" ? course.terrain : course::Terrain{});
   return result;
 }
 

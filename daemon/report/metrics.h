@@ -11,7 +11,6 @@
 #include "course/course.h"
 #include "course/path.h"
 #include "report/run_result.h"
-#include "report/slope_figures.h"
 
 namespace tp100::report {
 
@@ -101,7 +100,6 @@ struct RunFigures {
   /// model. Nothing of a form that was not fitted to the robot, and on a stand.
   model::PerBaseline<std::optional<PoseErrors>> baselines{};
   TrackingErrors tracking{};
-  SlopeFigures slope{};
   /// Nothing on a stand, or if the run has no such estimate. Of a source that is blind to
   /// disturbances: up to the first one.
   PerSource<std::optional<Coverage>> within_2_sd{};

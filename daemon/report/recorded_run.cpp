@@ -168,14 +168,10 @@ void Reader::point(const StepRecord& record) {
                         .sd = sd_of(snapshot.estimates),
                         .progress_m = snapshot.progress_m,
                         .recovering = snapshot.recovering,
-                        .imu_pitch_rad = snapshot.imu_pitch_rad,
-                        .slope = snapshot.imu_slope,
-                        .obstacle_class = snapshot.imu_obstacle,
                         .measured = measured_.now()};
   const bool ascends = run_.result.points.empty() || point.t_s > run_.result.points.back().t_s;
   if (!std::ranges::all_of(point.estimates.values, plausible) || !plausible(snapshot.world) ||
-      !ascends || !(std::abs(point.progress_m) <= kFarthest) ||
-      !(std::abs(point.imu_pitch_rad) <= kFarthest)) {
+      !ascends || !(std::abs(point.progress_m) <= kFarthest)) {
     ++run_.implausible;
     return;
   }

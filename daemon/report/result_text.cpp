@@ -48,20 +48,6 @@ Json json_of(const TrackingErrors& errors) {
           {"false_alarms", errors.false_alarms}};
 }
 
-Json json_of(const SlopeFigures& slope) {
-  Json changes = Json::array();
-  for (const SlopeChange& change : slope.changes)
-    changes.push_back({{"at_s", change.at_s},
-                       {"to", to_string(change.to)},
-                       {"found_s", json_of(change.found_s)}});
-  return {{"ramp_pitch_max_error_rad", slope.ramp_pitch_max_error_rad},
-          {"ramp_pitch_rms_error_rad", slope.ramp_pitch_rms_error_rad},
-          {"changes", changes},
-          {"false_changes", slope.false_changes},
-          {"obstacles", slope.obstacles},
-          {"mistaken", slope.mistaken}};
-}
-
 Json json_of(const CameraFigures& camera) {
   const double expected = CameraFigures::kNisDegrees;
   const double band = camera.nis_half_band();
@@ -100,9 +86,8 @@ Json json_of(const RunResult& run, const RunFigures& figures) {
     if (figures.baselines[i])
       json["baselines"][model::kBaselines[i].key] = json_of(*figures.baselines[i]);
   json["tracking"] = json_of(figures.tracking);
-  json["slope"] = json_of(figures.slope);
   if (run.points.empty())
-    for (const char* name : {"baselines", "tracking", "slope"}) json[name] = nullptr;
+    for (const char* name : {"baselines", "tracking"}) json[name] = nullptr;
   if (run.has_camera) json["camera"] = json_of(run.camera);
   json["link"] = json_of(run.link);
   json["loop"] = Json::object();
@@ -138,7 +123,7 @@ std::string metrics_json(const RecordedRun& run, const std::optional<RunFigures>
   json.erase("realtime_factor");
   json.erase("loop");
   if (!figures)
-    for (const char* name : {"baselines", "tracking", "slope"}) json[name] = nullptr;
+    for (const char* name : {"baselines", "tracking"}) json[name] = nullptr;
   json["truth"] = run.has_truth;
   json["steering"] = to_string(run.run_context.steering);
   json["estimated"] = nullptr;
@@ -216,19 +201,6 @@ std::string camera_row(const CameraFigures& camera) {
                 camera.nis_mean, CameraFigures::kNisDegrees);
 }
 
-std::string slope_rows(const SlopeFigures& slope) {
-  if (slope.changes.empty() && slope.false_changes == 0) return {};
-  std::string text = format(
-      "IMU: pitch on ramps within %.2f deg (rms %.2f); %d false %s of the slope's state, "
-      "%d of %d %s mistaken\nslope passed 4 deg, found after [s]:",
-      slope.ramp_pitch_max_error_rad * kDegPerRad, slope.ramp_pitch_rms_error_rad * kDegPerRad,
-      slope.false_changes, slope.false_changes == 1 ? "change" : "changes", slope.mistaken,
-      slope.obstacles, slope.obstacles == 1 ? "obstacle" : "obstacles");
-  for (const SlopeChange& change : slope.changes)
-    text += change.found_s ? format(" %.2f", *change.found_s) : std::string(" never");
-  return text + "\n";
-}
-
 }  // namespace
 
 std::string result_table(const RunResult& run, const RunFigures& figures) {
@@ -261,7 +233,6 @@ std::string result_table(const RunResult& run, const RunFigures& figures) {
   text += recovery_rows(tracking);
   text += coverage_row(figures.within_2_sd);
   if (run.has_camera) text += camera_row(run.camera);
-  text += slope_rows(figures.slope);
   text += "link: " + text::counted(run.link.samples, "sample") +
           format(", %llu lost, %llu with a wrong CRC\n\n",
                  static_cast<unsigned long long>(run.link.lost),

@@ -34,7 +34,7 @@ constexpr double kBlockDepthsM[] = {0.10, 0.20};
 
 double slowest_s(const TrialRun& run) {
   double slowest = 0.0;
-  for (const report::SlopeChange& change : run.figures.slope.changes)
+  for (const SlopeChange& change : run.slope.changes)
     slowest = std::max(slowest, change.found_s.value_or(std::numeric_limits<double>::infinity()));
   return slowest;
 }
@@ -68,7 +68,7 @@ CourseStudy study_of(const std::string& course, const course::Robot& robot, brid
   return study;
 }
 
-double false_changes(const TrialRun& run) { return run.figures.slope.false_changes; }
+double false_changes(const TrialRun& run) { return run.slope.false_changes; }
 
 CourseStudy study_flat(const course::Robot& robot, std::uint64_t first_seed, int runs) {
   std::vector<TrialRun> all;
@@ -98,13 +98,12 @@ CourseStudy study_obstacles(const course::Robot& robot, std::uint64_t first_seed
                                                .runs = runs});
   CourseStudy study = study_of("3, state", robot, bridge::Setup::kTerrain, all);
   study.judged = {
-      typical(
-          study, all, "IMU pitch on ramps, max error", "deg", 1.5,
-          [](const TrialRun& r) { return r.figures.slope.ramp_pitch_max_error_rad * kDegPerRad; }),
+      typical(study, all, "IMU pitch on ramps, max error", "deg", 1.5,
+              [](const TrialRun& r) { return r.slope.ramp_pitch_max_error_rad * kDegPerRad; }),
       typical(study, all, "slope passes 4 deg: found after, slowest", "s", 0.3, slowest_s),
       worst(study, all, "false changes of the slope's state, most", "", 0.0, false_changes),
       worst(study, all, "ramp for step or step for ramp, most", "", 0.0,
-            [](const TrialRun& r) { return static_cast<double>(r.figures.slope.mistaken); }),
+            [](const TrialRun& r) { return static_cast<double>(r.slope.mistaken); }),
       typical(study, all, "camera NIS, mean off 3", "", -1.0, off_nis)};
   return study;
 }

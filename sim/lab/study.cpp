@@ -52,6 +52,9 @@ TrialRun judged(report::RunResult result, const course::Course& course) {
   TrialRun run;
   run.result = std::move(result);
   run.figures = report::figures(run.result, course);
+  // In other set-ups the obstacles are not on the floor.
+  run.slope = slope_figures(run.result.points,
+                            run.result.setup == "terrain" ? course.terrain : course::Terrain{});
   if (run.result.has_camera) judge_fused(run);
   run.model_rms_yaw_rad = std::sqrt(run.figures.estimates[PoseSource::kModel]->mse_yaw_rad2);
   for (const report::DisturbanceResponse& one : run.figures.tracking.recovery)

@@ -11,6 +11,7 @@
 #include "core/statistics.h"
 #include "report/metrics.h"
 #include "report/run_result.h"
+#include "sim/lab/slope_figures.h"
 #include "sim/robot/lockstep.h"
 
 namespace tp100::sim {
@@ -36,6 +37,7 @@ struct Trial {
 struct TrialRun {
   report::RunResult result{};
   report::RunFigures figures{};
+  SlopeFigures slope{};
   double fused_max_flat_m = 0.0;                      ///< largest fused error with the body level
   double fused_max_obstacle_m = 0.0;                  ///< the same with the body on an obstacle
   double fused_rms_m = 0.0, fused_rms_yaw_rad = 0.0;  ///< outside the disturbances

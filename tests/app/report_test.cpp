@@ -72,7 +72,7 @@ TEST_F(Report, OfALiveRunHasItsFactsAndCallsNothingAnError) {
   ASSERT_EQ(report(), "");
   const Json json = metrics();
   EXPECT_FALSE(json["truth"]);
-  for (const char* name : {"model", "odometry", "baselines", "tracking", "slope"})
+  for (const char* name : {"model", "odometry", "baselines", "tracking"})
     EXPECT_TRUE(json.at(name).is_null());
   EXPECT_TRUE(json["differences"]["model_from_odometry"].contains("max_m"));
   EXPECT_EQ(json["recording"]["steps"], 400);

@@ -72,7 +72,7 @@ TEST(ResultJson, ARunThatNeverBeganHasNoFigures) {
   RunResult run = a_run();
   run.points.clear();
   const Json json = Json::parse(result_json(run, {}));
-  for (const char* name : {"model", "odometry", "baselines", "tracking", "slope"})
+  for (const char* name : {"model", "odometry", "baselines", "tracking"})
     EXPECT_TRUE(json.at(name).is_null()) << name;
   EXPECT_THAT(result_table(run, {}), HasSubstr("The run never began: there is nothing to judge."));
   EXPECT_THAT(result_table(run, {}), Not(HasSubstr("cross-track")));
@@ -82,7 +82,7 @@ TEST(ResultJson, HasTheDocumentedKeysInOrder) {
   const Json json = Json::parse(result_json(a_run(), some_figures()));
   EXPECT_THAT(keys(json), ElementsAre("course", "board", "robot", "setup", "seed", "completed",
                                       "duration_s", "realtime_factor", "model", "odometry",
-                                      "baselines", "tracking", "slope", "link", "loop"));
+                                      "baselines", "tracking", "link", "loop"));
   const auto errors = ElementsAre("max_position_error_m", "mean_position_error_m",
                                   "rms_position_error_m", "final_position_error_m", "mse_x_m2",
                                   "mse_y_m2", "mse_yaw_rad2", "max_yaw_error_rad");
@@ -101,9 +101,6 @@ TEST(ResultJson, HasTheDocumentedKeysInOrder) {
   EXPECT_EQ(json["tracking"]["recovery"][0]["detection_s"], 0.03);
   EXPECT_TRUE(json["tracking"]["recovery"][1]["settling_s"].is_null());
   EXPECT_EQ(json["tracking"]["recovery_s"].dump(), "[1.5,null]");
-  EXPECT_THAT(keys(json["slope"]),
-              ElementsAre("ramp_pitch_max_error_rad", "ramp_pitch_rms_error_rad", "changes",
-                          "false_changes", "obstacles", "mistaken"));
   EXPECT_EQ(json["link"]["samples"], 8000);
   EXPECT_EQ(json["loop"]["steps"], 8250.0);
   EXPECT_EQ(json["seed"], 7);

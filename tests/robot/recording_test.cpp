@@ -136,12 +136,10 @@ TEST(RecordedRun, TheReportHasTheFiguresOfTheRun) {
       ++both;
       EXPECT_EQ(metrics.at(name), value) << name;
     }
-    EXPECT_GE(both, 13);
+    EXPECT_GE(both, 12);
     EXPECT_EQ(metrics["truth"], true);
     EXPECT_EQ(metrics["baselines"].size(), model::kBaselines.size());
     if (drive.camera) {
-      EXPECT_EQ(metrics["slope"]["obstacles"], 2);
-      EXPECT_TRUE(metrics["slope"]["changes"].at(0)["found_s"].is_number());
       EXPECT_GT(metrics["camera"]["used"], 1000);
     }
     const std::string page = test::read_bytes(beside + "/report.html");

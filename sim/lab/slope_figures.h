@@ -7,7 +7,7 @@
 #include "course/terrain.h"
 #include "report/run_result.h"
 
-namespace tp100::report {
+namespace tp100::sim {
 
 /// The body began or stopped leaning.
 struct SlopeChange {
@@ -27,7 +27,7 @@ struct SlopeFigures {
 
 /// A change of the body counts if it lasts for 0.2 s; a state that returns within that time belongs
 /// to none and counts as false. `terrain` is the real floor's.
-SlopeFigures slope_figures(const std::vector<TrajectoryPoint>& points,
+SlopeFigures slope_figures(const std::vector<report::TrajectoryPoint>& points,
                            const course::Terrain& terrain);
 
-}  // namespace tp100::report
+}  // namespace tp100::sim

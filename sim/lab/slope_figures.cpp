@@ -1,4 +1,4 @@
-#include "report/slope_figures.h"
+#include "sim/lab/slope_figures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "core/arithmetic.h"
 
-namespace tp100::report {
+namespace tp100::sim {
 namespace {
 
 constexpr double kLeansRad = 4.0 * kRadPerDeg;
@@ -38,7 +38,7 @@ const course::Ramp* ramp_at(const course::Terrain& terrain, const Pose& pose) {
   return nullptr;
 }
 
-std::vector<SlopeChange> changes_of(const std::vector<TrajectoryPoint>& points) {
+std::vector<SlopeChange> changes_of(const std::vector<report::TrajectoryPoint>& points) {
   std::vector<SlopeChange> changes;
   Slope is = Slope::kFlat;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -55,10 +55,10 @@ std::vector<SlopeChange> changes_of(const std::vector<TrajectoryPoint>& points) 
 }
 
 /// Assigns to every change the first matching state after it; counts the other states.
-int match(std::vector<SlopeChange>& changes, const std::vector<TrajectoryPoint>& points) {
+int match(std::vector<SlopeChange>& changes, const std::vector<report::TrajectoryPoint>& points) {
   int others = 0;
   Slope was = Slope::kFlat;
-  for (const TrajectoryPoint& point : points) {
+  for (const report::TrajectoryPoint& point : points) {
     if (point.slope == was) continue;
     was = point.slope;
     const auto mine = std::find_if(changes.begin(), changes.end(), [&](const SlopeChange& change) {
@@ -73,11 +73,11 @@ int match(std::vector<SlopeChange>& changes, const std::vector<TrajectoryPoint>&
   return others;
 }
 
-void judge_pitch(SlopeFigures& figures, const std::vector<TrajectoryPoint>& points,
+void judge_pitch(SlopeFigures& figures, const std::vector<report::TrajectoryPoint>& points,
                  const course::Terrain& terrain) {
   double squares = 0.0;
   std::size_t count = 0;
-  for (const TrajectoryPoint& point : points) {
+  for (const report::TrajectoryPoint& point : points) {
     const course::Ramp* ramp = ramp_at(terrain, point.truth);
     const double climb = -point.truth.pitch_rad;
     if (ramp == nullptr || (std::abs(climb - ramp->up_rad) > kOnRampRad &&
@@ -91,12 +91,12 @@ void judge_pitch(SlopeFigures& figures, const std::vector<TrajectoryPoint>& poin
   if (count > 0) figures.ramp_pitch_rms_error_rad = std::sqrt(squares / static_cast<double>(count));
 }
 
-void judge_kinds(SlopeFigures& figures, const std::vector<TrajectoryPoint>& points,
+void judge_kinds(SlopeFigures& figures, const std::vector<report::TrajectoryPoint>& points,
                  const course::Terrain& terrain) {
   for (const SlopeChange& change : figures.changes) {
     if (change.to != Slope::kUp || !change.found_s) continue;
     const auto detected =
-        std::find_if(points.begin(), points.end(), [&](const TrajectoryPoint& point) {
+        std::find_if(points.begin(), points.end(), [&](const report::TrajectoryPoint& point) {
           return point.t_s >= change.at_s + kClassifiedWithinS;
         });
     if (detected == points.end()) continue;
@@ -109,7 +109,7 @@ void judge_kinds(SlopeFigures& figures, const std::vector<TrajectoryPoint>& poin
 
 }  // namespace
 
-SlopeFigures slope_figures(const std::vector<TrajectoryPoint>& points,
+SlopeFigures slope_figures(const std::vector<report::TrajectoryPoint>& points,
                            const course::Terrain& terrain) {
   SlopeFigures figures;
   figures.changes = changes_of(points);
@@ -119,4 +119,4 @@ SlopeFigures slope_figures(const std::vector<TrajectoryPoint>& points,
   return figures;
 }
 
-}  // namespace tp100::report
+}  // namespace tp100::sim
