@@ -5,7 +5,6 @@
 #include "messages/foxglove.h"
 #include "messages/messages.h"
 #include "messages/parameter_text.h"
-#include "messages/scene.h"
 #include "messages/status_messages.h"
 
 namespace tp100::messages {

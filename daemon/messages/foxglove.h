@@ -21,6 +21,8 @@ std::string transforms_text(const Messages& messages, const StepRecord& record,
 std::string pose_text(const Messages& messages, HostNs at, const Pose& pose);
 /// foxglove.PosesInFrame: the reference path; empty without a course.
 std::string path_text(const Messages& messages, HostNs at);
+/// foxglove.SceneUpdate: the course and the robot for 3-D viewers; it replaces the one before.
+std::string scene_text(const Messages& messages, HostNs at);
 /// foxglove.CompressedImage: an image of a camera, taken at `at`.
 std::string image_text(const Messages& messages, HostNs at, std::string_view jpeg);
 /// foxglove.Log.

@@ -1,5 +1,3 @@
-#include "messages/scene.h"
-
 #include <algorithm>
 #include <vector>
 

@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "core/bytes.h"
-#include "record/anonymous_file.h"
 #include "record/mcap_format.h"
 #include "record/recording_file.h"
 

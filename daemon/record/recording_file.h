@@ -1,5 +1,5 @@
 #pragma once
-// The file of a growing recording. Appends whole records or nothing: a partial one is removed.
+// Files of the recorder. One thread each.
 
 #include <cstdint>
 #include <span>
@@ -12,6 +12,7 @@ namespace tp100::record {
 /// Name of a recording in the folder of its run.
 inline constexpr const char* kRecordingFile = "run.mcap";
 
+/// The file of a growing recording. Appends whole records or nothing: a partial one is removed.
 class RecordingFile {
  public:
   /// Creates the file, or truncates an existing one. Throws SetupError.
@@ -32,6 +33,24 @@ class RecordingFile {
   std::string path_;
   Descriptor file_;
   int error_ = 0;
+  std::uint64_t size_ = 0;
+};
+
+/// A nameless file for data that would fill the memory; it disappears with the process, however
+/// that ends.
+class AnonymousFile {
+ public:
+  /// On the disk of `folder`. Throws SetupError.
+  explicit AnonymousFile(const std::string& folder);
+
+  /// Appends all of `bytes`, or nothing. 0 or an errno.
+  int append(std::span<const std::uint8_t> bytes);
+  /// Fills `into` with the bytes from `from` on. 0 or an errno; EIO: too few.
+  int read(std::uint64_t from, std::span<std::uint8_t> into) const;
+  std::uint64_t size() const { return size_; }
+
+ private:
+  Descriptor file_;
   std::uint64_t size_ = 0;
 };
 

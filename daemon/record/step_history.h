@@ -12,7 +12,7 @@
 
 #include "core/bytes.h"
 #include "core/step_record.h"
-#include "record/anonymous_file.h"
+#include "record/recording_file.h"
 
 namespace tp100::record {
 

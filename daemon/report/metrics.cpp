@@ -82,8 +82,8 @@ DisturbanceResponse recovery(const std::vector<TrajectoryPoint>& points,
   return result;
 }
 
-}  // namespace
-
+/// One entry per disturbance. `deviations` belong to `points`; disturbances ascending, not
+/// overlapping.
 std::vector<DisturbanceResponse> recoveries(const std::vector<TrajectoryPoint>& points,
                                             const std::vector<Deviation>& deviations,
                                             const std::vector<DisturbanceWindow>& disturbances) {
@@ -98,6 +98,7 @@ std::vector<DisturbanceResponse> recoveries(const std::vector<TrajectoryPoint>& 
   return result;
 }
 
+/// How often the controller detected a disturbance that did not occur.
 int false_alarms(const std::vector<TrajectoryPoint>& points,
                  const std::vector<DisturbanceWindow>& disturbances) {
   int count = 0;
@@ -113,8 +114,6 @@ int false_alarms(const std::vector<TrajectoryPoint>& points,
   }
   return count;
 }
-
-namespace {
 
 // Largest part of the path around the controller's progress that a pose is compared with.
 constexpr double kWindowM = 0.3;

@@ -50,16 +50,6 @@ struct DisturbanceResponse {
   double shortcut_m = 0.0;  ///< length of path that was skipped; 0: none
 };
 
-/// One entry per disturbance. `deviations` belong to `points`; disturbances ascending, not
-/// overlapping.
-std::vector<DisturbanceResponse> recoveries(const std::vector<TrajectoryPoint>& points,
-                                            const std::vector<Deviation>& deviations,
-                                            const std::vector<DisturbanceWindow>& disturbances);
-
-/// How often the controller detected a disturbance that did not occur.
-int false_alarms(const std::vector<TrajectoryPoint>& points,
-                 const std::vector<DisturbanceWindow>& disturbances);
-
 /// A pose against the truth: eq 8 point by point, and mean squared errors per axis.
 struct PoseErrors {
   double max_position_error_m = 0.0;

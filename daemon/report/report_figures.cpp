@@ -37,7 +37,14 @@ Line map_of(const RecordedRun& run, Line line,
 Line truth_line() { return {.name = "truth", .colour = kTruthColour, .broad = true}; }
 
 Line planned(const course::Course& course) {
-  return {.name = "path", .colour = kPathColour, .points = path_line(course), .dashed = true};
+  constexpr int kParts = 600;
+  Line line{.name = "path", .colour = kPathColour, .dashed = true};
+  const course::Path path(course);
+  for (int i = 0; i <= kParts; ++i) {
+    const course::PathPoint at = path.at(path.length_m() * i / kParts);
+    line.points.emplace_back(at.x_m, at.y_m);
+  }
+  return line;
 }
 
 Chart of_time(const std::string& title, const std::string& y_label, std::vector<Line> lines = {}) {
@@ -194,17 +201,6 @@ Figure figure_of(const Plot& plot, const std::vector<ComparedRun>& runs) {
 }
 
 }  // namespace
-
-std::vector<std::pair<double, double>> path_line(const course::Course& course) {
-  constexpr int kParts = 600;
-  const course::Path path(course);
-  std::vector<std::pair<double, double>> points;
-  for (int i = 0; i <= kParts; ++i) {
-    const course::PathPoint at = path.at(path.length_m() * i / kParts);
-    points.emplace_back(at.x_m, at.y_m);
-  }
-  return points;
-}
 
 std::vector<Figure> figures_of(const RecordedRun& run) {
   const course::Course* course = run.run_context.course.get();

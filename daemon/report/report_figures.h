@@ -3,16 +3,12 @@
 
 #include <cstddef>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "report/colours.h"
 #include "report/recorded_run.h"
 
 namespace tp100::report {
-
-/// The course's path as a line, x and y. [m]
-std::vector<std::pair<double, double>> path_line(const course::Course& course);
 
 struct Figure {
   std::string name;  ///< file name without .svg

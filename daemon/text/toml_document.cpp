@@ -100,6 +100,12 @@ struct TomlTable::State {
     throw SetupError(at(file, where) + "missing key " + full(key) + "; it has no default");
   }
 
+  const toml::node& need(std::string_view key) {
+    const toml::node* node = ask(key);
+    if (!node) missing(key);
+    return *node;
+  }
+
   [[noreturn]] void wrong_type(std::string_view key, const toml::node& node,
                                std::string_view expected) const {
     throw SetupError(at(file, node.source().begin) + full(key) + " is " + type_name(node) +
@@ -239,9 +245,7 @@ double TomlTable::number(std::string_view key, double fallback, Range range) {
 }
 
 double TomlTable::required_number(std::string_view key, Range range) {
-  const toml::node* node = state_->ask(key);
-  if (!node) state_->missing(key);
-  return state_->number(key, *node, range);
+  return state_->number(key, state_->need(key), range);
 }
 
 long long TomlTable::integer(std::string_view key, long long fallback, Range range) {
@@ -275,15 +279,11 @@ std::string TomlTable::choice(std::string_view key, std::string_view fallback,
 
 std::string TomlTable::required_choice(std::string_view key,
                                        const std::vector<std::string_view>& choices) {
-  const toml::node* node = state_->ask(key);
-  if (!node) state_->missing(key);
-  return state_->choice(key, *node, choices);
+  return state_->choice(key, state_->need(key), choices);
 }
 
 TomlValue TomlTable::required_value(std::string_view key) {
-  const toml::node* node = state_->ask(key);
-  if (!node) state_->missing(key);
-  return state_->value(key, *node);
+  return state_->value(key, state_->need(key));
 }
 
 std::vector<TomlValue> TomlTable::values(std::string_view key) {

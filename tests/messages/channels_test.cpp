@@ -13,7 +13,6 @@
 
 #include "fixtures.h"
 #include "messages/foxglove.h"
-#include "messages/scene.h"
 #include "messages/status_messages.h"
 
 namespace tp100::messages {

@@ -1,8 +1,6 @@
 // What viewers draw: the scene, compared with the terrain that it shows, and the driven paths,
 // thinned, bounded, and begun anew with each run.
 
-#include "messages/scene.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "fixtures.h"
+#include "messages/foxglove.h"
 #include "messages/messages.h"
 #include "messages/path_history.h"
 
