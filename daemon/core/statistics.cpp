@@ -21,10 +21,6 @@ double percentile(std::vector<double> values, double share) {
   return std::lerp(values[below], values[above], share_above);
 }
 
-Spread spread(const std::vector<double>& values) {
-  return {percentile(values, 0.5), percentile(values, 0.95), values.size()};
-}
-
 namespace math = boost::math;
 
 double student_t(double tail, double degrees) {

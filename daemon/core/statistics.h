@@ -21,14 +21,6 @@ inline double median(std::vector<double> values) {
 /// there are none. Values that are not finite count as the largest.
 double percentile(std::vector<double> values, double share);
 
-/// Summary of one figure over several runs.
-struct Spread {
-  double median = 0.0;
-  double p95 = 0.0;
-  std::size_t count = 0;
-};
-Spread spread(const std::vector<double>& values);
-
 /// Value that Student's t of `degrees` > 0 degrees of freedom exceeds with probability `tail`.
 double student_t(double tail, double degrees);
 

@@ -182,10 +182,7 @@ void Reader::point(const StepRecord& record) {
   run_.result.points.push_back(point);
   run_.moments.push_back({.slip_left = known(snapshot.slip_left),
                           .slip_right = known(snapshot.slip_right),
-                          .left_mps = known(snapshot.left_mps),
-                          .right_mps = known(snapshot.right_mps),
                           .cross_track_m = known(snapshot.cross_track_m),
-                          .heading_error_rad = known(snapshot.heading_error_rad),
                           .jitter_us = step_jitter_us_,
                           .steering_world = snapshot.world});
   point_ns_ = sample.measured_ns;

@@ -30,9 +30,7 @@ struct RecordedContext {
 /// Data of a trajectory point besides its poses. Not-a-number: unknown or invalid.
 struct RunMoment {
   double slip_left = 0.0, slip_right = 0.0;  ///< in use by the model
-  double left_mps = 0.0, right_mps = 0.0;    ///< tracks
   double cross_track_m = 0.0;                ///< steering pose against the path, left positive
-  double heading_error_rad = 0.0;            ///< desired - steering
   double jitter_us = 0.0;                    ///< this step against the period
   Pose steering_world{};                     ///< steering pose in the course's world
   bool truth_known = false;

@@ -23,7 +23,9 @@
 namespace tp100::sim {
 namespace {
 
-constexpr std::size_t kLongestName = 1000;
+namespace fs = std::filesystem;
+
+constexpr std::size_t kLongestName = 1000, kMaxDifferenceText = 600;
 constexpr const char* kNone = "not there";
 // Other releases of these libraries may round differently.
 constexpr std::array<std::string_view, 3> kLibraries = {"libm.", "libode.", "libsimavr."};
@@ -188,7 +190,7 @@ int note(dl_phdr_info* object, std::size_t /*size*/, void* context) {
     // NOLINTNEXTLINE(performance-no-int-to-ptr): the loader gives integers
     const auto* notes = reinterpret_cast<const char*>(object->dlpi_addr + segment.p_vaddr);
     const std::string id = build_id(notes, segment.p_memsz);
-    if (!id.empty()) ids[std::filesystem::path(object->dlpi_name).filename()] = id;
+    if (!id.empty()) ids[fs::path(object->dlpi_name).filename()] = id;
   }
   return 0;
 }
@@ -200,14 +202,6 @@ std::map<std::string, std::string> build_ids() {
   dl_iterate_phdr(note, &ids);
   return ids;
 }
-
-namespace fs = std::filesystem;
-
-namespace {
-
-constexpr std::size_t kMaxDifferenceText = 600;
-
-}  // namespace
 
 CampaignFolder::CampaignFolder(std::string path, std::string spec_text)
     : path_(std::move(path)), spec_text_(std::move(spec_text)) {}

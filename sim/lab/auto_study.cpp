@@ -5,11 +5,11 @@
 #include <cstdio>
 
 #include "core/error.h"
-#include "core/statistics.h"
 #include "identify/drive_file.h"
 #include "identify/identify_report.h"
 #include "sim/lab/effective_motion.h"
 #include "sim/lab/sampled.h"
+#include "sim/lab/study.h"
 #include "sim/robot/lockstep.h"
 #include "text/format.h"
 

@@ -253,6 +253,10 @@ std::vector<TrialRun> run_trial(const Trial& trial) {
   return runs;
 }
 
+Spread spread(const std::vector<double>& values) {
+  return {percentile(values, 0.5), percentile(values, 0.95), values.size()};
+}
+
 Spread spread_of(const std::vector<TrialRun>& runs, double (*figure)(const TrialRun&)) {
   std::vector<double> values;
   values.reserve(runs.size());

@@ -51,7 +51,14 @@ bool disturbed(const report::RunResult& run, double t_s, double after_s);
 /// Drives all runs, one after the other.
 std::vector<TrialRun> run_trial(const Trial& trial);
 
-/// Distribution of one figure over the runs.
+/// Summary of one figure over several runs.
+struct Spread {
+  double median = 0.0;
+  double p95 = 0.0;
+  std::size_t count = 0;
+};
+Spread spread(const std::vector<double>& values);
+/// Of one figure over the runs.
 Spread spread_of(const std::vector<TrialRun>& runs, double (*figure)(const TrialRun&));
 
 /// Number of completed runs.

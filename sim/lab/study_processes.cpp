@@ -21,8 +21,6 @@
 
 namespace tp100 {
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Spread, median, p95, count)
-
 namespace report {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PoseErrors, max_position_error_m, mean_position_error_m,
@@ -33,6 +31,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PoseErrors, max_position_error_m, mean_positi
 
 namespace sim {
 
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Spread, median, p95, count)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Judged, course, robot, what, unit, limit, ours)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FormErrors, form, median)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CourseStudy, course, robot, setup, board, uneven, blind, runs,

@@ -184,18 +184,13 @@ TEST(PosesCsv, HasAPoseOfEachKindWithAllItsValues) {
   EXPECT_THAT(poses_csv(run), HasSubstr(",fused_x_m,"));
 }
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
-TEST(Spread, IsMedianAndNinetyFifthPercentile) {
-  std::vector<double> values;
-  for (int i = 100; i >= 0; --i) values.push_back(i);
-  EXPECT_DOUBLE_EQ(spread(values).median, 50.0);
-  EXPECT_DOUBLE_EQ(spread(values).p95, 95.0);
-  EXPECT_DOUBLE_EQ(percentile({1.0, 2.0}, 0.25), 1.25);
+TEST(Percentile, LiesBetweenNeighboursAndWhatIsNoNumberIsTheWorst) {
+  EXPECT_DOUBLE_EQ(percentile({2.0, 1.0}, 0.25), 1.25);
   EXPECT_TRUE(std::isnan(percentile({}, 0.5)));
-  // What is no number is the worst.
-  EXPECT_DOUBLE_EQ(percentile({1.0, kNone, 2.0}, 0.5), 2.0);
-  EXPECT_TRUE(std::isinf(percentile({1.0, kNone}, 1.0)));
+  EXPECT_DOUBLE_EQ(percentile({1.0, kNothing, 2.0}, 0.5), 2.0);
+  EXPECT_TRUE(std::isinf(percentile({1.0, kNothing}, 1.0)));
 }
 
 TEST(Tum, TurnsAnglesIntoAQuaternion) {
@@ -251,8 +246,6 @@ TEST(Colours, AreReadableOnPaperAndInTheDark) {
     EXPECT_GE(contrast(colour.dark, kGround.dark), 4.5) << colour.name;
   }
 }
-
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 TEST(SvgChart, DrawsEverySeriesAndBreaksLinesWhereThereIsNothing) {
   const std::string picture =
