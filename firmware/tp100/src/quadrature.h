@@ -11,13 +11,16 @@ namespace firmware {
 const int8_t kIllegalStep = 2;
 
 /// Step from phase `before` to phase `now` (bit 0: A, bit 1: B): -1, 0, 1, or kIllegalStep if both
-/// changed, which means that an edge was missed. Pure; a table look-up.
+/// changed, which means that an edge was missed. Pure, and without a table: an interrupt routine
+/// that needs no pointer saves the fewest registers.
 inline int8_t quadrature_step(uint8_t before, uint8_t now) {
-  // 00 -> 01 (A rises) -> 11 (B rises) -> 10 (A falls) -> 00 is forward.
-  static const int8_t steps[16] = {
-      0, 1,  -1,           kIllegalStep, -1, 0, kIllegalStep, 1, 1, kIllegalStep,
-      0, -1, kIllegalStep, -1,           1,  0};
-  return steps[static_cast<uint8_t>(before << 2) | now];
+  const uint8_t changed = static_cast<uint8_t>(before ^ now);
+  if (changed == 3) return kIllegalStep;
+  if (changed == 0) return 0;
+  // 00 -> 01 (A rises) -> 11 (B rises) -> 10 (A falls) -> 00 is forward: A before is B after.
+  const uint8_t b_after = static_cast<uint8_t>(now >> 1);
+  const uint8_t differ = static_cast<uint8_t>(before ^ b_after);
+  return (differ & 1) == 0 ? 1 : -1;
 }
 
 /// One encoder. Plain state, so that an interrupt routine compiles to a few loads and stores. It
@@ -33,12 +36,15 @@ struct Quadrature {
 /// and B are swapped on the port.
 template <int8_t kSign>
 inline void take_edge(Quadrature& encoder, uint8_t phase) {
-  const int8_t step = quadrature_step(encoder.phase, phase);
+  const uint8_t before = encoder.phase;
   encoder.phase = phase;
-  if (step != kIllegalStep) {
-    encoder.steps = static_cast<uint16_t>(encoder.steps + kSign * step);
-  } else {
+  const int8_t step = quadrature_step(before, phase);
+  if (step == kIllegalStep) {
     encoder.missed = static_cast<uint16_t>(encoder.missed + 1);
+  } else if (step == kSign) {
+    encoder.steps = static_cast<uint16_t>(encoder.steps + 1);
+  } else if (step == -kSign) {
+    encoder.steps = static_cast<uint16_t>(encoder.steps - 1);
   }
 }
 
