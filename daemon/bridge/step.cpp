@@ -329,11 +329,11 @@ void Step::State::publish(StartRefusal refusal, HostNs now) {
   perception.write(snapshot, now);
   snapshot.command = out.command;
   const control::TrackLimits limits = drive_of(parameters, 0.0).limits;
-  const TrackSpeeds commanded = control::tracks_for(
+  const auto commanded = control::skid_steer(limits).tracks_for(
       target.speed_mps,
-      control::turn_asked(target.heading_error_rad, target.yaw_rate_radps, limits), limits);
-  snapshot.commanded_left_mps = commanded.left_mps;
-  snapshot.commanded_right_mps = commanded.right_mps;
+      control::turn_asked(target.heading_error_rad, target.yaw_rate_radps, limits));
+  snapshot.commanded_left_mps = commanded.left;
+  snapshot.commanded_right_mps = commanded.right;
   snapshot.cross_track_m = target.cross_track_m;
   snapshot.heading_error_rad = target.heading_error_rad;
   snapshot.progress_m = target.progress_m;

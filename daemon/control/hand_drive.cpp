@@ -174,7 +174,7 @@ HandCommand HandDrive::update(const HandDriveState& state, const Parameters& par
   out.yaw_rate_radps = yaw_rate_radps_;
   const double turn_radps = turn_asked(ahead_rad_, yaw_rate_radps_, limits);
   // If the turn uses a track's whole limit, no speed is left.
-  const double within = speed_within(speed_mps_, turn_radps, limits);
+  const double within = skid_steer(limits).speed_within(speed_mps_, turn_radps);
   out.speed_mps = within * speed_mps_ > 0.0 ? within : 0.0;
   return out;
 }

@@ -9,12 +9,12 @@
 #include "core/arithmetic.h"
 #include "core/faults.h"
 #include "core/sample.h"
+#include "shared/monitors.h"
 
 namespace tp100::control {
 
-// Three monitors check the encoders. Two compare them with each track's duty and with the gyro, and
-// integrate the unexplained difference: a small share shows over a distance, a short moment never
-// does. The third finds counts that are impossible for a track.
+// Three monitors check the encoders. Two, which the robot runs too, compare them with each track's
+// duty and with the gyro. The third finds counts that are impossible for a track.
 
 /// Relation of duty and speed, by the robot's file.
 struct MotorModel {
@@ -29,9 +29,8 @@ struct Load {
   bool on_obstacle = false;  ///< a real ramp or block
 };
 
-/// Checks that one track moves according to its duty. The robot's file is trusted only within a
-/// factor; the duty that this track needs is learned while it runs straight, so that a change is
-/// detected. No allocation; safe in the real-time thread.
+/// Checks that one track moves according to its duty, see shared/monitors.h. No allocation; safe in
+/// the real-time thread.
 class DutyMonitor {
  public:
   explicit DutyMonitor(const MotorModel& motor) : motor_(motor) {}
@@ -43,46 +42,10 @@ class DutyMonitor {
   bool update(double duty, double track_mps, const Load& load, double dt_s);
 
  private:
-  void learn(double above_dead_band, double track_mps, double turn_duty, const Load& load,
-             double dt_s);
-
-  // Greatest factor over the robot's file that is learned; a run begins with it.
-  static constexpr double kMaxGain = 1.4;
-
   MotorModel motor_;
-  double gain_ = kMaxGain;    ///< duty that the track needs, relative to the file
-  double learned_mps_ = 0.0;  ///< speed at which gain_ was learned
-  double slow_mps_ = 0.0;
-  double turning_ = 0.0;     ///< maximum of the last moments
+  shared::DutyMonitor<double> law_;
+  shared::TurnDuty<double, shared::HostLimits<double>> turn_duty_;
   double obstacle_s_ = 0.0;  ///< until the last obstacle is forgotten
-  double missing_m_ = 0.0;   ///< forward positive, so that dithering to and fro cancels out
-};
-
-/// Rotation by the gyro minus rotation by the tracks, except what slip explains. No allocation;
-/// safe in the real-time thread.
-class TurnBalance {
- public:
-  /// Limit of all differences: more than a disturbance from which the robot recovers. [rad]
-  static constexpr double kMaxRad = 17.0 * kRadPerDeg;
-  /// Limit of slow differences, without sudden ones such as a disturbance. [rad]
-  static constexpr double kMaxSlowRad = 6.0 * kRadPerDeg;
-
-  /// `slip_share`: part of the turn that slip may take; see Parameters.
-  TurnBalance(double wheelbase_m, double slip_share)
-      : wheelbase_m_(wheelbase_m), slip_share_(slip_share) {}
-
-  /// A run begins.
-  void restart() { all_rad_ = slow_rad_ = 0.0; }
-  /// Yaw rates by gyro and by encoders, and the mean of both tracks' speeds without sign, over
-  /// `dt_s`. True: they disagree.
-  bool update(double gyro_radps, double encoder_radps, double track_mps, bool on_obstacle,
-              double dt_s);
-
- private:
-  double wheelbase_m_;
-  double slip_share_;
-  double all_rad_ = 0.0;
-  double slow_rad_ = 0.0;  ///< of rates up to a limit
 };
 
 /// Finds jumps of both tracks' counts. An isolated jump never gets here: link::EncoderCount removes
@@ -149,7 +112,7 @@ class Monitor {
         wheelbase_m_(robot.wheelbase_m),
         left_duty_(robot.motor),
         right_duty_(robot.motor),
-        turn_(robot.wheelbase_m, robot.identified ? parameters.turn_slip_share : 1.0),
+        slip_share_(robot.identified ? parameters.turn_slip_share : 1.0),
         jumps_(robot.max_counts_per_s) {}
 
   /// Forgets all durations; call when a run begins.
@@ -166,7 +129,8 @@ class Monitor {
   Envelope envelope_;
   double wheelbase_m_;
   DutyMonitor left_duty_, right_duty_;
-  TurnBalance turn_;
+  double slip_share_;  ///< part of a turn that slip may take; see Parameters
+  shared::TurnBalance<double, shared::HostLimits<double>> turn_;
   JumpMonitor jumps_;
   double opposed_rad_ = 0.0;       ///< rotation against the command
   double running_on_radps_ = 0.0;  ///< turn rate that a reversal explains

@@ -55,6 +55,8 @@ class AvrBoard final : public Board {
   void set_i2c_fault(I2cFault fault) { i2c_.set_fault(fault); }
   /// From its next sleep until a reset, the main loop hangs in one place while interrupts continue.
   void hang_main_loop() { hang_wanted_ = true; }
+  /// For measurements.
+  AvrCore& core() { return core_; }
   AvrBoardCounters counters() const { return {uart_.overruns(), core_.own_resets()}; }
 
  private:

@@ -121,7 +121,8 @@ firmware::TurnMonitor::Verdict found_in_turn(double left_mps, double right_mps, 
     history.add(static_cast<std::uint16_t>(i), static_cast<std::uint32_t>(i) * 5000U, gyro_lsb,
                 static_cast<std::int32_t>(std::lround(left_mps * at_s * per_m * counted)),
                 static_cast<std::int32_t>(std::lround(right_mps * at_s * per_m)));
-    const auto verdict = monitor.update(history.newest(), 0, 0.0F, sent);
+    const auto verdict =
+        monitor.update(history.newest(), 0, 0.0F, firmware::MonitorValues(sent), sent);
     if (verdict != firmware::TurnMonitor::kGood) return verdict;
   }
   return firmware::TurnMonitor::kGood;

@@ -9,6 +9,7 @@
 #include <functional>
 
 #include "lagging_robot.h"
+#include "support/sequence.h"
 
 namespace tp100::control {
 namespace {
@@ -242,17 +243,28 @@ TEST_F(MonitoredRun, ARobotThatIsHeldForLessThanHalfASecondGoesOn) {
 
 constexpr MotorModel kMotor{.dead_band = 0.1, .feed_forward = 4.0};
 
-TEST(DutyMonitor, ABlockedTrackIsReportedAfterFourCentimetresAndNotBeforeSevenTenths) {
-  for (const double direction : {1.0, -1.0}) {
-    for (const double beyond : {0.03, 0.1, 0.2, 0.8}) {
-      DutyMonitor monitor(kMotor), unknown({.dead_band = 0.1, .feed_forward = 0.0});
-      double after_s = kDt;
-      while (!monitor.update(direction * (0.12 + beyond), 0.0, {}, kDt) && after_s < 9.0)
-        after_s += kDt;
-      EXPECT_NEAR(after_s, std::max(0.7, 0.04 / (beyond / kMotor.feed_forward)), 2 * kDt);
-      for (int i = 0; i < 1000; ++i) EXPECT_FALSE(unknown.update(direction, 0.0, {}, kDt));
-    }
+// Else a slope or an obstacle would be taken for a blocked track. The duty above the dead band, a
+// margin of 2 % and the load is 1/4 m/s for each unit.
+TEST(DutyMonitor, ALoadExplainsTheDutyThatItTakes) {
+  const auto reported_after_s = [](double beyond, const Load& load) {
+    DutyMonitor monitor(kMotor);
+    double after_s = kDt;
+    while (after_s < 5.0 && !monitor.update(0.12 + beyond, 0.0, load, kDt)) after_s += kDt;
+    return after_s;
+  };
+  for (const auto& [load, duty] : {std::pair{Load{}, 0.0},
+                                   {Load{.turning = 0.4}, 0.4},
+                                   {Load{.pitch_rad = 0.1}, 0.08},
+                                   {Load{.pitch_rad = -0.1}, 0.08},
+                                   {Load{.on_obstacle = true}, 0.4}}) {
+    EXPECT_GE(reported_after_s(duty - 0.01, load), 5.0) << duty;
+    EXPECT_NEAR(reported_after_s(duty + 0.1, load), 0.04 / (0.1 / 4.0), 0.05) << duty;
   }
+  DutyMonitor monitor(kMotor);
+  monitor.update(0.5, 0.0, {.on_obstacle = true}, kDt);
+  double after_s = 0.0;
+  while (after_s < 5.0 && !monitor.update(0.5, 0.0, {}, kDt)) after_s += kDt;
+  EXPECT_NEAR(after_s, 1.0 + 0.7, 0.05) << "an obstacle is forgotten after a second";
 }
 
 TEST(JumpMonitor, CountsOfEitherTrackGrowAsFastAsATrackCanAndNoFaster) {

@@ -5,20 +5,22 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <deque>
 #include <limits>
 #include <numbers>
 #include <random>
 #include <vector>
 
-#include "firmware/number.h"
 #include "firmware/speed_loop.h"
 #include "firmware/yaw_loop.h"
 #include "rig.h"
+#include "shared/number.h"
 
 namespace tp100::firmware {
 namespace {
 
+using shared::clamp;
+using shared::kPi;
+using shared::wrap_angle;
 using wire::State;
 
 float between(std::mt19937& random, float low, float high) {
@@ -42,75 +44,45 @@ TEST(Loops, WhatIsNoNumberAsksForAStandstill) {
   for (const float nan : {kNan, -kNan, std::numeric_limits<float>::signaling_NaN()}) {
     EXPECT_EQ(clamp(nan, 1.0f), 0.0f);
     EXPECT_EQ(clamp(nan, 0.0f), 0.0f);
-    EXPECT_EQ(track_speeds(nan, 0.5f, p).left, 0.0f);
-    EXPECT_EQ(track_speeds(nan, 0.5f, p).right, 0.0f);
     SpeedLoop loop;
-    loop.measure(0, 5000, p);
-    EXPECT_EQ(loop.update(nan, 0.005f, p), 0.0f);
-    EXPECT_EQ(loop.update(0.0f, nan, p), 0.0f);
+    EXPECT_EQ(loop.update(nan, 0.005f, SpeedGains(p)), 0.0f);
+    EXPECT_EQ(loop.update(0.0f, nan, SpeedGains(p)), 0.0f);
   }
 }
+
+// One count of a track is this far, and so fast if it takes one sample.
+constexpr float kMetresPerCount = 1.0f / 11140.0f;
+constexpr float kMpsPerCount = kMetresPerCount / 0.005f;
 
 TEST(SpeedLoop, TheDutyIsTheSumOfItsTerms) {
   const wire::Parameters p = test::good_parameters();
-  for (const int sign : {1, -1}) {
+  for (const float sign : {1.0f, -1.0f}) {
     SpeedLoop loop;
-    std::int32_t counts = 0;
-    const auto measure = [&] { loop.measure(counts += 5 * sign, 5000, p); };
-    for (int i = 0; i < 20; ++i) measure();
-    const float track_mps = 5.0f / p.counts_per_metre / 0.005f;
-    const float target_mps = track_mps + 0.01f;
+    const float target_mps = 5.0f * kMpsPerCount + 0.01f;
     for (int step = 1; step < 20; ++step) {
-      measure();
-      const float duty = loop.update(static_cast<float>(sign) * target_mps, 0.005f, p);
+      loop.measure(sign * 5.0f * kMetresPerCount, sign * 5.0f * kMpsPerCount);
+      const float duty = loop.update(sign * target_mps, 0.005f, SpeedGains(p));
       // The track lags behind by 1 cm in a second, that is 50 um a step.
       const float expected = p.feed_forward * target_mps + p.dead_band + p.speed_kp * 0.01f +
                              p.speed_ki * 50e-6f * static_cast<float>(step);
-      ASSERT_NEAR(duty, static_cast<float>(sign) * expected, 2e-5f) << step;
+      ASSERT_NEAR(duty, sign * expected, 2e-5f) << step;
     }
-  }
-}
-
-TEST(SpeedLoop, MeasuresTheMeanOfTheLastEightSamplesAlsoWhereTheCountsWrap) {
-  wire::Parameters p = test::good_parameters();
-  std::mt19937 random(1);
-  SpeedLoop loop;
-  std::uint32_t counts = 0x7FFFFFFFU - 300;
-  std::deque<std::pair<int, int>> window;  // counts and time of each sample
-  for (int i = 0; i < 400; ++i) {
-    if (i == 150) p.counts_per_metre = 9000.0f;
-    if (i == 200) {
-      loop.restart();
-      window.clear();
-    }
-    // What happened before the first sample is no motion.
-    const int moved = window.empty() ? 0 : static_cast<int>(random() % 40) - 10;
-    counts += window.empty() ? 1000U : static_cast<std::uint32_t>(moved);
-    window.emplace_back(moved, 4000 + static_cast<int>(random() % 2000));
-    if (window.size() > 8) window.pop_front();
-    double sum_counts = 0.0, sum_us = 0.0;
-    for (const auto& [one, us] : window) sum_counts += one, sum_us += us;
-    loop.measure(static_cast<std::int32_t>(counts),
-                 static_cast<std::uint16_t>(window.back().second), p);
-    const double mps = sum_counts / static_cast<double>(p.counts_per_metre) / (sum_us * 1e-6);
-    ASSERT_NEAR(static_cast<double>(loop.speed_mps()), mps, 1e-5) << i;
   }
 }
 
 TEST(SpeedLoop, ATrackAtItsTargetStandstillIsBrakedWhenPushedAndOtherwiseLetGo) {
-  const wire::Parameters p = test::good_parameters();
-  for (const int sign : {1, -1}) {
+  const SpeedGains gains(test::good_parameters());
+  for (const float sign : {1.0f, -1.0f}) {
     SpeedLoop loop;
-    std::int32_t counts = 0;
-    const auto duty = [&](int moved) {
-      loop.measure(counts += sign * moved, 5000, p);
-      return static_cast<float>(sign) * loop.update(0.0f, 5e-3f, p);
+    const auto duty = [&](float moved, float mean) {
+      loop.measure(sign * moved * kMetresPerCount, sign * mean * kMpsPerCount);
+      return sign * loop.update(0.0f, 5e-3f, gains);
     };
-    for (int i = 0; i < 25; ++i) duty(0);
-    EXPECT_EQ(duty(0), 0.0f);
-    for (int i = 0; i < 10; ++i) EXPECT_LT(duty(7), 0.0f);
-    for (int i = 0; i < 7; ++i) EXPECT_LT(duty(0), 0.0f) << "its mean speed is not 0 yet";
-    EXPECT_EQ(duty(0), 0.0f);
+    for (int i = 0; i < 25; ++i) duty(0.0f, 0.0f);
+    EXPECT_EQ(duty(0.0f, 0.0f), 0.0f);
+    for (int i = 0; i < 10; ++i) EXPECT_LT(duty(7.0f, 7.0f), 0.0f);
+    EXPECT_LT(duty(0.0f, 1.0f), 0.0f) << "its mean speed is not 0 yet";
+    EXPECT_EQ(duty(0.0f, 0.0f), 0.0f);
     EXPECT_EQ(loop.lag_m(), 0.0f);
   }
 }
@@ -124,10 +96,7 @@ TEST(SpeedLoop, TheLagOfATrackThatDoesNotFollowIsBoundedAndNoneIfItsMotorIsSatur
       const bool saturated = target_mps > 0.02f;
       SpeedLoop loop;
       float duty = 0.0f;
-      for (int i = 0; i < 2000; ++i) {
-        loop.measure(0, 5000, p);
-        duty = loop.update(sign * target_mps, 5e-3f, p);
-      }
+      for (int i = 0; i < 2000; ++i) duty = loop.update(sign * target_mps, 5e-3f, SpeedGains(p));
       EXPECT_FLOAT_EQ(loop.lag_m(), saturated ? 0.0f : sign * 0.02f);
       EXPECT_NEAR(duty, sign * (saturated ? 1.0f : 0.15f + 4.0f * 0.02f + 0.2f), 1e-4f);
     }
@@ -140,8 +109,7 @@ TEST(SpeedLoop, TheDeadBandIsBlendedIn) {
   SpeedLoop loop;
   float last = 0.0f;
   for (float target = 0.0006f; target < 0.02f; target += 0.0001f) {
-    loop.measure(0, 5000, p);
-    const float duty = loop.update(target, 5e-3f, p);
+    const float duty = loop.update(target, 5e-3f, SpeedGains(p));
     EXPECT_GT(duty, last);
     EXPECT_LT(duty - last, 0.03f);
     last = duty;
@@ -155,40 +123,6 @@ TEST(TurnRate, TakesTheShortWayRoundWithinTheLimit) {
   EXPECT_NEAR(turn_rate(0.1f + 50 * 6.28318531f, 0.0f, p), 0.4f, 1e-3f);
   EXPECT_FLOAT_EQ(turn_rate(3.0f, 0.0f, p), p.max_yaw_radps);
   EXPECT_FLOAT_EQ(turn_rate(0.0f, -0.3f, p), -0.3f);
-}
-
-// The inverse of eqs 1 and 5. A robot that cannot do both keeps the turn and drives slower.
-TEST(TrackSpeeds, GiveTheTurnAndAsMuchOfTheSpeedAsTheTracksCan) {
-  for (unsigned seed = 1; seed <= 500; ++seed) {
-    SCOPED_TRACE(seed);
-    std::mt19937 random(seed);
-    wire::Parameters p = test::good_parameters();
-    p.slip_left = between(random, -0.2f, 0.5f);
-    p.slip_right = between(random, -0.2f, 0.5f);
-    p.wheelbase_m = between(random, 0.1f, 0.5f);
-    const float speed = between(random, -0.4f, 0.4f);
-    const float rate = between(random, -2.0f, 2.0f);
-    const TrackSpeeds tracks = track_speeds(speed, rate, p);
-    const float most = std::max(std::abs(tracks.left), std::abs(tracks.right));
-    EXPECT_LE(most, p.max_track_mps + 1e-6f);
-    const float left = tracks.left * (1.0f - p.slip_left);
-    const float right = tracks.right * (1.0f - p.slip_right);
-    // On the spot at full speed of both tracks.
-    const float fastest = p.max_track_mps * (2.0f - p.slip_left - p.slip_right) / p.wheelbase_m;
-    EXPECT_NEAR((right - left) / p.wheelbase_m, std::clamp(rate, -fastest, fastest), 1e-4f);
-    const float lost = speed - (left + right) / 2.0f;
-    if (std::abs(lost) > 1e-6f) {
-      EXPECT_NEAR(most, p.max_track_mps, 1e-6f) << "slower than necessary";
-    }
-
-    const TrackSpeeds back = track_speeds(-speed, -rate, p);
-    EXPECT_FLOAT_EQ(back.left, -tracks.left);
-    EXPECT_FLOAT_EQ(back.right, -tracks.right);
-    std::swap(p.slip_left, p.slip_right);
-    const TrackSpeeds mirrored = track_speeds(speed, -rate, p);
-    EXPECT_FLOAT_EQ(mirrored.left, tracks.right);
-    EXPECT_FLOAT_EQ(mirrored.right, tracks.left);
-  }
 }
 
 // The rotation since any of the last 64 samples is the integral of the gyro's rate less its bias,
@@ -222,6 +156,17 @@ TEST(TurnHistory, TellsTheRotationSinceASample) {
              now.right - static_cast<int>(random() % 30)};
       all.push_back(now);
       history.add(++sequence, us, raw, now.left, now.right);
+      if (i > 0) {
+        const TrackMotion motion = history.motion(0.5f);
+        const Marked& before = all[all.size() - 2];
+        EXPECT_EQ(motion.left_m, 0.5f * static_cast<float>(now.left - before.left));
+        EXPECT_EQ(motion.right_m, 0.5f * static_cast<float>(now.right - before.right));
+        const Marked& then = all[all.size() - 1 - std::min<std::size_t>(8, all.size() - 1)];
+        EXPECT_NEAR(motion.speeds.left, 0.5 * (now.left - then.left) / ((us - then.us) * 1e-6),
+                    1e-2);
+        EXPECT_NEAR(motion.speeds.right, 0.5 * (now.right - then.right) / ((us - then.us) * 1e-6),
+                    1e-2);
+      }
       for (const unsigned back : {0U, 1U, 40U, 63U, 64U, 1000U, 65'535U}) {
         const TurnMark* then = history.find(static_cast<std::uint16_t>(sequence - back));
         ASSERT_EQ(then != nullptr, back < 64 && back < all.size()) << i << ' ' << back;
@@ -238,6 +183,10 @@ TEST(TurnHistory, TellsTheRotationSinceASample) {
     }
     history.clear();
     EXPECT_EQ(history.find(sequence), nullptr);
+    // What happened before the first sample is no motion.
+    history.add(++sequence, us += 5000, 0, now.left + 1000, now.right);
+    EXPECT_EQ(history.motion(1.0f).left_m, 0.0f);
+    EXPECT_EQ(history.motion(1.0f).speeds.left, 0.0f);
   }
 }
 

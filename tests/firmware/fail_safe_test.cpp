@@ -133,7 +133,7 @@ TEST(FailSafeAlone, DrivesOnlyWhileEnabledAndIsEnabledOnlyWithAFreshCommand) {
 }
 
 // Ticks come every millisecond, and a command can arrive at any time between two of them. The
-// motors must switch off at the last tick before the command expires.
+// motors must be off before the command expires, though a tick may take up to 100 us.
 TEST(FailSafeAlone, TheLastTickOfACommandsLifeSwitchesOff) {
   for (const std::uint32_t life_us : {200'000U, 199'999U, 123'456U, 50'000U, 5'001U}) {
     for (std::uint32_t phase_us = 0; phase_us < 1000; ++phase_us) {
@@ -151,8 +151,8 @@ TEST(FailSafeAlone, TheLastTickOfACommandsLifeSwitchesOff) {
         fail_safe.tick();
       }
       const std::uint32_t age_us = hal.now_us - fresh_us;
-      ASSERT_LT(age_us, life_us) << "a tick too late at " << phase_us;
-      ASSERT_GE(age_us + 1000, life_us) << "a tick too early at " << phase_us;
+      ASSERT_LT(age_us + 100, life_us) << "a tick too late at " << phase_us;
+      ASSERT_GE(age_us + 1100, life_us) << "a tick too early at " << phase_us;
     }
   }
 }

@@ -10,7 +10,7 @@ import sys
 
 # From the lowest layer up. A library may include folders of the lines above its own, and none of its own line.
 LAYERS = [
-    'wire',
+    'shared wire',
     'core firmware web',
     'text model loop',
     'course estimation worlds link',

@@ -1,10 +1,13 @@
 #include "command_gate.h"
 
-#include "number.h"
+#include "shared/number.h"
 
 namespace tp100 {
 namespace firmware {
 namespace {
+
+using shared::distance;
+using shared::magnitude;
 
 const int32_t kFurthestExpiryUs = wire::kMaxCommandLifeMs * 1000L;
 

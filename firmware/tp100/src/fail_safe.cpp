@@ -1,13 +1,16 @@
 #include "fail_safe.h"
 
-#include "number.h"
+#include "shared/number.h"
 
 namespace tp100 {
 namespace firmware {
 namespace {
 
-// Commands expire one tick early, so that the motors are off by the end of the command's life.
-const int32_t kTickUs = 1000;
+using shared::distance;
+
+// Commands expire one tick, and the time that a tick may take, early: the motors are off by the end
+// of the command's life.
+const int32_t kEarlyUs = 1100;
 
 }  // namespace
 
@@ -22,7 +25,7 @@ void FailSafe::tick() {
 }
 
 void FailSafe::check_commands(uint32_t now_us) {
-  if (fresh_ && distance(now_us, fresh_us_) + kTickUs >= static_cast<int32_t>(life_us_)) {
+  if (fresh_ && distance(now_us, fresh_us_) + kEarlyUs >= static_cast<int32_t>(life_us_)) {
     fresh_ = false;
   }
   if (grace_ms_ > 0) grace_ms_ = static_cast<uint16_t>(grace_ms_ - 1);
@@ -82,8 +85,10 @@ void FailSafe::drive(int16_t left, int16_t right) {
 }
 
 Trip FailSafe::take_trip() {
+  Trip result = {};
+  if (!tripped()) return result;
   const CriticalSection section(hal_);
-  const Trip result = {tripped_, tripped_us_, distance(tripped_us_, fresh_us_) / 1000};
+  result = {tripped_, tripped_us_, distance(tripped_us_, fresh_us_) / 1000};
   tripped_ = 0;
   return result;
 }

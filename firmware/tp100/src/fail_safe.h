@@ -48,6 +48,8 @@ class FailSafe {
   bool enabled() const { return enabled_; }
   /// Applies duties to the motors; does nothing unless enabled.
   void drive(int16_t left, int16_t right);
+  /// take_trip() has something to tell.
+  bool tripped() const { return tripped_ != 0; }
   /// The trip since the last call, if any.
   Trip take_trip();
   /// Ticks since boot, wraps. [ms]

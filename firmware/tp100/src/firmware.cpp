@@ -2,20 +2,20 @@
 
 #include <string.h>
 
-#include "number.h"
 #include "parameters.h"
+#include "shared/number.h"
 #include "version.h"
 
 namespace tp100 {
 namespace firmware {
 namespace {
 
+using shared::distance;
 using wire::Fault;
 using wire::Result;
 using wire::State;
 using wire::Type;
 
-const uint8_t kSampleTicks = wire::kSamplePeriodUs / 1000;
 const uint16_t kLongestStepUs = 50000;
 const uint16_t kShortestStepUs = 1000;
 // A host that floods the wire must not hold up the loop.
@@ -65,12 +65,12 @@ void Firmware::loop() {
   hal_.kick_watchdog();
   check_trip();
   receive();
-  const uint8_t ticks = fail_safe_.ticks();
-  const uint8_t late = static_cast<uint8_t>(ticks - sampled_ticks_);
-  if (late >= kSampleTicks) {
-    const bool skipped = late >= 2 * kSampleTicks;
-    sampled_ticks_ = skipped ? ticks : static_cast<uint8_t>(sampled_ticks_ + kSampleTicks);
-    take_sample();
+  if (sample_due()) {
+    const uint8_t ticks = fail_safe_.ticks();
+    const uint8_t late = static_cast<uint8_t>(ticks - sampled_ticks_);
+    const uint8_t dt_ms = late >= 2 * kSampleTicks ? late : kSampleTicks;
+    sampled_ticks_ = static_cast<uint8_t>(sampled_ticks_ + dt_ms);
+    take_sample(dt_ms);
   }
   check_host(hal_.micros());
   link_.flush();
@@ -235,7 +235,7 @@ void Firmware::acknowledge(Type request, uint32_t token, Result result, uint16_t
   link_.post(message);
 }
 
-void Firmware::take_sample() {
+void Firmware::take_sample(uint8_t dt_ms) {
   const uint32_t now_us = tracks_.read();
   const uint32_t measured_us = now_us - sampled_us_;
   const bool usable = measured_us >= kShortestStepUs && measured_us <= kLongestStepUs;
@@ -248,8 +248,9 @@ void Firmware::take_sample() {
   history_.add(sequence_, now_us, imu_.values().gyro[2], tracks_.left().counts,
                tracks_.right().counts);
   check_sensors(now_us);
+  if (state_ != State::kRunning && imu_.fresh()) tracks_.rest(imu_.values().accel[0]);
   send_sample(now_us);
-  drive(now_us, dt_us);
+  drive(now_us, dt_us, dt_ms);
 }
 
 void Firmware::check_sensors(uint32_t now_us) {
@@ -280,14 +281,12 @@ void Firmware::send_sample(uint32_t now_us) {
   link_.post(sample);
 }
 
-void Firmware::drive(uint32_t now_us, uint16_t dt_us) {
-  tracks_.measure(dt_us);
+void Firmware::drive(uint32_t now_us, uint16_t dt_us, uint8_t dt_ms) {
+  tracks_.measure(history_);
   if (!may_drive()) return;
-  latch(tracks_.check(static_cast<uint16_t>((dt_us + 500) / 1000)), now_us);
+  latch(tracks_.check(dt_ms), now_us);
   check_turn(now_us);
-  if (!may_drive()) return;
-  const TrackSpeeds speeds = wanted(now_us);
-  if (state_ != State::kArmed) tracks_.drive(speeds, dt_us);
+  if (may_drive()) follow(now_us, dt_us);
 }
 
 void Firmware::check_turn(uint32_t now_us) {
@@ -309,18 +308,21 @@ void Firmware::latch(const Tracks::Verdicts& found, uint32_t at_us) {
     latch(Fault::reversed_right, tracks_.right().duty, at_us);
 }
 
-TrackSpeeds Firmware::wanted(uint32_t now_us) {
+void Firmware::follow(uint32_t now_us, uint16_t dt_us) {
   const wire::Command& command = gate_.current();
   const bool standstill = command.speed_mps == 0.0f && command.yaw_rate_radps == 0.0f &&
                           command.desired_yaw_rad == command.yaw_rad;
-  if (standstill || !gate_.fresh(now_us)) return TrackSpeeds();
+  if (standstill || !gate_.fresh(now_us)) {
+    if (state_ != State::kArmed) tracks_.drive(0.0f, 0.0f, dt_us);
+    return;
+  }
   state_ = State::kRunning;
   const bool use_gyro = uses_gyro(parameters_) && imu_.fresh();
   const float turned_rad =
       turned(gate_.answered(), history_.newest(), use_gyro, command.gyro_bias_radps, parameters_);
   const float error_rad = command.desired_yaw_rad - command.yaw_rad - turned_rad;
   const float rate_radps = turn_rate(error_rad, command.yaw_rate_radps, parameters_);
-  return track_speeds(command.speed_mps, rate_radps, parameters_);
+  tracks_.drive(command.speed_mps, rate_radps, dt_us);
 }
 
 void Firmware::disarm(const char* reason, uint32_t at_us) {

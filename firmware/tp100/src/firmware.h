@@ -19,8 +19,12 @@ class Firmware {
   void setup();
   /// Call repeatedly; returns within a few milliseconds whatever happens outside.
   void loop();
-  /// Runs in the timer interrupt, every millisecond. Keep it short.
-  void tick_1khz() { fail_safe_.tick(); }
+  /// Runs in the timer interrupt, every millisecond; other interrupts may interrupt it. True: the
+  /// loop has work, because a sample is due, the motors were switched off, or messages wait.
+  bool tick_1khz() {
+    fail_safe_.tick();
+    return sample_due() || fail_safe_.tripped() || link_.waiting();
+  }
 
   wire::State state() const { return state_; }
   uint16_t faults() const { return faults_; }
@@ -29,6 +33,8 @@ class Firmware {
   Verdict last_verdict() const { return last_verdict_; }
 
  private:
+  static const uint8_t kSampleTicks = wire::kSamplePeriodUs / 1000;
+
   void receive();
   void dispatch();
   /// Handles the received frame as a Message.
@@ -57,12 +63,16 @@ class Firmware {
   void check_turn(uint32_t now_us);
   void check_host(uint32_t now_us);
 
-  void take_sample();
+  void take_sample(uint8_t dt_ms);
   void send_sample(uint32_t now_us);
-  void drive(uint32_t now_us, uint16_t dt_us);
-  TrackSpeeds wanted(uint32_t now_us);
+  void drive(uint32_t now_us, uint16_t dt_us, uint8_t dt_ms);
+  /// Follows the current command while it is fresh.
+  void follow(uint32_t now_us, uint16_t dt_us);
 
   void send_hello(uint32_t now_us);
+  bool sample_due() const {
+    return static_cast<uint8_t>(fail_safe_.ticks() - sampled_ticks_) >= kSampleTicks;
+  }
   bool in_session() const { return state_ >= wire::State::kDisarmed; }
   bool may_drive() const {
     return state_ == wire::State::kArmed || state_ == wire::State::kRunning;
@@ -89,7 +99,7 @@ class Firmware {
   uint16_t last_detail_ = 0;
 
   uint16_t sequence_ = 0;
-  uint8_t sampled_ticks_ = 0;
+  volatile uint8_t sampled_ticks_ = 0;
   uint32_t sampled_us_ = 0;
   uint32_t host_frame_us_ = 0;
   uint32_t hello_us_ = 0;

@@ -61,6 +61,11 @@ class HostLink {
   void post(const wire::Log& log);
   /// Posts `text` and `more` as one line; what is too long is cut off.
   void log(uint8_t level, const char* text, const char* more, uint32_t at_us);
+  /// Messages wait for room.
+  bool waiting() const {
+    return (sync_.size | acknowledges_.size | sample_.size | reports_.size | hello_.size |
+            logs_.size) != 0;
+  }
   /// Writes waiting messages while there is room.
   void flush();
 

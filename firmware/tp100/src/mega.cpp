@@ -20,9 +20,9 @@ tp100::firmware::Firmware robot(hal);
 
 }  // namespace
 
-ISR(TIMER3_COMPA_vect) {
-  robot.tick_1khz();
-  tp100::firmware::raise_work();
+// With interrupts on: an edge of an encoder must not wait for the longest routine.
+ISR(TIMER3_COMPA_vect, ISR_NOBLOCK) {
+  if (robot.tick_1khz()) tp100::firmware::raise_work();
 }
 
 namespace tp100 {

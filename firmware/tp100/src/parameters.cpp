@@ -1,10 +1,13 @@
 #include "parameters.h"
 
-#include "number.h"
+#include "shared/number.h"
 
 namespace tp100 {
 namespace firmware {
 namespace {
+
+using shared::magnitude;
+using shared::within;
 
 const uint8_t kAllFlags = (wire::kSwapTracks << 1) - 1;
 const uint8_t kFirstField = 2;

@@ -10,36 +10,36 @@
 namespace tp100 {
 namespace firmware {
 
+/// Gains of a session; what follows from the parameters is computed once.
+struct SpeedGains {
+  SpeedGains() = default;
+  explicit SpeedGains(const wire::Parameters& parameters);
+
+  float per_target = 0.0f;  ///< feed-forward and proportional term [duty per m/s]
+  float per_speed = 0.0f;   ///< [duty per m/s]
+  float per_lag = 0.0f;     ///< [duty per m]
+  float dead_band = 0.0f;   ///< duty at which a track just moves
+  float ramp = 0.0f;        ///< of the dead band around a standstill [duty per m/s]
+};
+
 class SpeedLoop {
  public:
-  /// Takes the track position; call once per sample and in every state. [counts]
-  void measure(int32_t counts, uint16_t dt_us, const wire::Parameters& parameters);
+  /// Takes the track's motion, see TurnHistory::motion(); call once per sample and in every state.
+  void measure(float moved_m, float speed_mps) {
+    moved_m_ = moved_m;
+    speed_mps_ = speed_mps;
+  }
   /// Duty for the target. It is 0, with a cleared integrator, once the target has been a standstill
   /// for 100 ms and the track stands still. Call after measure(). [-1, 1]
-  float update(float target_mps, float dt_s, const wire::Parameters& parameters);
+  float update(float target_mps, float dt_s, const SpeedGains& gains);
   /// Clears the integrator.
   void reset() {
     lag_m_ = 0.0f;
     standing_s_ = 0.0f;
   }
-  /// Forgets the track position (new parameters).
-  void restart() { measured_ = 0; }
-  /// Track speed, mean over the last eight samples. [m/s]
-  float speed_mps() const { return speed_mps_; }
   float lag_m() const { return lag_m_; }
 
  private:
-  static const uint8_t kWindow = 8;
-  int32_t counts_[kWindow] = {};
-  uint16_t dt_us_[kWindow] = {};
-  int32_t sum_counts_ = 0;
-  uint32_t sum_us_ = 0;
-  float counts_per_metre_ = 0.0f;  // the value that metres_per_count_ was computed from
-  float metres_per_count_ = 0.0f;
-  float mps_per_count_us_ = 0.0f;
-  uint8_t next_ = 0;
-  uint8_t measured_ = 0;
-  int32_t last_counts_ = 0;
   float moved_m_ = 0.0f;
   float speed_mps_ = 0.0f;
   float lag_m_ = 0.0f;

@@ -1,10 +1,14 @@
 #include "track_monitor.h"
 
-#include "number.h"
-
 namespace tp100 {
 namespace firmware {
 namespace {
+
+using shared::between;
+using shared::distance;
+using shared::larger;
+using shared::magnitude;
+using shared::smaller;
 
 const float kStandingM = 0.002f;
 // A braking track runs on against its duty for a while; beyond this distance the wiring is wrong.
@@ -19,34 +23,13 @@ const int32_t kFewCounts = 8;
 const uint16_t kJumpAgainMs = 1000;
 const uint16_t kOneJumpMs = 100;
 
-// Limit of the distance that the duty implies beyond what was counted. A blocked track takes at
-// least this share of `stall_ms` to reach it, however high its duty.
-const float kMissingM = 0.04f;
-const float kSoonestShare = 0.7f;
-const uint16_t kStepMs = 80;
-// Duty that a track may take beyond its usual one.
-const float kMarginDuty = 0.02f;
-const float kMarginShare = 0.1f;
+// A blocked track takes at least this share of `stall_ms` to be found by its duty: the host, which
+// takes 0.7 s, is first.
+const float kSoonestShare = 0.8f;
+const uint8_t kStepSamples = 16;
 
-// The gain (duty that a track takes) is learned while the track runs freely, evenly and not too
-// slowly: quickly downwards, but upwards only as fast as a battery sags, or a fault would be
-// learned.
-const float kMinGain = 0.7f;
-const float kGainDownPerS = 3.0f;
-const float kGainUpPerS = 0.005f;
-// At a higher speed, friction takes a smaller share of the duty: the gain holds only up to this
-// multiple of the speed at which it was learned.
-const float kBeyond = 1.25f;
-const float kSlowPerS = 4.0f;
-const float kSlowest = 0.95f;
-const float kFastest = 1.1f;
-const float kMinMps = 0.028f;
-
-// Float operations are slow on an AVR: eight samples make one step.
-const uint8_t kSamples = 8;
-const float kMaxRad = 0.35f;
-const float kMaxSlowRad = 0.175f;
-const float kSlowRadps = 0.175f;
+const uint8_t kTurnSamples = 8;
+// Slip also takes part of one track's distance.
 const float kDistanceShare = 0.1f;
 // On a slope or an obstacle one track may slip while the other grips.
 const float kObstacleShare = 0.8f;
@@ -59,14 +42,8 @@ const float kSpin = 1.3f;
 // Counts of few samples are coarse: they are low-pass filtered with a time constant of 0.1 s.
 const float kSpeedShare = 0.33f;
 
-// Extra duty for a turn, and for a slope or bump relative to the robot's attitude at the start.
-// Loads rise at once and decay slowly.
-const float kTurnDuty = 0.3f;
-const float kTurnFallPerS = 0.3f;
-// Track speed due to the turn alone, as a fraction of the mean speed, from which on a turn takes
-// half and all of its duty: the resistance against turning falls slowly with the radius.
-const float kHalfTurning = 0.12f;
-const float kFullTurning = 0.4f;
+// Extra duty for a slope or bump relative to the robot's attitude at rest. It rises at once and
+// decays slowly.
 const float kSlowestRad = 0.003f;
 const float kMaxSlopeDuty = 0.4f;
 const float kSlopeFallPerS = 0.15f;
@@ -74,40 +51,86 @@ const float kDutyPerRad = 3.0f;
 const float kLevelRad = 0.02f;
 const float kNewSlope = 0.5f;
 
-float drained(float balance, float by) {
-  if (balance > by) return balance - by;
-  if (balance < -by) return balance + by;
-  return 0.0f;
-}
+const float kFullDuty = static_cast<float>(wire::kFullDuty);
 
-// Interpolates from `a` to `b` while `value` goes from `low` to `high`.
-float between(float value, float low, float high, float a, float b) {
-  const float share = (value - low) / (high - low);
-  return a + (b - a) * larger(0.0f, smaller(1.0f, share));
-}
+int32_t whole(float value) { return static_cast<int32_t>(value); }
 
 // Equivalent wheelbase for tracks whose ground sides move at these speeds, in any unit.
 float wheelbase_m(float left, float right, const wire::Parameters& p) {
   const float faster = larger(magnitude(left), magnitude(right));
-  const float turn = faster > 0.0f ? magnitude(right - left) / faster : 0.0f;
-  if (turn <= kTightArc)
-    return between(turn, kWideArc, kTightArc, p.wheelbase_m, p.wheelbase_tight_m);
-  return between(turn, kTightArc, kSpin, p.wheelbase_tight_m, p.wheelbase_spin_m);
+  const float turn = magnitude(right - left);
+  if (turn <= kWideArc * faster) return p.wheelbase_m;
+  if (turn <= kTightArc * faster)
+    return between(turn / faster, kWideArc, kTightArc, p.wheelbase_m, p.wheelbase_tight_m);
+  return between(turn / faster, kTightArc, kSpin, p.wheelbase_tight_m, p.wheelbase_spin_m);
 }
 
 }  // namespace
 
-// Not in the class: copies of it in its callers would take 200 bytes of flash.
-TrackMonitor::TrackMonitor() = default;
+MonitorValues::MonitorValues(const wire::Parameters& p)
+    : metres_per_count(1.0f / p.counts_per_metre),
+      turn_per_count(metres_per_count / p.wheelbase_m),
+      dead_band(static_cast<int16_t>(whole(p.dead_band * kFullDuty))),
+      run_on_counts(whole((kRunOnM + kRunOnS * p.max_track_mps) * p.counts_per_metre)),
+      jump_counts(whole(kJumpM * p.counts_per_metre)),
+      counts_per_ms_q8(whole(256.0f * 2e-3f * p.max_track_mps * p.counts_per_metre)),
+      standing_counts(whole(kStandingM * p.counts_per_metre)) {}
 
-void TrackMonitor::reset() { *this = TrackMonitor(); }
+void DutySteps::reset() {
+  monitor_.restart();
+  left_ = first_;
+  known_ = false;
+  from_counts_ = 0;
+  duty_ms_ = 0;
+  ms_ = 0;
+}
 
-TrackMonitor::Verdict TrackMonitor::update(int16_t duty, int32_t counts, uint16_t dt_ms,
-                                           float load_duty, bool free, const wire::Parameters& p) {
-  if (jumps_again(counts, dt_ms, p)) return kStalled;
-  const uint16_t size = static_cast<uint16_t>(duty < 0 ? -duty : duty);
+bool DutySteps::update(int16_t duty, int32_t counts, uint8_t dt_ms, int16_t load,
+                       const MonitorValues& values, const wire::Parameters& p) {
+  if (!known_) from_counts_ = counts;
+  known_ = true;
+  duty_ms_ += static_cast<int32_t>(duty) * dt_ms;
+  ms_ = static_cast<uint16_t>(ms_ + dt_ms);
+  if (--left_ > 0) return false;
+  const float per_s = 1e3f / static_cast<float>(ms_);
+  const float step_s = 1e-3f * static_cast<float>(ms_);
+  const float mean_duty = static_cast<float>(duty_ms_) * 1e-6f * per_s;
+  const float mps =
+      static_cast<float>(distance(counts, from_counts_)) * values.metres_per_count * per_s;
+  left_ = kStepSamples;
+  from_counts_ = counts;
+  duty_ms_ = 0;
+  ms_ = 0;
+  if (p.stall_duty == 0) return false;
+  const float load_duty = static_cast<float>(load) * 1e-3f;
+  return monitor_.update(mean_duty, mps, load_duty,
+                         load_duty < shared::RobotLimits<float>::free_duty(), step_s, p.dead_band,
+                         p.feed_forward, kSoonestShare * 1e-3f * static_cast<float>(p.stall_ms));
+}
+
+TrackMonitor::TrackMonitor(uint8_t first) : steps_(first) { reset(); }
+
+void TrackMonitor::reset() {
+  steps_.reset();
+  known_ = false;
+  last_counts_ = 0;
+  jumped_ms_ = 0;
+  sign_ = 0;
+  start_counts_ = 0;
+  standing_ms_ = 0;
+  first_counts_ = 0;
+  best_counts_ = 0;
+  went_back_ = false;
+}
+
+TrackMonitor::Verdict TrackMonitor::update(int16_t duty, int32_t counts, uint8_t dt_ms,
+                                           int16_t load, const MonitorValues& values,
+                                           const wire::Parameters& p) {
+  const bool missing = steps_.update(duty, counts, dt_ms, load, values, p);
+  if (jumps_again(counts, dt_ms, values) || missing) return kStalled;
+  const int16_t size = duty < 0 ? static_cast<int16_t>(-duty) : duty;
   const int8_t sign = duty > 0 ? 1 : duty < 0 ? -1 : 0;
-  if (sign == 0 || static_cast<float>(size) < p.dead_band * static_cast<float>(wire::kFullDuty)) {
+  if (sign == 0 || size < values.dead_band) {
     sign_ = 0;
     return kGood;
   }
@@ -118,36 +141,19 @@ TrackMonitor::Verdict TrackMonitor::update(int16_t duty, int32_t counts, uint16_
     best_counts_ = counts;
     went_back_ = false;
     standing_ms_ = 0;
-    step_counts_ = counts;
-    step_duty_ms_ = 0;
-    step_ms_ = 0;
-    missing_m_ = 0.0f;
     return kGood;
   }
-  if (distance(counts, best_counts_) * sign > 0) {
+  const int32_t forth = sign > 0 ? distance(counts, best_counts_) : distance(best_counts_, counts);
+  if (forth > 0) {
     best_counts_ = counts;
     went_back_ = false;
+  } else if (forth < 0) {
+    if (-forth > values.run_on_counts) return kReversed;
+    if (goes_back_again(size, counts, -forth, load, values)) return kStalled;
   }
-  // Compared in counts, and only when needed: a float operation takes an AVR a hundred cycles.
-  const int32_t back = -distance(counts, best_counts_) * sign;
-  if (back > 0) {
-    const float furthest_m = kRunOnM + kRunOnS * p.max_track_mps;
-    if (static_cast<float>(back) > furthest_m * p.counts_per_metre) return kReversed;
-    const float jump = kJumpM * p.counts_per_metre;
-    const bool ran = static_cast<float>(distance(best_counts_, first_counts_) * sign) > jump;
-    if (ran && !went_back_ && static_cast<float>(back) > jump) {
-      went_back_ = true;
-      if (again()) return kStalled;
-    }
-    // A slope or turn may move a track slowly against its duty while the speed loop brakes it.
-    const float explained = (p.dead_band + load_duty) * static_cast<float>(wire::kFullDuty);
-    if (load_duty > 0.0f && static_cast<float>(size) < explained) best_counts_ = counts;
-  }
-
-  if (missing(size, sign, counts, dt_ms, load_duty, free, p)) return kStalled;
-  const bool pushes = p.stall_duty > 0 && size >= p.stall_duty;
-  const float moved = static_cast<float>(distance(counts, start_counts_));
-  if (!pushes || magnitude(moved) > kStandingM * p.counts_per_metre) {
+  const int32_t moved = distance(counts, start_counts_);
+  const bool pushes = p.stall_duty > 0 && static_cast<uint16_t>(size) >= p.stall_duty;
+  if (!pushes || (moved < 0 ? -moved : moved) > values.standing_counts) {
     start_counts_ = counts;
     standing_ms_ = 0;
     return kGood;
@@ -156,14 +162,27 @@ TrackMonitor::Verdict TrackMonitor::update(int16_t duty, int32_t counts, uint16_
   return standing_ms_ >= p.stall_ms ? kStalled : kGood;
 }
 
-bool TrackMonitor::jumps_again(int32_t counts, uint16_t dt_ms, const wire::Parameters& p) {
+bool TrackMonitor::goes_back_again(int16_t size, int32_t counts, int32_t back, int16_t load,
+                                   const MonitorValues& values) {
+  const int32_t driven = distance(best_counts_, first_counts_);
+  const bool ran = (sign_ > 0 ? driven : -driven) > values.jump_counts;
+  if (ran && !went_back_ && back > values.jump_counts) {
+    went_back_ = true;
+    if (again()) return true;
+  }
+  // A slope or turn may move a track slowly against its duty while the speed loop brakes it.
+  if (load > 0 && size < values.dead_band + load) best_counts_ = counts;
+  return false;
+}
+
+bool TrackMonitor::jumps_again(int32_t counts, uint8_t dt_ms, const MonitorValues& values) {
   const int32_t moved = known_ ? distance(counts, last_counts_) : 0;
   known_ = true;
   last_counts_ = counts;
   jumped_ms_ = jumped_ms_ > dt_ms ? static_cast<uint16_t>(jumped_ms_ - dt_ms) : 0;
   if (moved > -kFewCounts && moved < kFewCounts) return false;
-  const float furthest_m = kJumpM + 2e-3f * p.max_track_mps * static_cast<float>(dt_ms);
-  return magnitude(static_cast<float>(moved)) > furthest_m * p.counts_per_metre && again();
+  const int32_t furthest = values.jump_counts + (values.counts_per_ms_q8 * dt_ms >> 8);
+  return (moved < 0 ? -moved : moved) > furthest && again();
 }
 
 bool TrackMonitor::again() {
@@ -171,64 +190,36 @@ bool TrackMonitor::again() {
   return jumped_ms_ < kJumpAgainMs - kOneJumpMs;
 }
 
-bool TrackMonitor::missing(uint16_t size, int8_t sign, int32_t counts, uint16_t dt_ms,
-                           float load_duty, bool free, const wire::Parameters& p) {
-  if (p.stall_duty == 0 || p.feed_forward <= 0.0f) return false;
-  step_duty_ms_ += static_cast<uint32_t>(size) * dt_ms;
-  step_ms_ = static_cast<uint16_t>(step_ms_ + dt_ms);
-  if (step_ms_ < kStepMs) return false;
-  const float step_s = static_cast<float>(step_ms_) * 1e-3f;
-  const float above = static_cast<float>(step_duty_ms_) * 1e-6f / step_s - p.dead_band;
-  const int32_t moved = distance(counts, step_counts_) * sign;
-  const float speed_duty =
-      moved <= 0 ? 0.0f
-                 : p.feed_forward * static_cast<float>(moved) / (p.counts_per_metre * step_s);
-  step_counts_ = counts;
-  step_duty_ms_ = 0;
-  step_ms_ = 0;
-  const float beyond = larger(0.0f, speed_duty - kBeyond * learned_duty_);
-  const float usual = gain_ * (speed_duty - beyond) + kMaxGain * beyond;
-  const float unexplained = above - (1.0f + kMarginShare) * usual - kMarginDuty - load_duty;
-  const float most_mps = kMissingM * 1e3f / (kSoonestShare * static_cast<float>(p.stall_ms));
-  missing_m_ = larger(0.0f, missing_m_ + smaller(unexplained / p.feed_forward, most_mps) * step_s);
-  slow_duty_ += (speed_duty - slow_duty_) * smaller(1.0f, kSlowPerS * step_s);
-  if (free) learn(above, speed_duty, load_duty, step_s, p);
-  return missing_m_ > kMissingM;
+TurnMonitor::TurnMonitor() : then_(), level_q4_(0), level_known_(false) { reset(); }
+
+void TurnMonitor::reset() {
+  balance_.restart();
+  turn_duty_ = shared::TurnDuty<float, shared::RobotLimits<float>>();
+  slope_rad_ = 0.0f;
+  slope_duty_ = 0.0f;
+  slope_load_ = 0;
+  load_ = 0;
+  left_ = 0.0f;
+  right_ = 0.0f;
+  accel_x_ = 0;
+  samples_ = 0;
 }
 
-void TrackMonitor::learn(float above, float speed_duty, float load_duty, float step_s,
-                         const wire::Parameters& p) {
-  const bool even = speed_duty > kMinMps * p.feed_forward && speed_duty > kSlowest * slow_duty_ &&
-                    speed_duty < kFastest * slow_duty_;
-  if (!even) return;
-  // A small load may act on this track or on the other, so that a sample yields only a range: a
-  // gain within it is kept.
-  const float least = smaller(kMaxGain, larger(kMinGain, (above - load_duty) / speed_duty));
-  const float most = smaller(kMaxGain, larger(kMinGain, (above + load_duty) / speed_duty));
-  const float gain = most < gain_ ? most : larger(least, gain_);
-  const float towards = smaller(1.0f, kGainDownPerS * step_s);
-  if (gain < gain_) {
-    gain_ += (gain - gain_) * towards;
-    learned_duty_ += (speed_duty - learned_duty_) * towards;
-  } else if (speed_duty > kBeyond * learned_duty_) {
-    const float before = learned_duty_;
-    learned_duty_ += (speed_duty - learned_duty_) * towards;
-    gain_ = gain + (gain_ - gain) * before / learned_duty_;
-  } else {
-    gain_ += smaller(gain - gain_, kGainUpPerS * step_s);
-  }
+void TurnMonitor::rest(int16_t accel_x) {
+  if (!level_known_) level_q4_ = static_cast<int32_t>(accel_x) * 16;
+  level_known_ = true;
+  level_q4_ += accel_x - level_q4_ / 16;
 }
-
-void TurnMonitor::reset() { *this = TurnMonitor(); }
 
 TurnMonitor::Verdict TurnMonitor::update(const TurnMark& now, int16_t accel_x, float bias_radps,
-                                         const wire::Parameters& p) {
+                                         const MonitorValues& values, const wire::Parameters& p) {
+  if (!level_known_) rest(accel_x);
   if (samples_ == 0) {
     then_ = now;
   } else {
     accel_x_ += accel_x;
   }
-  if (samples_++ < kSamples) return kGood;
+  if (samples_++ < kTurnSamples) return kGood;
   samples_ = 1;
   const float gyro_rad = turned(then_, now, true, bias_radps, p);
   const int32_t left = distance(now.left_counts, then_.left_counts);
@@ -237,42 +228,38 @@ TurnMonitor::Verdict TurnMonitor::update(const TurnMark& now, int16_t accel_x, f
   const float right_ground = static_cast<float>(right) * (1.0f - p.slip_right);
   left_ += (left_ground - left_) * kSpeedShare;
   right_ += (right_ground - right_) * kSpeedShare;
-  const float difference = gyro_rad - (right_ground - left_ground) /
-                                          (p.counts_per_metre * wheelbase_m(left_, right_, p));
+  const float track_rad =
+      (right_ground - left_ground) * values.metres_per_count / wheelbase_m(left_, right_, p);
   const int32_t both = (left < 0 ? -left : left) + (right < 0 ? -right : right);
   const float elapsed_s = static_cast<float>(distance(now.device_us, then_.device_us)) * 1e-6f;
   then_ = now;
-  const float driven_rad = 0.5f * static_cast<float>(both) / (p.counts_per_metre * p.wheelbase_m);
+  const float driven_rad = 0.5f * static_cast<float>(both) * values.turn_per_count;
   weigh(magnitude(gyro_rad), driven_rad, elapsed_s);
   const float share =
-      slope_duty_ > 0.0f ? larger(p.turn_slip_share, kObstacleShare) : p.turn_slip_share;
+      slope_load_ > 0 ? larger(p.turn_slip_share, kObstacleShare) : p.turn_slip_share;
   const float slip_rad = share * magnitude(gyro_rad) + kDistanceShare * driven_rad;
-  all_rad_ = drained(all_rad_ + difference, slip_rad);
-  slow_rad_ = drained(slow_rad_ + clamp(difference, kSlowRadps * elapsed_s), slip_rad);
-  if (magnitude(all_rad_) <= kMaxRad && magnitude(slow_rad_) <= kMaxSlowRad) return kGood;
+  if (!balance_.update(gyro_rad, track_rad, slip_rad, elapsed_s)) return kGood;
   // In a turn on the spot, the track that counts less is the faulty one.
   if ((left_ > 0.0f) != (right_ > 0.0f))
     return magnitude(left_) < magnitude(right_) ? kLeftShort : kRightShort;
   // Driving forward, a robot that turns further left than its tracks indicate has a right track
   // that counts too little.
-  const float left_turn = magnitude(all_rad_) > kMaxRad ? all_rad_ : slow_rad_;
-  return (left_turn > 0.0f) == (left_ > 0.0f) ? kRightShort : kLeftShort;
+  return balance_.leftward() == (left_ > 0.0f) ? kRightShort : kLeftShort;
 }
 
 void TurnMonitor::weigh(float turn_rad, float driven_rad, float elapsed_s) {
-  const float turning = 0.5f * turn_rad / larger(driven_rad, kSlowestRad);
-  const float share = turning < kHalfTurning
-                          ? between(turning, 0.0f, kHalfTurning, 0.0f, 0.5f)
-                          : between(turning, kHalfTurning, kFullTurning, 0.5f, 1.0f);
-  turn_duty_ = larger(kTurnDuty * share, turn_duty_ - kTurnFallPerS * elapsed_s);
-  const float pitch_rad = static_cast<float>(accel_x_) * (1.0f / (wire::kAccelLsbPerG * kSamples));
+  const float turn_duty =
+      turn_duty_.update(0.5f * turn_rad / larger(driven_rad, kSlowestRad), elapsed_s);
+  const int32_t level_x = level_q4_ * kTurnSamples / 16;
+  const float slope_rad =
+      static_cast<float>(accel_x_ - level_x) * (1.0f / (wire::kAccelLsbPerG * kTurnSamples));
   accel_x_ = 0;
-  if (!level_known_) level_rad_ = pitch_rad;
-  level_known_ = true;
-  slope_rad_ += (pitch_rad - level_rad_ - slope_rad_) * kNewSlope;
+  slope_rad_ += (slope_rad - slope_rad_) * kNewSlope;
   const float slope_duty =
       smaller(kMaxSlopeDuty, kDutyPerRad * (magnitude(slope_rad_) - kLevelRad));
   slope_duty_ = larger(larger(0.0f, slope_duty), slope_duty_ - kSlopeFallPerS * elapsed_s);
+  slope_load_ = static_cast<int16_t>(slope_duty_ * kFullDuty);
+  load_ = static_cast<int16_t>((slope_duty_ + turn_duty) * kFullDuty);
 }
 
 }  // namespace firmware

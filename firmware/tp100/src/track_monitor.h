@@ -2,95 +2,127 @@
 #ifndef TP100_FIRMWARE_TRACK_MONITOR_H
 #define TP100_FIRMWARE_TRACK_MONITOR_H
 
+#include "shared/monitors.h"
 #include "wire/messages.h"
 #include "yaw_loop.h"
 
 namespace tp100 {
 namespace firmware {
 
-/// Monitors one track, or the mean of both, for what only wiring or a blocked track can cause:
-/// standstill under power, much less motion than the duty implies, motion against the duty, or
-/// counts that jump.
+/// What follows from the parameters of a session, computed once: per sample the monitors compute
+/// with integers, since a float operation takes an AVR a hundred cycles.
+struct MonitorValues {
+  MonitorValues() = default;
+  explicit MonitorValues(const wire::Parameters& parameters);
+
+  float metres_per_count = 0.0f;
+  float turn_per_count = 0.0f;   ///< of both tracks in opposite directions, in wide turns [rad]
+  int16_t dead_band = 0;         ///< [thousandths]
+  int32_t run_on_counts = 0;     ///< a braking track may run on this far against its duty
+  int32_t jump_counts = 0;       ///< beyond what a track may move, a glitch
+  int32_t counts_per_ms_q8 = 0;  ///< twice the top speed, in 256ths
+  int32_t standing_counts = 0;   ///< a track that moves less stands
+};
+
+/// Compares the duty of a track, or the mean of both, with its distance, in steps of 16 samples.
+class DutySteps {
+ public:
+  /// Samples of the first step. Steps that end in different samples share the load.
+  explicit DutySteps(uint8_t first) : first_(first) { reset(); }
+  /// Call once per sample. `duty`: applied during the last `dt_ms` [thousandths]. `counts`: now.
+  /// `load`: duty that slopes and turns may take now, beyond straight level driving [thousandths].
+  /// True: much less motion than the duty implies.
+  bool update(int16_t duty, int32_t counts, uint8_t dt_ms, int16_t load,
+              const MonitorValues& values, const wire::Parameters& parameters);
+  /// A run begins: forgets what was learned about the track.
+  void reset();
+  /// Distance that the duty implies beyond what was counted and what the load explains. [m]
+  float missing_m() const { return monitor_.missing_m(); }
+
+ private:
+  shared::DutyMonitor<float> monitor_;
+  uint8_t first_;
+  uint8_t left_;  // samples until the step ends
+  bool known_;
+  int32_t from_counts_;
+  int32_t duty_ms_;
+  uint16_t ms_;
+};
+
+/// Monitors one track for what only wiring or a blocked track can cause: standstill under power,
+/// much less motion than the duty implies, motion against the duty, or counts that jump.
 class TrackMonitor {
  public:
   enum Verdict : uint8_t { kGood, kStalled, kReversed };
 
-  TrackMonitor();
-
-  /// Call once per sample. `duty`: applied during the last `dt_ms` [thousandths]. `counts`: now.
-  /// `load_duty`: duty that slopes and turns may take now, beyond straight level driving. [0..1]
-  /// `free`: the robot drives straight on level ground, so that the duty of a speed can be learned.
-  Verdict update(int16_t duty, int32_t counts, uint16_t dt_ms, float load_duty, bool free,
-                 const wire::Parameters& parameters);
+  /// See DutySteps.
+  explicit TrackMonitor(uint8_t first);
+  /// Call once per sample, see DutySteps::update.
+  Verdict update(int16_t duty, int32_t counts, uint8_t dt_ms, int16_t load,
+                 const MonitorValues& values, const wire::Parameters& parameters);
   /// A run begins: forgets what was learned about the track.
   void reset();
-  /// Distance that the duty implies beyond what was counted and what the load explains. [m]
-  float missing_m() const { return missing_m_; }
+  float missing_m() const { return steps_.missing_m(); }
 
  private:
   bool again();
-  bool jumps_again(int32_t counts, uint16_t dt_ms, const wire::Parameters& parameters);
-  bool missing(uint16_t size, int8_t sign, int32_t counts, uint16_t dt_ms, float load_duty,
-               bool free, const wire::Parameters& parameters);
-  void learn(float above, float speed_duty, float load_duty, float step_s,
-             const wire::Parameters& parameters);
+  bool jumps_again(int32_t counts, uint8_t dt_ms, const MonitorValues& values);
+  bool goes_back_again(int16_t size, int32_t counts, int32_t back, int16_t load,
+                       const MonitorValues& values);
 
-  /// Values above it are not learned; a run begins with it.
-  static constexpr float kMaxGain = 1.4f;
-
-  bool known_ = false;
-  int32_t last_counts_ = 0;
-  uint16_t jumped_ms_ = 0;  // time left in which another jump is a repeated one
-  int8_t sign_ = 0;
-  int32_t start_counts_ = 0;  // where the standstill began
-  uint16_t standing_ms_ = 0;
-  int32_t first_counts_ = 0;  // when the duty last changed its sign
-  int32_t best_counts_ = 0;   // furthest position in the direction of the duty
-  bool went_back_ = false;    // by a jump, since best_counts_ was reached
-  // Sums over one step of many samples.
-  int32_t step_counts_ = 0;
-  uint32_t step_duty_ms_ = 0;
-  uint16_t step_ms_ = 0;
-  float missing_m_ = 0.0f;     // distance that the duty implies beyond what was counted
-  float gain_ = kMaxGain;      // duty that the track takes, relative to the parameters
-  float learned_duty_ = 0.0f;  // duty by the parameters for the speed at which gain_ was learned
-  float slow_duty_ = 0.0f;     // duty by the parameters for its speed, over some steps
+  DutySteps steps_;
+  bool known_;
+  int32_t last_counts_;
+  uint16_t jumped_ms_;  // time left in which another jump is a repeated one
+  int8_t sign_;
+  int32_t start_counts_;  // where the standstill began
+  uint16_t standing_ms_;
+  int32_t first_counts_;  // when the duty last changed its sign
+  int32_t best_counts_;   // furthest position in the direction of the duty
+  bool went_back_;        // by a jump, since best_counts_ was reached
 };
 
-/// Compares the rotation by the gyro with the rotation by the tracks. It finds an encoder that
-/// loses counts: the yaw loop compensates for it, so that no duty shows it.
+/// Compares the rotation by the gyro with the rotation by the tracks, and finds the loads that both
+/// and the accelerometer show.
 class TurnMonitor {
  public:
   /// Which track counts too little.
   enum Verdict : uint8_t { kGood, kLeftShort, kRightShort };
 
-  /// Call once per sample while the gyro may be used; every eighth call judges. `accel_x` is the
-  /// raw IMU value, `bias_radps` the gyro's bias.
+  TurnMonitor();
+  /// Call once per sample at rest, before the first motion of a run: the robot is level as it
+  /// stands then. `accel_x` is the raw IMU value.
+  void rest(int16_t accel_x);
+  /// Call once per sample while the robot runs and the gyro may be used; every eighth call judges.
+  /// `bias_radps`: of the gyro.
   Verdict update(const TurnMark& now, int16_t accel_x, float bias_radps,
-                 const wire::Parameters& parameters);
-  /// Forgets everything before this call.
+                 const MonitorValues& values, const wire::Parameters& parameters);
+  /// Forgets everything before this call but the level.
   void reset();
-  /// Duty that one track may take for a slope or an obstacle, now or shortly before.
-  float slope_duty() const { return slope_duty_; }
-  /// Duty for scrubbing in a turn; the other track needs that much less if it runs in the same
-  /// direction.
-  float turn_duty() const { return turn_duty_; }
+  /// No call of update() since reset().
+  bool idle() const { return samples_ == 0; }
+  /// Duty that one track may take for a slope or an obstacle, now or shortly before. [thousandths]
+  int16_t slope_load() const { return slope_load_; }
+  /// The same, and for scrubbing in a turn; the other track needs that much less if it runs in the
+  /// same direction.
+  int16_t load() const { return load_; }
 
  private:
   void weigh(float turn_rad, float driven_rad, float elapsed_s);
 
-  TurnMark then_ = {};
-  float all_rad_ = 0.0f;   // gyro minus tracks, minus what slip explains
-  float slow_rad_ = 0.0f;  // the same with its rate limited, so that a disturbance adds little
-  bool level_known_ = false;
-  float level_rad_ = 0.0f;  // pitch by the accelerometer when the robot started
-  float slope_rad_ = 0.0f;
-  float slope_duty_ = 0.0f;
-  float turn_duty_ = 0.0f;
-  float left_ = 0.0f;  // counts per step, less slip, averaged over some steps
-  float right_ = 0.0f;
-  int32_t accel_x_ = 0;  // sum over the step
-  uint8_t samples_ = 0;
+  TurnMark then_;
+  shared::TurnBalance<float, shared::RobotLimits<float>> balance_;
+  shared::TurnDuty<float, shared::RobotLimits<float>> turn_duty_;
+  int32_t level_q4_ = 0;  // mean accel_x at rest, in 16ths
+  bool level_known_;
+  float slope_rad_;
+  float slope_duty_;
+  int16_t slope_load_;
+  int16_t load_;
+  float left_;  // counts per step, less slip, averaged over some steps
+  float right_;
+  int32_t accel_x_;  // sum over the step
+  uint8_t samples_;
 };
 
 }  // namespace firmware

@@ -15,6 +15,7 @@ namespace firmware {
 class Tracks {
  public:
   struct Track {
+    explicit Track(uint8_t first) : monitor(first) {}
     SpeedLoop loop;
     TrackMonitor monitor;
     int32_t counts = 0;
@@ -27,13 +28,12 @@ class Tracks {
   };
 
   /// `parameters` are those of the session.
-  Tracks(Hal& hal, FailSafe& fail_safe, const wire::Parameters& parameters)
-      : hal_(hal), fail_safe_(fail_safe), parameters_(parameters) {}
+  Tracks(Hal& hal, FailSafe& fail_safe, const wire::Parameters& parameters);
 
   const Track& left() const { return left_; }
   const Track& right() const { return right_; }
 
-  /// New parameters: forgets where the tracks were.
+  /// The parameters have changed.
   void restart();
   /// A run begins: as stop(), and forgets the targets and what the monitors learned.
   void begin();
@@ -42,16 +42,19 @@ class Tracks {
 
   /// Reads both counts. Returns their device time. [us]
   uint32_t read();
-  /// Updates the tracks' speeds, `dt_us` after the last call.
-  void measure(uint16_t dt_us);
+  /// Updates the tracks' speeds.
+  void measure(const TurnHistory& history);
   /// Judges each track and their mean by the duty of the last `dt_ms`.
-  Verdicts check(uint16_t dt_ms);
+  Verdicts check(uint8_t dt_ms);
+  /// The robot rests, see TurnMonitor::rest.
+  void rest(int16_t accel_x) { turn_monitor_.rest(accel_x); }
   /// Judges both by the gyro, while it may be used; see TurnMonitor::update.
   Verdicts check_turn(const TurnMark& now, int16_t accel_x, float bias_radps);
   /// Restarts the check by the gyro; call while the gyro may not be used.
   void forget_turn() { turn_monitor_.reset(); }
-  /// Moves the tracks' targets towards `wanted` and applies the duties.
-  void drive(const TrackSpeeds& wanted, uint16_t dt_us);
+  /// Moves the tracks' targets towards this ground speed and turn rate, within their limits, and
+  /// applies the duties.
+  void drive(float speed_mps, float turn_radps, uint16_t dt_us);
 
  private:
   bool has(wire::ParameterFlag flag) const { return (parameters_.flags & flag) != 0; }
@@ -60,10 +63,14 @@ class Tracks {
   Hal& hal_;
   FailSafe& fail_safe_;
   const wire::Parameters& parameters_;
+  MonitorValues values_;
+  SpeedGains gains_;
+  shared::SkidSteer<float> skid_steer_;
   Track left_;
   Track right_;
-  TrackMonitor mean_monitor_;
+  DutySteps mean_steps_;
   TurnMonitor turn_monitor_;
+  uint8_t phase_ = 0;  // of the samples, modulo those of the turn monitor
   TrackSpeeds target_ = {};
 };
 

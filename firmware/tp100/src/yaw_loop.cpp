@@ -1,10 +1,16 @@
 #include "yaw_loop.h"
 
-#include "number.h"
+#include "shared/number.h"
 
 namespace tp100 {
 namespace firmware {
 namespace {
+
+using shared::clamp;
+using shared::distance;
+
+// Samples over which the mean speed is taken.
+const uint8_t kWindow = 8;
 
 const uint32_t kTimeUnits = 0x1FFFFFFFUL;  // micros() in units of 8 us wraps here
 const float kSecondsPerUnit = 8e-6f;
@@ -33,6 +39,30 @@ const TurnMark* TurnHistory::find(uint16_t sequence) const {
   return back < size_ ? &marks_[sequence % kCapacity] : nullptr;
 }
 
+const TurnMark& TurnHistory::ago(uint8_t samples) const {
+  const uint8_t back = samples < size_ ? samples : static_cast<uint8_t>(size_ - 1);
+  return marks_[static_cast<uint16_t>(last_sequence_ - back) % kCapacity];
+}
+
+TrackMotion TurnHistory::motion(float metres_per_count) const {
+  TrackMotion motion = {};
+  if (size_ == 0) return motion;
+  const TurnMark& before = ago(1);
+  const TurnMark& then = ago(kWindow);
+  motion.left_m =
+      static_cast<float>(distance(newest_.left_counts, before.left_counts)) * metres_per_count;
+  motion.right_m =
+      static_cast<float>(distance(newest_.right_counts, before.right_counts)) * metres_per_count;
+  const int32_t window_us = distance(newest_.device_us, then.device_us);
+  if (window_us <= 0) return motion;
+  const float mps_per_count = metres_per_count * 1e6f / static_cast<float>(window_us);
+  motion.speeds.left =
+      static_cast<float>(distance(newest_.left_counts, then.left_counts)) * mps_per_count;
+  motion.speeds.right =
+      static_cast<float>(distance(newest_.right_counts, then.right_counts)) * mps_per_count;
+  return motion;
+}
+
 float turned(const TurnMark& then, const TurnMark& now, bool use_gyro, float gyro_bias_radps,
              const wire::Parameters& p) {
   if (use_gyro) {
@@ -47,23 +77,7 @@ float turned(const TurnMark& then, const TurnMark& now, bool use_gyro, float gyr
 }
 
 float turn_rate(float error_rad, float feed_forward_radps, const wire::Parameters& p) {
-  return clamp(feed_forward_radps + p.yaw_kp * wrap_angle(error_rad), p.max_yaw_radps);
-}
-
-TrackSpeeds track_speeds(float speed_mps, float yaw_rate_radps, const wire::Parameters& p) {
-  const float left_traction = 1.0f - p.slip_left;
-  const float right_traction = 1.0f - p.slip_right;
-  const float left_limit = p.max_track_mps * left_traction;
-  const float right_limit = p.max_track_mps * right_traction;
-  const float arc = clamp(yaw_rate_radps * p.wheelbase_m * 0.5f, (left_limit + right_limit) * 0.5f);
-  // Range of ground speeds at which each track stays within its limit while the turn rate is kept.
-  const float slowest = larger(arc - left_limit, -arc - right_limit);
-  const float fastest = smaller(arc + left_limit, -arc + right_limit);
-  const float speed = larger(slowest, smaller(fastest, speed_mps));
-  // Finite values are within the limit already; a NaN must become a standstill.
-  const TrackSpeeds result = {clamp((speed - arc) / left_traction, p.max_track_mps),
-                              clamp((speed + arc) / right_traction, p.max_track_mps)};
-  return result;
+  return clamp(feed_forward_radps + p.yaw_kp * shared::wrap_angle(error_rad), p.max_yaw_radps);
 }
 
 TrackSpeeds approach(const TrackSpeeds& from, const TrackSpeeds& to, float step) {

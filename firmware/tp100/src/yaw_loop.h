@@ -7,6 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "shared/skid_steer.h"
 #include "wire/messages.h"
 
 namespace tp100 {
@@ -20,6 +21,16 @@ struct TurnMark {
   int32_t right_counts;
 };
 
+/// Track speeds, forward positive. [m/s]
+typedef shared::TrackPair<float> TrackSpeeds;
+
+/// Motion of both tracks at one sample.
+struct TrackMotion {
+  float left_m;  ///< since the sample before
+  float right_m;
+  TrackSpeeds speeds;  ///< mean over the last eight samples
+};
+
 /// Marks of the last samples, looked up by the sequence that a command answers.
 class TurnHistory {
  public:
@@ -29,10 +40,14 @@ class TurnHistory {
   /// Mark of that sample, or null if it was never sent or has been overwritten.
   const TurnMark* find(uint16_t sequence) const;
   const TurnMark& newest() const { return newest_; }
+  /// Motion up to the newest sample. What happened before the first sample is no motion.
+  TrackMotion motion(float metres_per_count) const;
   /// Forgets all samples (a new session).
   void clear() { size_ = 0; }
 
  private:
+  const TurnMark& ago(uint8_t samples) const;
+
   static const uint8_t kCapacity = 64;
   TurnMark marks_[kCapacity] = {};
   TurnMark newest_ = {};
@@ -49,16 +64,6 @@ float turned(const TurnMark& then, const TurnMark& now, bool use_gyro, float gyr
 /// Turn rate that reduces `error_rad` (desired yaw - current yaw), limited to max_yaw_radps.
 /// [rad/s]
 float turn_rate(float error_rad, float feed_forward_radps, const wire::Parameters& parameters);
-
-/// Track speeds, forward positive. [m/s]
-struct TrackSpeeds {
-  float left;
-  float right;
-};
-
-/// Track speeds for a ground speed and a turn rate, within max_track_mps. If they exceed it, the
-/// speed is reduced and the turn rate kept: a robot that cannot keep up still steers.
-TrackSpeeds track_speeds(float speed_mps, float yaw_rate_radps, const wire::Parameters& parameters);
 
 /// `from` moved towards `to`, each track by at most `step`. [m/s]
 TrackSpeeds approach(const TrackSpeeds& from, const TrackSpeeds& to, float step);

@@ -39,42 +39,48 @@ const size_t kMaxPayload = 96;
 const size_t kMaxBody = 1 + kMaxPayload + 2;
 /// Largest frame on the wire: COBS adds one byte to a body this short, and the delimiter follows.
 const size_t kMaxFrame = kMaxBody + 2;
-// encode_frame() writes one code byte per block and never needs 0xFF, which codes a block without a
+// CobsWriter writes one code byte per block and never needs 0xFF, which codes a block without a
 // zero.
 static_assert(kMaxBody < 254, "a longer body needs COBS blocks of code 0xFF");
+
+/// Writes a body as COBS: each code byte is the distance to the next zero, which it replaces.
+class CobsWriter {
+ public:
+  explicit CobsWriter(uint8_t* out) : code_at_(out), at_(out + 1) {}
+  void put(uint8_t byte) {
+    if (byte != 0) {
+      *at_++ = byte;
+      return;
+    }
+    *code_at_ = static_cast<uint8_t>(at_ - code_at_);
+    code_at_ = at_++;
+  }
+  /// Returns the end of the frame.
+  uint8_t* finish() {
+    *code_at_ = static_cast<uint8_t>(at_ - code_at_);
+    *at_++ = kDelimiter;
+    return at_;
+  }
+
+ private:
+  uint8_t* code_at_;
+  uint8_t* at_;
+};
 
 /// Encodes one frame into `out` (room for kMaxFrame bytes). Returns its length with the delimiter,
 /// or 0 if `size` exceeds kMaxPayload. No allocation; safe in the real-time thread.
 inline size_t encode_frame(uint8_t type, const uint8_t* payload, size_t size, uint8_t* out) {
   if (size > kMaxPayload) return 0;
+  CobsWriter writer(out);
   uint16_t crc = crc16_update(kCrcInitial, type);
-  crc = crc16(payload, size, crc);
-
-  size_t code_at = 0;
-  size_t at = 1;
-  uint8_t code = 1;
-  const size_t body = 1 + size + 2;
-  for (size_t i = 0; i < body; ++i) {
-    uint8_t byte;
-    if (i == 0) {
-      byte = type;
-    } else if (i <= size) {
-      byte = payload[i - 1];
-    } else {
-      byte = static_cast<uint8_t>(i == size + 1 ? (crc & 0xFF) : (crc >> 8));
-    }
-    if (byte == 0) {
-      out[code_at] = code;
-      code_at = at++;
-      code = 1;
-    } else {
-      out[at++] = byte;
-      ++code;
-    }
+  writer.put(type);
+  for (const uint8_t* end = payload + size; payload != end; ++payload) {
+    crc = crc16_update(crc, *payload);
+    writer.put(*payload);
   }
-  out[code_at] = code;
-  out[at++] = kDelimiter;
-  return at;
+  writer.put(static_cast<uint8_t>(crc & 0xFF));
+  writer.put(static_cast<uint8_t>(crc >> 8));
+  return static_cast<size_t>(writer.finish() - out);
 }
 
 /// Result of one received byte.
@@ -101,7 +107,7 @@ class FrameDecoder {
       buffer_[used_++] = byte;
       return DecodeResult::kNothing;
     }
-    const size_t coded = used_;
+    const uint8_t coded = used_;
     const bool skipped = skipping_;
     used_ = 0;
     skipping_ = false;
@@ -121,26 +127,29 @@ class FrameDecoder {
 
  private:
   // Decodes in place: the write index never passes the read index.
-  DecodeResult finish(size_t coded) {
-    size_t read = 0;
-    size_t write = 0;
-    while (read < coded) {
-      const uint8_t code = buffer_[read++];
-      if (static_cast<size_t>(code - 1) > coded - read) return DecodeResult::kCobs;
-      for (uint8_t i = 1; i < code; ++i) buffer_[write++] = buffer_[read++];
-      if (code != 0xFF && read < coded) buffer_[write++] = 0;
+  DecodeResult finish(uint8_t coded) {
+    const uint8_t* read = buffer_;
+    const uint8_t* const end = buffer_ + coded;
+    uint8_t* write = buffer_;
+    while (read != end) {
+      uint8_t code = *read++;
+      if (static_cast<uint8_t>(code - 1) > end - read) return DecodeResult::kCobs;
+      while (--code != 0) *write++ = *read++;
+      // No frame needs the code 0xFF, see above.
+      if (read != end) *write++ = 0;
     }
-    if (write < 3) return DecodeResult::kShort;
-    const uint16_t sent = static_cast<uint16_t>(buffer_[write - 2] |
-                                                (static_cast<uint16_t>(buffer_[write - 1]) << 8));
-    if (crc16(buffer_, write - 2) != sent) return DecodeResult::kCrc;
+    const uint8_t size = static_cast<uint8_t>(write - buffer_);
+    if (size < 3) return DecodeResult::kShort;
+    const uint16_t sent =
+        static_cast<uint16_t>(write[-2] | (static_cast<uint16_t>(write[-1]) << 8));
+    if (crc16(buffer_, size - 2U) != sent) return DecodeResult::kCrc;
     type_ = buffer_[0];
-    size_ = write - 3;
+    size_ = size - 3U;
     return DecodeResult::kFrame;
   }
 
   uint8_t buffer_[kMaxFrame] = {};
-  size_t used_ = 0;
+  uint8_t used_ = 0;
   bool skipping_ = false;
   uint8_t type_ = 0;
   size_t size_ = 0;

@@ -1,0 +1,78 @@
+// What the firmware takes of an ATmega2560, in cycles of the emulated chip.
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "board_rig.h"
+#include "chip_time.h"
+
+namespace tp100::sim {
+namespace {
+
+constexpr double kCountsPerMetre = 11140.0;
+constexpr double kSampleCycles = AvrCore::kHz / 200.0;
+
+double mps_of_edges(double per_channel_hz) { return 2.0 * per_channel_hz / kCountsPerMetre; }
+
+/// Drives with every monitor at work: 200 Hz samples, 100 Hz commands, and edges of top speed.
+struct Drive {
+  explicit Drive(AvrRig& rig) : any(rig.board.core(), InterruptTime::kAny), loop(rig.board.core()) {
+    rig.drive(0.18f);
+    rig.forced_mps = 0.2;
+    rig.run(300);
+    const CpuCycles cycles = rig.board.core().cycle(), slept = loop.slept();
+    const std::uint64_t interrupts = any.runs();
+    loop.clear();
+    rig.run(1000);
+    const auto took = static_cast<double>(rig.board.core().cycle() - cycles);
+    const auto entries =
+        static_cast<double>((any.runs() - interrupts) * InterruptTime::kEntryCycles);
+    busy = 1.0 - (static_cast<double>(loop.slept() - slept) - entries) / took;
+  }
+  InterruptTime any;
+  LoopTime loop;
+  double busy = 0.0;
+};
+
+bool keeps_count(double per_channel_hz) {
+  AvrRig rig;
+  if (!rig.boot()) return false;
+  rig.be_ready();
+  rig.forced_mps = mps_of_edges(per_channel_hz);
+  rig.run(300);
+  rig.forced_mps = 0.0;
+  rig.run(200);
+  return rig.last().left_counts == rig.left.counts() &&
+         rig.last().right_counts == rig.right.counts() && rig.board.counters().rx_overruns == 0;
+}
+
+// With less time left, a sample or a command would be late whenever the host sends more.
+TEST(FirmwareBudget, DrivingLeavesHalfOfTheProcessor) {
+  AvrRig rig;
+  ASSERT_TRUE(rig.boot());
+  const Drive drive(rig);
+  ASSERT_EQ(rig.state(), wire::State::kRunning);
+  std::printf("busy %.1f %%, a sample %.0f cycles, longest pass %.2f ms\n", 100.0 * drive.busy,
+              drive.busy * kSampleCycles,
+              1e3 * static_cast<double>(drive.loop.longest()) / AvrCore::kHz);
+  EXPECT_LE(drive.busy, 0.45);
+  EXPECT_LE(static_cast<double>(drive.loop.longest()) / AvrCore::kHz, 2.5e-3);
+}
+
+// An encoder of a faster robot loses edges above this rate, and the pose is wrong unnoticed.
+TEST(FirmwareBudget, CountsEveryEdgeOfFourFastChannels) {
+  AvrRig rig;
+  ASSERT_TRUE(rig.boot());
+  const InterruptTime left(rig.board.core(), 5), right(rig.board.core(), 4);
+  rig.be_ready();
+  rig.forced_mps = mps_of_edges(10'000.0);
+  rig.run(200);
+  std::printf("encoder interrupt %d cycles\n",
+              static_cast<int>(std::max(left.longest(), right.longest())));
+  EXPECT_LE(std::max(left.longest(), right.longest()), 87U);
+  EXPECT_TRUE(keeps_count(16'900.0));
+}
+
+}  // namespace
+}  // namespace tp100::sim
