@@ -9,7 +9,7 @@
 namespace tp100::sim {
 namespace {
 
-constexpr double kLeansRad = 4.0 * kRadPerDeg;
+constexpr double kOnSlopeRad = 4.0 * kRadPerDeg;
 constexpr double kLastsS = 0.2;
 // Longest delay of a state behind the body that still belongs to the same change.
 constexpr double kBelongsS = 1.0;
@@ -20,7 +20,7 @@ constexpr double kRobotM = 0.15;
 constexpr double kClassifiedWithinS = 0.5;
 
 Slope slope_of(const Pose& pose) {
-  if (std::abs(pose.pitch_rad) <= kLeansRad) return Slope::kFlat;
+  if (std::abs(pose.pitch_rad) <= kOnSlopeRad) return Slope::kFlat;
   return pose.pitch_rad < 0.0 ? Slope::kUp : Slope::kDown;
 }
 
