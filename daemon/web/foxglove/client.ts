@@ -77,7 +77,7 @@ export class Client {
     if (id === undefined) return;
     this.subscribed.delete(topic);
     this.subscriptions.delete(id);
-    this.connection.send(codec.unsubscribe([id]));
+    this.connection.send(JSON.stringify({ op: 'unsubscribe', subscriptionIds: [id] }));
   }
 
   /** Rejects if there is no server, it has no such service, it refuses, or the connection ends first. */
@@ -93,7 +93,7 @@ export class Client {
   }
 
   setParameter(name: string, value: number | boolean | string): void {
-    this.connection.send(codec.setParameter(name, value));
+    this.connection.send(JSON.stringify({ op: 'setParameters', parameters: [{ name, value }] }));
   }
 
   retryNow(): void {
@@ -107,42 +107,36 @@ export class Client {
 
   private text(frame: string): void {
     const message = codec.parseText(frame);
-    switch (message?.op) {
+    switch (message.op) {
       case 'serverInfo':
-        this.events.serverInfo({ sessionId: message.sessionId, metadata: message.metadata });
+        this.events.serverInfo({ sessionId: codec.text(message.sessionId), metadata: codec.texts(message.metadata) });
         break;
       case 'advertise':
-        for (const { id, topic } of message.channels) this.channels.set(topic, id);
+        for (const [topic, id] of codec.ids(message.channels, 'topic')) this.channels.set(topic, id);
         if (this.isReady) this.subscribeNow([...this.listeners.keys()]);
         break;
       case 'advertiseServices':
-        for (const { id, name } of message.services) this.services.set(name, id);
+        for (const [name, id] of codec.ids(message.services, 'name')) this.services.set(name, id);
         if (this.isReady) break;
         this.isReady = true;
         this.events.ready();
         this.subscribeNow([...this.listeners.keys()]);
         break;
       case 'serviceCallFailure':
-        this.settle(message.callId)?.reject(new Error(message.message));
+        this.settle(message.callId)?.reject(new Error(codec.text(message.message)));
         break;
       case 'status':
-        this.events.status?.(message.level, message.message);
-        break;
-      case undefined:
+        this.events.status?.(Number(message.level) || 0, codec.text(message.message));
         break;
     }
   }
 
   private binary(frame: ArrayBuffer): void {
     const message = codec.parseBinary(frame);
-    if (message?.op === 'message') {
-      const listener = this.subscriptions.get(message.subscriptionId);
-      if (listener === undefined) return;
-      const content = this.json(message.payload);
-      if (content !== undefined) listener(content);
-    } else if (message?.op === 'serviceResponse') {
-      this.settle(message.callId)?.resolve(this.json(message.payload));
-    }
+    if (message === undefined) return;
+    const content = this.json(message.payload);
+    if (message.op === 'response') this.settle(message.id)?.resolve(content);
+    else if (content !== undefined) this.subscriptions.get(message.id)?.(content);
   }
 
   private json(payload: Uint8Array): unknown {
@@ -165,12 +159,12 @@ export class Client {
       this.subscribed.set(topic, id);
       wanted.push({ id, channelId });
     }
-    if (wanted.length > 0) this.connection.send(codec.subscribe(wanted));
+    if (wanted.length > 0) this.connection.send(JSON.stringify({ op: 'subscribe', subscriptions: wanted }));
   }
 
-  private settle(id: number): Call | undefined {
-    const call = this.calls.get(id);
-    this.calls.delete(id);
+  private settle(id: unknown): Call | undefined {
+    const call = this.calls.get(id as number);
+    this.calls.delete(id as number);
     return call;
   }
 

@@ -1,116 +1,55 @@
 // Encodes and decodes the Foxglove WebSocket protocol. Integers are little-endian. Server input is
-// validated here: anything malformed becomes undefined.
+// validated here: what is malformed is left out.
 
 export const kSubprotocols = ['foxglove.sdk.v1', 'foxglove.websocket.v1'];
 
-export interface Channel {
+/** A binary frame of the server: a message of a subscription, or the response to a call. */
+export interface ServerBinary {
+  op: 'message' | 'response';
+  /** Of the subscription, or of the call. */
   id: number;
-  topic: string;
+  /** A view into the frame. */
+  payload: Uint8Array;
 }
-
-export interface Service {
-  id: number;
-  name: string;
-}
-
-export type ServerText =
-  | { op: 'serverInfo'; sessionId: string; metadata: Record<string, string> }
-  | { op: 'advertise'; channels: Channel[] }
-  | { op: 'advertiseServices'; services: Service[] }
-  | { op: 'serviceCallFailure'; callId: number; message: string }
-  | { op: 'status'; level: number; message: string };
-
-export type ServerBinary =
-  | { op: 'message'; subscriptionId: number; payload: Uint8Array }
-  | { op: 'serviceResponse'; callId: number; payload: Uint8Array };
 
 type Dictionary = Record<string, unknown>;
 
 const isObject = (value: unknown): value is Dictionary =>
   typeof value === 'object' && value !== null && !Array.isArray(value);
 const isId = (value: unknown): value is number => Number.isSafeInteger(value) && (value as number) >= 0;
-const text = (value: unknown): string => (typeof value === 'string' ? value : '');
-const list = (value: unknown): Dictionary[] => (Array.isArray(value) ? value.filter(isObject) : []);
 
-/** A text frame of the server; undefined if it is malformed or irrelevant to a viewer. */
-export function parseText(frame: string): ServerText | undefined {
-  let message: unknown;
+/** A text; empty for anything else. */
+export const text = (value: unknown): string => (typeof value === 'string' ? value : '');
+
+/** The texts of an object by their keys. */
+export const texts = (value: unknown): Record<string, string> =>
+  isObject(value) ? Object.fromEntries(Object.entries(value).map(([key, each]) => [key, text(each)])) : {};
+
+/** The ids of a list's entries by the text in their field `key`; entries without a usable id are left out. */
+export function ids(list: unknown, key: string): [name: string, id: number][] {
+  const entries: unknown[] = Array.isArray(list) ? list : [];
+  return entries.flatMap((each): [string, number][] => (isObject(each) && isId(each.id) ? [[text(each[key]), each.id]] : []));
+}
+
+/** The object that a text frame holds; empty if it holds none. */
+export function parseText(frame: string): Dictionary {
   try {
-    message = JSON.parse(frame);
+    const message: unknown = JSON.parse(frame);
+    return isObject(message) ? message : {};
   } catch {
-    return undefined;
-  }
-  if (!isObject(message)) return undefined;
-  switch (message.op) {
-    case 'serverInfo':
-      return {
-        op: 'serverInfo',
-        sessionId: text(message.sessionId),
-        metadata: isObject(message.metadata)
-          ? Object.fromEntries(Object.entries(message.metadata).map(([key, value]) => [key, text(value)]))
-          : {},
-      };
-    case 'advertise':
-      return {
-        op: 'advertise',
-        channels: list(message.channels)
-          .filter((channel) => isId(channel.id))
-          .map((channel) => ({ id: channel.id as number, topic: text(channel.topic) })),
-      };
-    case 'advertiseServices':
-      return {
-        op: 'advertiseServices',
-        services: list(message.services)
-          .filter((service) => isId(service.id))
-          .map((service) => ({ id: service.id as number, name: text(service.name) })),
-      };
-    case 'serviceCallFailure':
-      if (!isId(message.callId)) return undefined;
-      return { op: 'serviceCallFailure', callId: message.callId, message: text(message.message) };
-    case 'status':
-      return { op: 'status', level: Number(message.level) || 0, message: text(message.message) };
-    default:
-      return undefined;
+    return {};
   }
 }
 
-/** A binary frame of the server; the payload is a view into `frame`. */
+/** Undefined if the frame is malformed or irrelevant to a viewer. */
 export function parseBinary(frame: ArrayBuffer): ServerBinary | undefined {
   const view = new DataView(frame);
-  if (view.byteLength < 1) return undefined;
-  switch (view.getUint8(0)) {
-    case 1:
-      if (view.byteLength < 13) return undefined;
-      return {
-        op: 'message',
-        subscriptionId: view.getUint32(1, true),
-        payload: new Uint8Array(frame, 13),
-      };
-    case 3: {
-      if (view.byteLength < 13) return undefined;
-      const length = view.getUint32(9, true);
-      if (length > view.byteLength - 13) return undefined;
-      return {
-        op: 'serviceResponse',
-        callId: view.getUint32(5, true),
-        payload: new Uint8Array(frame, 13 + length),
-      };
-    }
-    default:
-      return undefined;
-  }
-}
-
-export function subscribe(subscriptions: { id: number; channelId: number }[]): string {
-  return JSON.stringify({ op: 'subscribe', subscriptions });
-}
-
-export function unsubscribe(subscriptionIds: number[]): string {
-  return JSON.stringify({ op: 'unsubscribe', subscriptionIds });
-}
-
-export function setParameter(name: string, value: number | boolean | string): string {
-  return JSON.stringify({ op: 'setParameters', parameters: [{ name, value }] });
+  if (view.byteLength < 13) return undefined;
+  const op = view.getUint8(0);
+  if (op === 1) return { op: 'message', id: view.getUint32(1, true), payload: new Uint8Array(frame, 13) };
+  const encoding_bytes = view.getUint32(9, true);
+  if (op !== 3 || encoding_bytes > view.byteLength - 13) return undefined;
+  return { op: 'response', id: view.getUint32(5, true), payload: new Uint8Array(frame, 13 + encoding_bytes) };
 }
 
 /** A service call with a JSON request. */

@@ -52,11 +52,9 @@ export class Connection {
     return this.isOpen;
   }
 
-  /** False if there is no connection. */
-  send(data: string | ArrayBuffer): boolean {
-    if (!this.isOpen || this.socket === undefined) return false;
-    this.socket.send(data);
-    return true;
+  /** Does nothing without a connection. */
+  send(data: string | ArrayBuffer): void {
+    if (this.isOpen) this.socket?.send(data);
   }
 
   /** Retries at once instead of waiting. */

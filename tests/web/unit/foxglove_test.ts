@@ -5,33 +5,17 @@ import * as codec from '../../../daemon/web/foxglove/codec.ts';
 import { Connection, kFirstRetry_ms, kLongestRetry_ms, kOpening_ms, kSilence_ms } from '../../../daemon/web/foxglove/connection.ts';
 import { answer, FakeDaemon, message } from './fake_daemon.ts';
 
-describe('a text frame', () => {
-  it('names channels and services, and what has no usable id is left out', () => {
-    const channels = [{ id: 3, topic: '/state', encoding: 'json', schemaName: 'tp100.State', schema: '{}' }, { id: -1, topic: '/a' }, { topic: '/b' }, 7, null, { id: 1.5 }];
-    expect(codec.parseText(JSON.stringify({ op: 'advertise', channels }))).toEqual({
-      op: 'advertise',
-      channels: [{ id: 3, topic: '/state' }],
-    });
-    expect(codec.parseText('{"op":"advertiseServices","services":[{"id":1,"name":"stop","type":"x"}]}')).toEqual({ op: 'advertiseServices', services: [{ id: 1, name: 'stop' }] });
-  });
-
-  it.each(['', '{', '[]', 'null', '7', '{"op":5}', '{"op":"unheard"}', '{"op":"serviceCallFailure","callId":"1"}'])('%j is ignored', (frame) => {
-    expect(codec.parseText(frame)).toBeUndefined();
-  });
-});
-
-describe('a binary frame', () => {
-  it('carries subscription and payload, and is ignored when it is cut short, lies about a length or is of another kind', () => {
+describe('a frame', () => {
+  it('in binary carries subscription and payload, and is ignored when it is cut short, lies about a length or is of another kind', () => {
     const whole = message(7, { x: 1 });
     const parsed = codec.parseBinary(whole);
-    if (parsed?.op !== 'message') throw new Error('no message');
-    expect(parsed.subscriptionId).toBe(7);
-    expect(new TextDecoder().decode(parsed.payload)).toBe('{"x":1}');
+    expect(parsed).toMatchObject({ op: 'message', id: 7 });
+    expect(new TextDecoder().decode(parsed?.payload)).toBe('{"x":1}');
     for (let length = 0; length < 13; length++) expect(codec.parseBinary(whole.slice(0, length))).toBeUndefined();
     const lies = new DataView(answer(1, {}));
     lies.setUint32(9, 0xffffffff, true);
     expect(codec.parseBinary(lies.buffer)).toBeUndefined();
-    expect(codec.parseBinary(new Uint8Array([200, 0, 0]).buffer)).toBeUndefined();
+    expect(codec.parseBinary(new Uint8Array(20).fill(200).buffer)).toBeUndefined();
   });
 
   it('of a service call has the layout that servers expect', () => {
@@ -108,6 +92,21 @@ describe('a client', () => {
   beforeEach(() => {
     events = { serverInfo: vi.fn(), ready: vi.fn(), closed: vi.fn() };
     client = new Client(daemon.make, events, () => Date.now());
+  });
+
+  it('leaves out what is malformed, and channels without a usable id', async () => {
+    const told = vi.fn();
+    events.serverInfo = told;
+    client.subscribe('/b', vi.fn());
+    for (const frame of ['', '{', '[]', 'null', '7', '{"op":5}', '{"op":"unheard"}', '{"op":"advertise","channels":7}', '{"op":"serverInfo","metadata":[]}']) daemon.newest.say(frame);
+    expect(told).toHaveBeenCalledWith({ sessionId: '', metadata: {} });
+    daemon.newest.json({ op: 'advertise', channels: [{ id: -1, topic: '/b' }, { topic: '/b' }, 7, null, { id: 1.5, topic: '/b' }, { id: 1 }] });
+    daemon.newest.greet();
+    expect(daemon.newest.sent).toEqual([]);
+    const called = client.call('stop');
+    daemon.newest.json({ op: 'serviceCallFailure', callId: '1' });
+    daemon.newest.say(answer(1, {}));
+    await expect(called).resolves.toEqual({});
   });
 
   it('subscribes by topic, hands messages to their listener, and subscribes anew after a reconnection', () => {
