@@ -19,17 +19,15 @@ export interface Piece {
   readonly range: readonly [number, number] | undefined;
 }
 
-type Path = (string | number)[];
-
 export class CourseText {
   private readonly pieces_ = new Map<string, Piece[]>();
 
   /** Throws a SyntaxError for text that is not TOML. */
   constructor(readonly text: string) {
     const [root] = parseTOML(text, { tomlVersion: '1.0.0' }).body;
-    this.take([], root.body.filter((each) => each.type === 'TOMLKeyValue'), undefined);
+    this.take('', root.body.filter((each) => each.type === 'TOMLKeyValue'));
     for (const each of root.body) {
-      if (each.type === 'TOMLTable') this.take(each.resolvedKey, each.body, each.range);
+      if (each.type === 'TOMLTable') this.take(String(each.resolvedKey[0]), each.body, each.range);
     }
   }
 
@@ -58,21 +56,14 @@ export class CourseText {
     return edits.reduce((text, { from, to, text: by }) => text.slice(0, from) + by + text.slice(to), this.text);
   }
 
-  /** The text with one more table, after `after` or the last one of its name. */
-  added(table: PieceTable, values: Readonly<Record<string, Value>>, after: Piece | undefined = this.all(table).at(-1)): string {
-    const body = block(`[[${table}]]`, values);
-    if (after !== undefined && after.range === undefined) throw inOneLine(after);
-    const fence = this.one('fence').range;
-    const at = after?.range !== undefined ? this.lineEnd(after.range[1]) : fence === undefined ? this.text.length : this.above(fence[0]);
+  /** The text with one more table, before the one of its name at `index`, or after the last one. */
+  added(table: PieceTable, values: Readonly<Record<string, Value>>, index = this.all(table).length): string {
+    const last = this.all(table).at(-1);
+    if (last !== undefined && last.range === undefined) throw inOneLine(last);
+    const before = this.all(table)[index]?.range ?? (last === undefined ? this.one('fence').range : undefined);
+    const at = before !== undefined ? this.above(before[0]) : last?.range !== undefined ? this.lineEnd(last.range[1]) : this.text.length;
+    const body = `[[${table}]]\n${Object.entries(values).map(([key, value]) => line(key, value)).join('')}`;
     return joined(this.text.slice(0, at), body, this.text.slice(at));
-  }
-
-  /** The text with one more table, before the one of its name at `index`. */
-  addedBefore(table: PieceTable, index: number, values: Readonly<Record<string, Value>>): string {
-    const range = this.all(table)[index]?.range;
-    if (range === undefined) return this.added(table, values);
-    const at = this.above(range[0]);
-    return joined(this.text.slice(0, at), block(`[[${table}]]`, values), this.text.slice(at));
   }
 
   /** The text with `keys` of a piece replaced by `values`. */
@@ -94,31 +85,29 @@ export class CourseText {
     return this.text.slice(0, from) + this.text.slice(to);
   }
 
-  private take(path: Path, body: readonly AST.TOMLKeyValue[], range: AST.Range | undefined): void {
+  /** Takes the keys of a table; those outside of any table have the name "". */
+  private take(table: string, body: readonly AST.TOMLKeyValue[], range?: AST.Range): void {
     const values: Record<string, Value> = {};
     const ranges: Record<string, readonly [number, number]> = {};
-    const inner: [Path, readonly AST.TOMLKeyValue[]][] = [];
+    const inner: [table: string, body: readonly AST.TOMLKeyValue[]][] = [];
     for (const each of body) {
       const key = each.key.keys.map((part) => (part.type === 'TOMLBare' ? part.name : part.value));
-      if (each.value.type === 'TOMLInlineTable') inner.push([[...path, ...key], each.value.body]);
-      else if (each.value.type === 'TOMLArray' && each.value.elements[0]?.type === 'TOMLInlineTable') {
-        each.value.elements.forEach((element, i) => {
-          if (element.type === 'TOMLInlineTable') inner.push([[...path, ...key, i], element.body]);
-        });
+      const within = table === '' ? (key[0] ?? '') : table;
+      const list = each.value.type === 'TOMLArray' ? each.value.elements : [each.value];
+      if (list[0]?.type === 'TOMLInlineTable') {
+        for (const element of list) if (element.type === 'TOMLInlineTable') inner.push([within, element.body]);
+      } else if (table === '' && key.length === 2) {
+        // start.x_m = 1
+        inner.push([within, [{ ...each, key: { ...each.key, keys: each.key.keys.slice(1) } }]]);
       } else {
         const value = valueOf(each.value);
         if (value === undefined) continue;
-        // start.x_m = 1
-        const [table, name] = path.length === 0 && key.length === 2 ? [key[0], key[1]] : [undefined, key.join('.')];
-        if (name === undefined) continue;
-        if (table === undefined) {
-          values[name] = value;
-          ranges[name] = each.value.range;
-        } else inner.push([[table], [{ ...each, key: { ...each.key, keys: each.key.keys.slice(1) } }]]);
+        values[key.join('.')] = value;
+        ranges[key.join('.')] = each.value.range;
       }
     }
-    this.add(String(path[0] ?? ''), values, ranges, range);
-    for (const [at, entries] of inner) this.take(at, entries, undefined);
+    this.add(table, values, ranges, range);
+    for (const [name, entries] of inner) this.take(name, entries);
   }
 
   private add(table: string, values: Record<string, Value>, ranges: Piece['ranges'], range: Piece['range']): void {
@@ -175,10 +164,6 @@ function valueOf(node: AST.TOMLContentNode): Value | undefined {
 
 function same(a: Value | undefined, b: Value): boolean {
   return a !== undefined && written(a) === written(b);
-}
-
-function block(header: string, values: Readonly<Record<string, Value>>): string {
-  return `${header}\n${Object.entries(values).map(([key, value]) => line(key, value)).join('')}`;
 }
 
 function line(key: string, value: Value): string {

@@ -1,6 +1,6 @@
 // A course file that is being drawn: what the map shows of it, the handles by which it is changed, and new pieces.
 import type { Point2 } from '../scene/geometry.ts';
-import type { Course, Place, PathPoint, RobotShape } from '../state/messages.ts';
+import type { Area, Course, Place, PathPoint, RobotShape } from '../state/messages.ts';
 import type { CourseText, Piece, PieceTable, Value } from './course_text.ts';
 import { along, arcTo, frames, kRad, lineTo, nearest, number, pointAt, points, startOf, type Frame } from './path.ts';
 
@@ -44,9 +44,9 @@ max_y_m = 0.8
 /** Values of a new piece, and defaults of the keys that a piece may omit. */
 export const kValues: Record<PieceTable, Record<string, Value>> = {
   segment: {},
-  ramp: { heading_deg: 0, height_m: 0.05, up_deg: 15, top_m: 0.2, down_deg: 15, width_m: 0.4 },
-  block: { heading_deg: 0, height_m: 0.02, depth_m: 0.1, width_m: 0.4 },
-  surface: { name: 'other ground', heading_deg: 0, length_m: 0.3, width_m: 0.5, friction_factor: 1, slip_offset: 0 },
+  ramp: { x_m: 0, y_m: 0, heading_deg: 0, height_m: 0.05, up_deg: 15, top_m: 0.2, down_deg: 15, width_m: 0.4 },
+  block: { x_m: 0, y_m: 0, heading_deg: 0, height_m: 0.02, depth_m: 0.1, width_m: 0.4 },
+  surface: { name: 'other ground', x_m: 0, y_m: 0, heading_deg: 0, length_m: 0.3, width_m: 0.5, friction_factor: 1, slip_offset: 0 },
   disturbance: { at_m: 0, sideways_m: 0.03, yaw_deg: 0, duration_s: 0.3 },
   keep_out: {},
 };
@@ -84,55 +84,32 @@ export function fenceCorners(fence: Piece): Point2[] | undefined {
   ];
 }
 
-const named = ({ x, y }: Point2): { x_m: number; y_m: number } => ({ x_m: x, y_m: y });
+const area = (list: readonly Point2[] = []): Area => ({ corners: list.map(({ x, y }) => ({ x_m: x, y_m: y })) });
+
+/** Some lengths of a piece. */
+function lengths<K extends string>(piece: Piece, ...keys: readonly K[]): Record<K, number> {
+  return Object.fromEntries(keys.map((key) => [key, number(piece, key)])) as Record<K, number>;
+}
 
 /** The draft as the map draws a course. */
 export function draftCourse(text: CourseText, name: string, robot: RobotShape): Course {
-  const start = startOf(text.one('start'));
-  const path = points(start, text.all('segment'));
-  const fence = fenceCorners(text.one('fence'));
-  const xs = (fence ?? []).map(({ x }) => x);
-  const ys = (fence ?? []).map(({ y }) => y);
+  const path = pathOf(text);
   return {
     name,
     description: '',
-    speed_mps: number(text.one(''), 'speed_mps', 0.1),
     length_m: path.at(-1)?.s_m ?? 0,
-    start: { x_m: start.x, y_m: start.y, yaw_rad: start.yaw_rad },
     path,
     ramps: text.all('ramp').map((ramp) => ({
       ...place(ramp),
-      height_m: number(ramp, 'height_m'),
+      ...lengths(ramp, 'height_m', 'top_m', 'width_m'),
       up_rad: number(ramp, 'up_deg', 15) * kRad,
-      top_m: number(ramp, 'top_m'),
       down_rad: number(ramp, 'down_deg', 15) * kRad,
-      width_m: number(ramp, 'width_m'),
     })),
-    blocks: text.all('block').map((block) => ({
-      ...place(block),
-      height_m: number(block, 'height_m'),
-      depth_m: number(block, 'depth_m'),
-      width_m: number(block, 'width_m'),
-    })),
-    surfaces: text.all('surface').map((surface) => ({
-      ...place(surface),
-      name: String(surface.values.name ?? ''),
-      length_m: number(surface, 'length_m'),
-      width_m: number(surface, 'width_m'),
-    })),
+    blocks: text.all('block').map((block) => ({ ...place(block), ...lengths(block, 'height_m', 'depth_m', 'width_m') })),
+    surfaces: text.all('surface').map((surface) => ({ ...place(surface), ...lengths(surface, 'length_m', 'width_m') })),
     disturbances: [],
-    ...(fence === undefined
-      ? {}
-      : {
-          fence: {
-            min_x_m: Math.min(...xs),
-            max_x_m: Math.max(...xs),
-            min_y_m: Math.min(...ys),
-            max_y_m: Math.max(...ys),
-            corners: fence.map(named),
-          },
-        }),
-    keep_out: text.all('keep_out').map((area) => ({ corners: (corners(area) ?? []).map(named) })),
+    fence: area(fenceCorners(text.one('fence'))),
+    keep_out: text.all('keep_out').map((piece) => area(corners(piece))),
     robot,
   };
 }
@@ -246,31 +223,22 @@ function endOf(text: CourseText): Frame {
 /** The text with a new piece at a point, and that piece. */
 export function added(text: CourseText, tool: Tool, at: Point2): { text: string; piece: Selected } {
   const from = endOf(text);
-  const segment = (values: Record<string, Value>): { text: string; piece: Selected } => ({
-    text: text.added('segment', values),
-    piece: { table: 'segment', index: text.all('segment').length },
+  const put = (table: PieceTable, values: Record<string, Value>, index = text.all(table).length): { text: string; piece: Selected } => ({
+    text: text.added(table, values, index),
+    piece: { table, index },
   });
-  if (tool === 'line') return segment({ type: 'line', length_m: lineTo(from, at) });
-  if (tool === 'arc') return segment({ type: 'arc', ...arcTo(from, at) });
-  if (tool === 'pivot') return segment({ type: 'pivot', angle_deg: turned(Math.atan2(at.y - from.y, at.x - from.x) - from.yaw_rad) });
-  const index = text.all(tool).length;
-  if (tool === 'keep_out') {
-    const square = [[-1, -1], [1, -1], [1, 1], [-1, 1]].map(([u = 0, v = 0]) => [at.x + 0.1 * u, at.y + 0.1 * v]);
-    return { text: text.added('keep_out', { corners_m: square }), piece: { table: 'keep_out', index } };
-  }
+  if (tool === 'line') return put('segment', { type: 'line', length_m: lineTo(from, at) });
+  if (tool === 'arc') return put('segment', { type: 'arc', ...arcTo(from, at) });
+  if (tool === 'pivot') return put('segment', { type: 'pivot', angle_deg: turned(Math.atan2(at.y - from.y, at.x - from.x) - from.yaw_rad) });
+  if (tool === 'keep_out') return put(tool, { corners_m: [[-1, -1], [1, -1], [1, 1], [-1, 1]].map(([u = 0, v = 0]) => [at.x + 0.1 * u, at.y + 0.1 * v]) });
   const on = nearest(pathOf(text), at);
   if (tool === 'disturbance') {
     const at_m = on?.s_m ?? 0;
     // Disturbances are listed in the order of the path.
-    const before = text.all('disturbance').filter((each) => number(each, 'at_m') <= at_m);
-    if (before.length < index) return { text: text.addedBefore('disturbance', before.length, { ...kValues.disturbance, at_m }), piece: { table: tool, index: before.length } };
-    return { text: text.added(tool, { ...kValues.disturbance, at_m }), piece: { table: tool, index } };
+    return put(tool, { ...kValues[tool], at_m }, text.all(tool).filter((each) => number(each, 'at_m') <= at_m).length);
   }
   // In driving direction.
-  const heading_deg = ((on?.yaw_rad ?? 0) / kRad) % 360;
-  const { name, ...rest } = kValues[tool];
-  const values = { ...(name === undefined ? {} : { name }), x_m: at.x, y_m: at.y, ...rest, heading_deg };
-  return { text: text.added(tool, values), piece: { table: tool, index } };
+  return put(tool, { ...kValues[tool], x_m: at.x, y_m: at.y, heading_deg: ((on?.yaw_rad ?? 0) / kRad) % 360 });
 }
 
 /** The text with one more corner, in the middle of the edge after corner `index`. A rectangle becomes a polygon. */

@@ -7,7 +7,7 @@ import type { RobotShape } from '../state/messages.ts';
 import { nameOf, type CourseCheck } from '../state/setup.ts';
 import { CourseText, type Piece, type Value } from './course_text.ts';
 import { added, beyond, draftCourse, find, handles, kEmptyCourse, withCorner, withoutCorner, type Handle, type Selected, type Tool } from './draft.ts';
-import { fields, signature } from './fields.ts';
+import { fields } from './fields.ts';
 import { History } from './history.ts';
 import { frameOf, zoomed } from './framing.ts';
 import { DrawStage } from './stage.ts';
@@ -33,8 +33,8 @@ export class CourseEditor {
   private readonly verdict = new Message('draw-verdict');
   private readonly fieldsBox = h('div');
   private readonly replaceButton = deed('draw-replace', 'Replace it', () => void this.save(true));
-  private readonly undoButton = deed('draw-undo', 'Undo', () => { this.take(this.history.undo()); });
-  private readonly redoButton = deed('draw-redo', 'Redo', () => { this.take(this.history.redo()); });
+  private readonly undoButton = deed('draw-undo', 'Undo', () => { this.take(this.history.go(-1)); });
+  private readonly redoButton = deed('draw-redo', 'Redo', () => { this.take(this.history.go(1)); });
   private readonly deleteButton = deed('draw-delete', 'Delete', () => { this.remove(); });
   private readonly cornerButton = deed('draw-corner', 'Add corner', () => { this.addCorner(); });
   private readonly closeButton = deed('draw-close', 'Close', () => {
@@ -126,14 +126,14 @@ export class CourseEditor {
       this.map.draft(draftCourse(this.course, this.name.value, this.robot() ?? kDefaultShape), this.frame);
     }
     this.stage.draw(this.handles_, this.selected);
-    this.undoButton.disabled = !this.history.canUndo;
-    this.redoButton.disabled = !this.history.canRedo;
+    this.undoButton.disabled = !this.history.can(-1);
+    this.redoButton.disabled = !this.history.can(1);
     const piece = this.selected && find(this.course, this.selected);
     this.deleteButton.disabled = piece === undefined || ['start', 'fence', ''].includes(piece.table) && this.corner === undefined;
     this.cornerButton.disabled = this.corner === undefined;
     for (const save of this.saves) save.disabled = !mayChange;
     this.replaceButton.disabled = !mayChange;
-    const shown = signature(this.course.one(''), this.selected, piece);
+    const shown = JSON.stringify([this.course.one('').values, this.selected, piece?.values]);
     if (shown !== this.shownFields && !this.stage.dragging && !this.fieldsBox.contains(document.activeElement)) {
       this.shownFields = shown;
       this.fieldsBox.replaceChildren(...[this.course.one(''), piece].filter((each) => each !== undefined).map((each) => this.fieldsOf(each)));
@@ -173,7 +173,7 @@ export class CourseEditor {
     const key = event.key.toLowerCase();
     if (key !== 'z' && key !== 'y') return;
     event.preventDefault();
-    this.take(key === 'y' || event.shiftKey ? this.history.redo() : this.history.undo());
+    this.take(key === 'y' || event.shiftKey ? this.history.go(1) : this.history.go(-1));
   }
 
   private pick(tool: Tool | undefined): void {

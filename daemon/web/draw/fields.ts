@@ -1,6 +1,6 @@
 // Input fields for the values of the selected piece.
 import { h } from '../panel/dom.ts';
-import { kValues, type Selected } from './draft.ts';
+import { kValues } from './draft.ts';
 import type { Piece, PieceTable, Value } from './course_text.ts';
 
 /** Keys that a table may have beside those that are written. */
@@ -29,9 +29,4 @@ export function fields(piece: Piece, set: (key: string, value: Value) => void): 
     form.append(h('label', {}, `${key} `, input));
   }
   return form;
-}
-
-/** Differs if other fields or values have to be shown. */
-export function signature(course: Piece, selected: Selected | undefined, piece: Piece | undefined): string {
-  return JSON.stringify([course.values, selected, piece?.values]);
 }

@@ -18,25 +18,18 @@ export class History {
     this.at = this.texts.length - 1;
   }
 
-  get text(): string {
+  /** Whether there is a state before, -1, or after the present one, 1. */
+  can(step: 1 | -1): boolean {
+    return this.texts[this.at + step] !== undefined;
+  }
+
+  /** The state before or after, which becomes the present one; without one, the present one. */
+  go(step: 1 | -1): string {
+    if (this.can(step)) this.at += step;
+    return this.text;
+  }
+
+  private get text(): string {
     return this.texts[this.at] ?? '';
-  }
-
-  get canUndo(): boolean {
-    return this.at > 0;
-  }
-
-  get canRedo(): boolean {
-    return this.at + 1 < this.texts.length;
-  }
-
-  undo(): string {
-    if (this.canUndo) this.at--;
-    return this.text;
-  }
-
-  redo(): string {
-    if (this.canRedo) this.at++;
-    return this.text;
   }
 }

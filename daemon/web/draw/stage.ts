@@ -89,10 +89,6 @@ export class DrawStage {
     }
   }
 
-  focus(id: string): void {
-    this.knobs.get(id)?.focus();
-  }
-
   private make(handle: Handle): SVGGElement {
     const { id } = handle;
     const knob = svg('g', { class: 'knob', 'data-handle': id, tabindex: '0', role: 'button' });
@@ -141,7 +137,7 @@ export class DrawStage {
     }
     this.element.setPointerCapture(event.pointerId);
     this.dragged = { id, pointer: event.pointerId };
-    this.focus(id);
+    this.knobs.get(id)?.focus();
   }
 
   /** The nearest of the handles within reach. */

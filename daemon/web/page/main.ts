@@ -154,9 +154,6 @@ function look(store: Store): void {
   document.body.classList.toggle('replaying', store !== live);
   plots.window_s = player === undefined ? kWindow_s : Math.min(Math.max(player.duration_s, 20), kHistory_s);
   viewport.reset();
-  cameraImage.reset();
-  timeline.reset();
-  histogram.reset();
 }
 
 /** The Unix time of t_s = 0, of the daemon or of the recording. */

@@ -43,9 +43,4 @@ export class CameraImagePanel {
     this.image.src = `data:image/jpeg;base64,${message.data}`;
     setAttribute(this.element, 'data-t_s', taken_s.toFixed(3));
   }
-
-  /** Call when the data source changes. */
-  reset(): void {
-    this.received = -1;
-  }
 }

@@ -1,6 +1,7 @@
 // A course as a card: its outline with obstacles, its figures and its actions.
 import { footprint } from '../scene/geometry.ts';
-import { facts, type CourseEntry, type Piece } from '../state/setup.ts';
+import type { Footprint } from '../state/messages.ts';
+import { facts, type CourseEntry } from '../state/setup.ts';
 import { button, deleteButton, h, svg } from './dom.ts';
 
 const kMargin_m = 0.12;
@@ -45,7 +46,7 @@ function thumbnail(course: CourseEntry): SVGSVGElement {
   const image = svg('svg', { class: 'card-outline', role: 'img', 'aria-label': `Outline of course ${course.name}` });
   const outline = course.outline ?? [];
   if (outline.length === 0) return image;
-  const pieces = (list: Piece[] | undefined): { x: number; y: number }[][] =>
+  const pieces = (list: Footprint[] | undefined): { x: number; y: number }[][] =>
     (list ?? []).map((piece) => footprint(piece, piece.length_m, piece.width_m));
   const obstacles = [...pieces(course.ramps), ...pieces(course.blocks)];
   const line = outline.map(({ x_m, y_m }) => ({ x: x_m, y: y_m }));

@@ -4,6 +4,7 @@ import { whyNot, type Store } from '../state/store.ts';
 import type { CourseEditor } from '../draw/editor.ts';
 import { courseCard } from './course_card.ts';
 import { button, h, Message, setAttribute, setText } from './dom.ts';
+import type { FloorPose } from '../state/messages.ts';
 import { fetched, Listing, reason, type Call } from '../state/service.ts';
 
 const kAboutSetups: Record<string, string> = {
@@ -94,7 +95,7 @@ export class CourseList {
   }
 
   /** A pose was drawn on the map, or drawing has ended without one. */
-  placed(pose: { x_m: number; y_m: number; yaw_rad: number } | undefined): void {
+  placed(pose: FloorPose | undefined): void {
     setAttribute(this.placeMap, 'aria-pressed', 'false');
     if (pose !== undefined) void this.change('place', pose);
   }

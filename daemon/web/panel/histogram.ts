@@ -29,8 +29,12 @@ export class Histogram {
     const loop = store.get('/loop');
     setClass(this.element, 'stale', store.stale('/loop'));
     const received = store.received['/loop'] ?? 0;
-    if (loop === undefined || received === this.shown) return;
+    if (received === this.shown) return;
     this.shown = received;
+    if (loop === undefined) {
+      this.clear();
+      return;
+    }
     const { edges_us: edges, lateness } = loop.histogram;
     this.build(edges);
     const most = Math.log10(Math.max(10, ...lateness) + 1);
@@ -48,9 +52,7 @@ export class Histogram {
     setAttribute(this.bars, 'aria-label', summary);
   }
 
-  /** Call when the data source changes. */
-  reset(): void {
-    this.shown = -1;
+  private clear(): void {
     this.edges = '';
     this.bars.replaceChildren();
     this.labels.replaceChildren();

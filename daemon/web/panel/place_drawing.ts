@@ -1,15 +1,10 @@
 // Drawing of a pose on the map: press where the robot is, drag in the direction in which it points.
 import type { Point2 } from '../scene/geometry.ts';
+import type { FloorPose } from '../state/messages.ts';
 import { h, setAttribute, svg } from './dom.ts';
 
 /** A shorter drag gives no direction. */
 const kShortest_px = 12;
-
-export interface DrawnPose {
-  x_m: number;
-  y_m: number;
-  yaw_rad: number;
-}
 
 export class PlaceDrawing {
   readonly element = h('div', { class: 'placing', hidden: '' });
@@ -22,7 +17,7 @@ export class PlaceDrawing {
     /** The robot's yaw, for a press without a drag. */
     private readonly yaw_rad: () => number,
     /** Called at the end, without a pose if the map is no longer shown. */
-    private readonly done: (pose: DrawnPose | undefined) => void,
+    private readonly done: (pose: FloorPose | undefined) => void,
   ) {
     const image = svg('svg');
     image.append(this.arrow);

@@ -37,10 +37,6 @@ export class Timeline {
     setClass(this.element, 'stale', store.stale('/estimate'));
   }
 
-  reset(): void {
-    this.courseShown = -1;
-  }
-
   private build(course: Course | undefined): void {
     setText(this.name, course === undefined || course.name === '' ? 'no course' : `course ${course.name}`);
     this.name.title = course?.description ?? '';

@@ -110,21 +110,19 @@ export class Viewport {
     const truth = this.toggles.get('truth');
     if (truth) setClass(truth, 'absent', !store.get('/estimate')?.truth);
     setClass(this.element, 'stale', store.stale('/estimate'));
-    this.view.draw(store, dt_s);
+    this.view.draw(store, this.hidden, dt_s);
   }
 
   /** Call when the data source changes: clears the drawing of the old one. */
   reset(): void {
-    this.courseShown = -1;
     this.view.reset();
   }
 
   private toggle(name: EstimateName): void {
     if (!this.hidden.delete(name)) this.hidden.add(name);
-    const visible = !this.hidden.has(name);
-    this.view.show(name, visible);
+    this.view.reset();
     const button = this.toggles.get(name);
-    if (button) setAttribute(button, 'aria-pressed', String(visible));
+    if (button) setAttribute(button, 'aria-pressed', String(!this.hidden.has(name)));
   }
 
   private make(mode: Mode): View {
@@ -133,7 +131,6 @@ export class Viewport {
     view.element.setAttribute('aria-hidden', 'true');
     view.resize();
     view.setCourse(this.course, this.frame);
-    for (const name of this.hidden) view.show(name, false);
     return view;
   }
 

@@ -17,7 +17,7 @@ const kGlide_s = 0.18;
 export class CameraRig {
   readonly camera = new PerspectiveCamera(40, 1, 0.02, 60);
   private readonly controls: OrbitControls;
-  private mode_: CameraMode = 'free';
+  private mode: CameraMode = 'free';
   private heading_rad = 0;
   private box: Bounds = { min_x: -1, max_x: 1, min_y: -1, max_y: 1 };
   private moved = true;
@@ -37,8 +37,8 @@ export class CameraRig {
     this.controls.maxDistance = 8;
     this.controls.zoomToCursor = true;
     this.controls.addEventListener('start', () => {
-      if (this.mode_ === 'free') return;
-      this.mode_ = 'free';
+      if (this.mode === 'free') return;
+      this.mode = 'free';
       this.taken();
     });
     this.controls.addEventListener('change', () => {
@@ -47,34 +47,30 @@ export class CameraRig {
     this.overview();
   }
 
-  get mode(): CameraMode {
-    return this.mode_;
-  }
-
   /** Selecting free again returns to the overview of the course. */
   set(mode: CameraMode): void {
-    if (mode === 'free' && this.mode_ === 'free') this.overview();
-    this.mode_ = mode;
+    if (mode === 'free' && this.mode === 'free') this.overview();
+    this.mode = mode;
     this.moved = true;
   }
 
   frame(box: Bounds): void {
     this.box = box;
-    if (this.mode_ === 'free') this.overview();
+    if (this.mode === 'free') this.overview();
     this.moved = true;
   }
 
   resize(aspect: number): void {
     this.camera.aspect = aspect;
     this.camera.updateProjectionMatrix();
-    if (this.mode_ === 'free') this.overview();
+    if (this.mode === 'free') this.overview();
     this.moved = true;
   }
 
   /** Advances by `dt_s`; true if the view changes. */
   update(pose: Pose | undefined, dt_s: number): boolean {
-    if (this.mode_ === 'chase' && pose !== undefined) this.chase(pose, dt_s);
-    else if (this.mode_ === 'top') this.above(dt_s);
+    if (this.mode === 'chase' && pose !== undefined) this.chase(pose, dt_s);
+    else if (this.mode === 'top') this.above(dt_s);
     const moved = this.moved;
     this.moved = false;
     return moved;

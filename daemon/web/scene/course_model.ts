@@ -14,7 +14,7 @@ import {
   RingGeometry,
 } from 'three';
 import type { Course, Place } from '../state/messages.ts';
-import { blockProfile, bounds, drape, fenceOf, keepOutOf, rampProfile } from './geometry.ts';
+import { bounds, cornersOf, drape, obstaclesOf, rampProfile } from './geometry.ts';
 import { colour } from './palette.ts';
 import { Ribbon } from './ribbon.ts';
 import { dispose, solid } from './solid.ts';
@@ -43,18 +43,13 @@ export class CourseModel {
       patch.position.z = 0.0006;
       this.group.add(patch);
     }
-    for (const ramp of course.ramps) {
+    for (const ramp of obstaclesOf(course)) {
       const body = solid(rampProfile(ramp), ramp.width_m, colour('obstacle'), colour('obstacle-edge'));
       lay(body, ramp);
       this.group.add(body);
     }
-    for (const block of course.blocks) {
-      const body = solid(blockProfile(block), block.width_m, colour('obstacle'), colour('obstacle-edge'));
-      lay(body, block);
-      this.group.add(body);
-    }
-    for (const border of [fenceOf(course), ...keepOutOf(course)]) {
-      const corners = border.flatMap(({ x, y }) => [x, y, 0.001]);
+    for (const area of [course.fence, ...(course.keep_out ?? [])]) {
+      const corners = cornersOf(area).flatMap(({ x, y }) => [x, y, 0.001]);
       if (corners.length > 0) this.group.add(new LineLoop(lineGeometry(corners), new LineBasicMaterial({ color: colour('fence') })));
     }
     if (course.path.length > 1) {

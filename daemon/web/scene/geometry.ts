@@ -1,5 +1,5 @@
 // Geometry of shapes, without drawing: x forward, y left, z up, metres.
-import type { Block, Course, Place, Ramp } from '../state/messages.ts';
+import type { Area, Course, Place, Ramp } from '../state/messages.ts';
 
 export interface Point2 {
   x: number;
@@ -19,29 +19,17 @@ export function rampProfile(ramp: Ramp): Point2[] {
   ];
 }
 
-export function blockProfile(block: Block): Point2[] {
-  const half = block.depth_m / 2;
-  return [
-    { x: -half, y: 0 },
-    { x: half, y: 0 },
-    { x: half, y: block.height_m },
-    { x: -half, y: block.height_m },
-  ];
+/** All that rises from the floor: the ramps, and the blocks as ramps with upright sides. */
+export function obstaclesOf(course: Course | undefined): Ramp[] {
+  const upright = { up_rad: Math.PI / 2, down_rad: Math.PI / 2 };
+  return [...(course?.ramps ?? []), ...(course?.blocks ?? []).map((block) => ({ ...block, ...upright, top_m: block.depth_m }))];
 }
 
 /** A track from the side: two half circles around the axles, standing on z = 0, counter-clockwise. */
 export function stadium(spacing: number, radius: number, steps = 12): Point2[] {
-  const points: Point2[] = [];
-  for (const [centre, from] of [
-    [spacing / 2, -Math.PI / 2],
-    [-spacing / 2, Math.PI / 2],
-  ] as const) {
-    for (let i = 0; i <= steps; i++) {
-      const angle = from + (Math.PI * i) / steps;
-      points.push({ x: centre + radius * Math.cos(angle), y: radius + radius * Math.sin(angle) });
-    }
-  }
-  return points;
+  const half = (centre: number, from: number): Point2[] =>
+    Array.from({ length: steps + 1 }, (_, i) => around(centre, radius, from + (Math.PI * i) / steps));
+  return [...half(spacing / 2, -Math.PI / 2), ...half(-spacing / 2, Math.PI / 2)];
 }
 
 /** Length of a track. */
@@ -97,21 +85,23 @@ export function rampLength(ramp: Ramp): number {
   return 2 * (rampProfile(ramp)[1]?.x ?? 0);
 }
 
-/** Height of ramps and blocks at a place of the floor. */
+/** Corners of a ramp's level part. */
+export function rampTop(ramp: Ramp): Point2[] {
+  const ahead = (ramp.height_m / Math.tan(ramp.up_rad) - ramp.height_m / Math.tan(ramp.down_rad)) / 2;
+  const x_m = ramp.x_m + ahead * Math.cos(ramp.heading_rad);
+  const y_m = ramp.y_m + ahead * Math.sin(ramp.heading_rad);
+  return footprint({ x_m, y_m, heading_rad: ramp.heading_rad }, ramp.top_m, ramp.width_m);
+}
+
+/** Height of the obstacles at a place of the floor. */
 export function groundHeight(course: Course, x: number, y: number): number {
   let height = 0;
-  for (const ramp of course.ramps) {
+  for (const ramp of obstaclesOf(course)) {
     const at = inside(ramp, x, y);
     const half = rampLength(ramp) / 2;
     if (Math.abs(at.y) > ramp.width_m / 2 || Math.abs(at.x) >= half) continue;
     const rise = Math.min((at.x + half) * Math.tan(ramp.up_rad), (half - at.x) * Math.tan(ramp.down_rad));
     height = Math.max(height, Math.min(rise, ramp.height_m));
-  }
-  for (const block of course.blocks) {
-    const at = inside(block, x, y);
-    if (Math.abs(at.y) <= block.width_m / 2 && Math.abs(at.x) <= block.depth_m / 2) {
-      height = Math.max(height, block.height_m);
-    }
   }
   return height;
 }
@@ -138,24 +128,8 @@ export interface Bounds {
   max_y: number;
 }
 
-/** The corners of a course's fence; none without a fence. */
-export function fenceOf(course: Course | undefined): Point2[] {
-  const fence = course?.fence;
-  if (!fence) return [];
-  if (fence.corners !== undefined) return fence.corners.map(({ x_m, y_m }) => ({ x: x_m, y: y_m }));
-  const { min_x_m, max_x_m, min_y_m, max_y_m } = fence;
-  return [
-    { x: min_x_m, y: min_y_m },
-    { x: max_x_m, y: min_y_m },
-    { x: max_x_m, y: max_y_m },
-    { x: min_x_m, y: max_y_m },
-  ];
-}
-
-/** The corners of each keep-out area. */
-export function keepOutOf(course: Course | undefined): Point2[][] {
-  return (course?.keep_out ?? []).map(({ corners }) => corners.map(({ x_m, y_m }) => ({ x: x_m, y: y_m })));
-}
+/** The corners of a fence or a keep-out area; none without it. */
+export const cornersOf = (area: Area | null | undefined): Point2[] => (area?.corners ?? []).map(({ x_m, y_m }) => ({ x: x_m, y: y_m }));
 
 /** Bounds of a course: fence, path and obstacles; 2 m by 1.2 m without a course. */
 export function bounds(course: Course | undefined): Bounds {
@@ -167,9 +141,8 @@ export function bounds(course: Course | undefined): Bounds {
     box.max_y = Math.max(box.max_y, y);
   };
   for (const point of course?.path ?? []) cover(point.x_m, point.y_m);
-  for (const ramp of course?.ramps ?? []) for (const { x, y } of footprint(ramp, rampLength(ramp), ramp.width_m)) cover(x, y);
-  for (const block of course?.blocks ?? []) for (const { x, y } of footprint(block, block.depth_m, block.width_m)) cover(x, y);
-  for (const { x, y } of fenceOf(course)) cover(x, y);
+  for (const ramp of obstaclesOf(course)) for (const { x, y } of footprint(ramp, rampLength(ramp), ramp.width_m)) cover(x, y);
+  for (const { x, y } of cornersOf(course?.fence)) cover(x, y);
   if (box.min_x > box.max_x) return { min_x: -1, max_x: 1, min_y: -0.6, max_y: 0.6 };
   return box;
 }

@@ -1,7 +1,7 @@
 // The course and the robot from above on a 2-D canvas: needs no WebGL.
 import type { Course, EstimatedPose, Pose, RobotShape } from '../state/messages.ts';
 import { kEstimates, kUncertain, type EstimateName, type Store } from '../state/store.ts';
-import { bounds, fenceOf, footprint, inside, keepOutOf, onStadium, rampLength, stadiumLength, type Bounds, type Point2 } from './geometry.ts';
+import { bounds, cornersOf, footprint, obstaclesOf, onStadium, rampLength, rampTop, stadiumLength, type Bounds, type Point2 } from './geometry.ts';
 import { Moved } from './moved.ts';
 import { colour } from './palette.ts';
 import { kDefaultShape } from './robot_model.ts';
@@ -32,7 +32,6 @@ export function fit(box: Bounds, width: number, height: number): Projection {
 export class MapView implements View {
   readonly element = document.createElement('canvas');
   private readonly ground = document.createElement('canvas');
-  private readonly visible: Record<EstimateName, boolean> = { model: true, odometry: true, fused: true, truth: true };
   private course: Course | undefined;
   private frame: Bounds | undefined;
   private projection: Projection = { scale: 100, left: 0, top: 0 };
@@ -49,11 +48,6 @@ export class MapView implements View {
     this.moved.reset();
   }
 
-  show(name: EstimateName, visible: boolean): void {
-    this.visible[name] = visible;
-    this.moved.reset();
-  }
-
   resize(): void {
     const { clientWidth, clientHeight } = this.element.parentElement ?? this.element;
     if (clientWidth === 0 || clientHeight === 0) return;
@@ -63,14 +57,14 @@ export class MapView implements View {
     this.paintGround();
   }
 
-  draw(store: Store): void {
+  draw(store: Store, hidden: ReadonlySet<EstimateName>): void {
     const estimate = store.get('/estimate');
     const context = this.element.getContext('2d');
     if (context === null || !this.moved.check(store)) return;
     context.setTransform(1, 0, 0, 1, 0, 0);
     context.drawImage(this.ground, 0, 0);
     for (const name of kEstimates) {
-      if (!this.visible[name]) continue;
+      if (hidden.has(name)) continue;
       const points = store.path_histories[name].coordinates;
       context.strokeStyle = colour(name);
       context.lineWidth = 2 * this.ratio;
@@ -85,13 +79,13 @@ export class MapView implements View {
     if (estimate === undefined) return;
     for (const name of kEstimates) {
       const pose = estimate[name];
-      if (!pose || name === estimate.steering || !this.visible[name]) continue;
+      if (!pose || name === estimate.steering || hidden.has(name)) continue;
       this.polygon(context, footprint(place(pose), this.shape.length_m, this.shape.width_m));
       context.strokeStyle = colour(name);
       context.lineWidth = 1.5 * this.ratio;
       context.stroke();
     }
-    for (const name of kUncertain) if (this.visible[name]) this.uncertainty(context, name, estimate[name]);
+    for (const name of kUncertain) if (!hidden.has(name)) this.uncertainty(context, name, estimate[name]);
     const pose = estimate[estimate.steering];
     this.robot(context, pose, store.leftTrack_m, store.rightTrack_m);
     this.element.dataset.robot = [pose.x_m, pose.y_m, pose.z_m, pose.yaw_rad].join(' ');
@@ -192,30 +186,22 @@ export class MapView implements View {
     }
     context.strokeStyle = colour('obstacle-edge');
     context.lineWidth = this.ratio;
-    for (const ramp of course.ramps) {
+    for (const ramp of obstaclesOf(course)) {
       this.polygon(context, footprint(ramp, rampLength(ramp), ramp.width_m));
       context.fillStyle = colour('obstacle');
       context.fill();
       context.stroke();
-      const up = ramp.height_m / Math.tan(ramp.up_rad);
-      for (const from of [up - rampLength(ramp) / 2, up + ramp.top_m - rampLength(ramp) / 2]) {
-        this.across(context, ramp, from, ramp.width_m);
-      }
-    }
-    for (const block of course.blocks) {
-      this.polygon(context, footprint(block, block.depth_m, block.width_m));
-      context.fillStyle = colour('obstacle');
-      context.fill();
+      this.polygon(context, rampTop(ramp));
       context.stroke();
     }
     context.strokeStyle = colour('fence');
-    for (const area of keepOutOf(course)) {
-      this.polygon(context, area);
+    for (const area of course.keep_out ?? []) {
+      this.polygon(context, cornersOf(area));
       context.fillStyle = colour('keep-out');
       context.fill();
       context.stroke();
     }
-    this.polygon(context, fenceOf(course));
+    this.polygon(context, cornersOf(course.fence));
     context.stroke();
     context.setLineDash([6 * this.ratio, 5 * this.ratio]);
     context.strokeStyle = colour('path');
@@ -227,18 +213,6 @@ export class MapView implements View {
     }
     context.stroke();
     context.setLineDash([]);
-  }
-
-  /** Draws the line across a piece at `x` in its own frame. */
-  private across(context: CanvasRenderingContext2D, at: Parameters<typeof inside>[0], x: number, width: number): void {
-    const cos = Math.cos(at.heading_rad);
-    const sin = Math.sin(at.heading_rad);
-    context.beginPath();
-    for (const y of [-width / 2, width / 2]) {
-      const end = this.pixel(at.x_m + cos * x - sin * y, at.y_m + sin * x + cos * y);
-      context.lineTo(end.x, end.y);
-    }
-    context.stroke();
   }
 
   private grid(context: CanvasRenderingContext2D): void {

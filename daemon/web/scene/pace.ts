@@ -11,8 +11,8 @@ export class Pace {
   private slow = 0;
   private waiting = false;
 
-  /** 0: full detail; 1: no shadows; 2: coarse. Detail is never restored, which would flicker. */
-  level = 0;
+  /** Frames are slow: without shadows and coarse. Detail is never restored, which would flicker. */
+  coarse = false;
 
   /** Call on every frame; true if this one may be drawn. */
   tick(now_ms: number): boolean {
@@ -21,10 +21,7 @@ export class Pace {
       const cost_ms = now_ms - this.drawn_ms;
       this.free_ms = cost_ms > kSlow_ms ? now_ms + cost_ms * (1 / kShare - 1) : -Infinity;
       this.slow = cost_ms > kSlow_ms ? this.slow + 1 : Math.max(0, this.slow - 1);
-      if (this.slow > kSlowFrames && this.level < 2) {
-        this.level++;
-        this.slow = 0;
-      }
+      if (this.slow > kSlowFrames) this.coarse = true;
     }
     return now_ms >= this.free_ms;
   }

@@ -29,9 +29,7 @@ export class SceneView implements View {
   private robot: RobotModel;
   private readonly rings = kUncertain.map((name) => ({ name, ring: new UncertaintyRing(colour(name)) }));
   private shape: RobotShape = kDefaultShape;
-  private readonly visible: Record<EstimateName, boolean> = { model: true, odometry: true, fused: true, truth: true };
   private readonly pace = new Pace();
-  private level = 0;
   private lag_s = 0;
   private readonly moved = new Moved();
   private changed = true;
@@ -92,12 +90,7 @@ export class SceneView implements View {
     this.changed = true;
   }
 
-  show(name: EstimateName, visible: boolean): void {
-    this.visible[name] = visible;
-    this.moved.reset();
-  }
-
-  draw(store: Store, dt_s: number): void {
+  draw(store: Store, hidden: ReadonlySet<EstimateName>, dt_s: number): void {
     const now_ms = performance.now();
     this.lag_s += dt_s;
     if (!this.pace.tick(now_ms)) return;
@@ -105,7 +98,7 @@ export class SceneView implements View {
     for (const name of kEstimates) {
       const ribbon = this.ribbons[name];
       if (ribbon.follow(store.path_histories[name])) this.changed = true;
-      ribbon.mesh.visible = this.visible[name];
+      ribbon.mesh.visible = !hidden.has(name);
     }
     const estimate = store.get('/estimate');
     if (this.moved.check(store)) {
@@ -113,13 +106,13 @@ export class SceneView implements View {
       this.robot.group.visible = estimate !== undefined;
       if (estimate !== undefined) this.robot.set(estimate[estimate.steering], store.leftTrack_m, store.rightTrack_m);
       for (const { name, ring } of this.rings) {
-        if (estimate !== undefined && this.visible[name]) ring.set(estimate[name]);
+        if (estimate !== undefined && !hidden.has(name)) ring.set(estimate[name]);
         else ring.line.visible = false;
       }
       for (const name of kEstimates) {
         const pose = estimate?.[name];
         const ghost = this.ghosts[name];
-        ghost.group.visible = !!pose && name !== estimate.steering && this.visible[name];
+        ghost.group.visible = !!pose && name !== estimate.steering && !hidden.has(name);
         if (pose) ghost.set(pose);
       }
     }
@@ -141,7 +134,7 @@ export class SceneView implements View {
   resize(): void {
     const { clientWidth, clientHeight } = this.element.parentElement ?? this.element;
     if (clientWidth === 0 || clientHeight === 0) return;
-    this.renderer.setPixelRatio(this.level > 1 ? 0.6 : Math.min(window.devicePixelRatio, kMaxPixelRatio));
+    this.renderer.setPixelRatio(this.pace.coarse ? 0.6 : Math.min(window.devicePixelRatio, kMaxPixelRatio));
     this.renderer.setSize(clientWidth, clientHeight);
     this.rig.resize(clientWidth / clientHeight);
     this.changed = true;
@@ -154,10 +147,9 @@ export class SceneView implements View {
   }
 
   private degrade(): void {
-    if (this.pace.level === this.level) return;
-    this.level = this.pace.level;
+    if (!this.pace.coarse || !this.sun.castShadow) return;
     this.sun.castShadow = false;
-    if (this.level > 1) this.resize();
+    this.resize();
   }
 
   private makeGhosts(): Record<EstimateName, GhostModel> {

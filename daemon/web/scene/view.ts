@@ -11,10 +11,9 @@ export interface View {
   setCourse(course: Course | undefined, frame?: Bounds): void;
   /** A map has one point of view. */
   setCamera(mode: CameraMode | 'map'): void;
-  show(name: EstimateName, visible: boolean): void;
-  /** Draws if anything changed. */
-  draw(store: Store, dt_s: number): void;
-  /** Another store: discards everything drawn. */
+  /** Draws if anything moved; leaves out the `hidden` poses and paths. */
+  draw(store: Store, hidden: ReadonlySet<EstimateName>, dt_s: number): void;
+  /** Another store, or others are hidden: the next draw() draws everything anew. */
   reset(): void;
   resize(): void;
   dispose(): void;

@@ -1,13 +1,17 @@
 // What the page reads of the daemon's channels (daemon/messages/CHANNELS.md). SI units, REP-103 frames. Unknown values are
 // left out; recordings of older versions have null there.
 
-export interface Pose {
+/** A place on the floor and a direction. */
+export interface FloorPose {
   x_m: number;
   y_m: number;
+  yaw_rad: number;
+}
+
+export interface Pose extends FloorPose {
   z_m: number;
   roll_rad: number;
   pitch_rad: number;
-  yaw_rad: number;
 }
 
 /** An estimate's pose with its rates and standard deviations, which older recordings have of the fused pose only. */
@@ -18,12 +22,10 @@ export interface EstimatedPose extends Pose {
   sd_y_m?: number | null;
 }
 
-export type Steering = 'model' | 'odometry' | 'fused';
-
 export interface Estimate {
   t_s: number;
   age_us?: number | null;
-  steering: Steering;
+  steering: 'model' | 'odometry' | 'fused';
   model: EstimatedPose;
   odometry: EstimatedPose;
   fused: EstimatedPose & { camera_age_us?: number | null };
@@ -132,14 +134,14 @@ export interface State {
   setup: string;
   battery_v?: number | null;
   /** The steering pose; not in recordings of older versions. */
-  pose?: { x_m: number; y_m: number; yaw_rad: number };
+  pose?: FloorPose;
   /** True: the daemon stops a run or a drive that nobody watches, by calls of `watch`. Not in older recordings. */
   watch?: boolean;
   /** While the run pauses: time until it ends. This and fields about driving by hand: not in older recordings. */
   pause_left_s?: number;
   can: { start: boolean; drive?: boolean; pause?: boolean; resume?: boolean; hold: boolean; record: boolean };
   /** Where the robot is estimated to be, if the last run ended before the end of its course. */
-  go_on_from?: { x_m: number; y_m: number; yaw_rad: number };
+  go_on_from?: FloorPose;
   why_not_start: string;
   why_not_drive?: string;
   driver?: { by: string; fresh: boolean; asked_by?: string };
@@ -169,16 +171,13 @@ export interface Block extends Place {
   width_m: number;
 }
 
-export interface Surface extends Place {
-  name: string;
+/** The rectangle that a piece takes up. */
+export interface Footprint extends Place {
   length_m: number;
   width_m: number;
 }
 
-export interface PathPoint {
-  x_m: number;
-  y_m: number;
-  yaw_rad: number;
+export interface PathPoint extends FloorPose {
   s_m: number;
 }
 
@@ -192,30 +191,23 @@ export interface RobotShape {
   shoe_width_m: number;
 }
 
-/** The bounds of the polygon. */
-export interface Fence {
-  min_x_m: number;
-  max_x_m: number;
-  min_y_m: number;
-  max_y_m: number;
-  /** Missing in older recordings, where it is a rectangle. */
-  corners?: { x_m: number; y_m: number }[];
+/** A polygon on the floor. */
+export interface Area {
+  corners: { x_m: number; y_m: number }[];
 }
 
 export interface Course {
   name: string;
   description: string;
-  speed_mps: number;
   length_m: number;
-  start: { x_m: number; y_m: number; yaw_rad: number };
   path: PathPoint[];
   ramps: Ramp[];
   blocks: Block[];
-  surfaces: Surface[];
+  surfaces: Footprint[];
   disturbances: { at_m: number }[];
-  fence?: Fence | null;
+  fence?: Area | null;
   /** Missing in older recordings. */
-  keep_out?: { corners: { x_m: number; y_m: number }[] }[];
+  keep_out?: Area[];
   robot: RobotShape;
 }
 
@@ -244,10 +236,6 @@ export interface Parameter {
   may_save?: boolean;
 }
 
-export interface ParameterList {
-  parameters: Parameter[];
-}
-
 export interface Recording {
   available: boolean;
   active: boolean;
@@ -257,15 +245,8 @@ export interface Recording {
   warning: string;
 }
 
-export interface Viewer {
-  id: number;
-  address: string;
-  sent: number;
-  dropped: number;
-}
-
 export interface ClientList {
-  clients: Viewer[];
+  clients: { id: number; address: string; sent: number; dropped: number }[];
   dropped_total: number;
   refused_total: number;
   closed_total: number;
@@ -300,7 +281,7 @@ export interface Channels {
   '/state': State;
   '/course': Course;
   '/event': Event;
-  '/parameter': ParameterList;
+  '/parameter': { parameters: Parameter[] };
   '/recording': Recording;
   '/client': ClientList;
   '/path_history': SceneUpdate;

@@ -1,10 +1,5 @@
 // The files among which an operator chooses: GET /api/setup.
-import type { Fence, Place } from './messages.ts';
-
-export interface Piece extends Place {
-  length_m: number;
-  width_m: number;
-}
+import type { FloorPose, Footprint } from './messages.ts';
 
 export type From = 'given' | 'bundled' | 'own';
 
@@ -19,12 +14,13 @@ export interface CourseEntry {
   length_m?: number;
   duration_s?: number;
   disturbances?: number;
-  start?: { x_m: number; y_m: number; yaw_rad: number };
-  fence?: Fence;
+  start?: FloorPose;
+  /** The bounds of its polygon. */
+  fence?: { min_x_m: number; max_x_m: number; min_y_m: number; max_y_m: number };
   outline?: { x_m: number; y_m: number }[];
-  ramps?: Piece[];
-  blocks?: Piece[];
-  surfaces?: Piece[];
+  ramps?: Footprint[];
+  blocks?: Footprint[];
+  surfaces?: Footprint[];
 }
 
 export interface RobotEntry {

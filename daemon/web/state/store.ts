@@ -63,6 +63,9 @@ const kStale_ms: Partial<Record<Topic, number>> = {
 };
 const kStaleSample_us = 400_000;
 
+/** Messages of all stores. */
+let received = 0;
+
 export class Store {
   readonly series = new Series(Object.keys(kColumns).length, Math.ceil(kHistory_s / kInterval_s), kInterval_s);
   readonly path_histories: Record<EstimateName, PathHistory> = {
@@ -76,7 +79,7 @@ export class Store {
   /** Distance of each track. */
   leftTrack_m = 0;
   rightTrack_m = 0;
-  /** Number of messages received so far, by topic, by which views detect new data. */
+  /** Number of the newest message by topic, counted over all stores, by which views detect other data. */
   readonly received: Record<string, number> = {};
 
   private readonly latest: { [T in Topic]?: Channels[T] } = {};
@@ -95,7 +98,7 @@ export class Store {
     else if (topic === '/path_history') this.history(message as SceneUpdate);
     this.latest[topic] = message as never;
     this.received_ms[topic] = this.now();
-    this.received[topic] = (this.received[topic] ?? 0) + 1;
+    this.received[topic] = ++received;
   }
 
   /** True if the data of `topic` is too old to be used. */
@@ -124,7 +127,7 @@ export class Store {
     );
   }
 
-  /** Resets the store, but not the message counts, so that every view updates. */
+  /** Resets the store, but not the numbers of its messages. */
   clear(): void {
     this.series.clear();
     this.clearTrails();

@@ -51,7 +51,6 @@ it('it stays bounded however long it runs, and takes an event that is repeated a
   expect(store.series.length).toBeLessThanOrEqual(store.series.capacity);
   for (let i = 0; i < 1000; i++) for (let n = 0; n < 2; n++) store.receive('/event', event(i));
   expect(store.events.map(({ t_s }) => t_s)).toEqual(Array.from({ length: kEvents }, (_, i) => 1000 - kEvents + i));
-  expect(store.received['/event'], 'how views see that there is more').toBe(2000);
   store.clear();
   expect(store.events).toEqual([]);
 });
