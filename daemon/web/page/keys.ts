@@ -3,22 +3,14 @@ import type { KeyChange } from '../drive/inputs.ts';
 
 export interface Keys {
   stop(): void;
-  start(): void;
-  hold(): void;
-  /** Pauses a run. */
-  pause(): void;
-  /** Takes the wheel. */
-  drive(): void;
   /** A key is pressed, repeated or released. True: this page drives by it, and the key has no other meaning. */
   driveKey(code: string, change: KeyChange): boolean;
   /** The keys that are held may be released without a word. */
   letGo(): void;
-  camera(index: number): void;
-  nextCamera(): void;
-  /** Shows the list of keys. */
-  keys(): void;
-  /** Steps through a recording; does nothing while live. */
-  step(direction: 1 | -1): void;
+  /** What other keys do, by their character, each time they are pressed. */
+  pressed: Partial<Record<string, () => void>>;
+  /** The same for keys that also act again and again while they are held. */
+  held: Partial<Record<string, () => void>>;
 }
 
 /** Whether `target` uses the space bar itself. */
@@ -46,15 +38,8 @@ export function listen(keys: Keys): void {
         event.stopPropagation();
         return;
       }
-      if (event.key === 'r' && !event.repeat) keys.start();
-      else if (event.key === 'h' && !event.repeat) keys.hold();
-      else if (event.key === 'p' && !event.repeat) keys.pause();
-      else if (event.key === 'm' && !event.repeat) keys.drive();
-      else if (event.key === 'c') keys.nextCamera();
-      else if (event.key >= '1' && event.key <= '4') keys.camera(Number(event.key) - 1);
-      else if (event.key === '?') keys.keys();
-      else if (event.key === '[') keys.step(-1);
-      else if (event.key === ']') keys.step(1);
+      keys.held[event.key]?.();
+      if (!event.repeat) keys.pressed[event.key]?.();
     },
     { capture: true },
   );

@@ -23,7 +23,7 @@ import { CameraImagePanel } from '../panel/camera_image.ts';
 import { Controls } from '../panel/controls.ts';
 import { CourseList } from '../panel/course_list.ts';
 import { DoctorPanel } from '../panel/doctor_panel.ts';
-import { h } from '../panel/dom.ts';
+import { attended, h, onLeave } from '../panel/dom.ts';
 import { DrivePanel } from '../panel/drive_panel.ts';
 import { Drawer } from '../panel/drawer.ts';
 import { EventLog } from '../panel/event_log.ts';
@@ -197,7 +197,7 @@ const driver = new Driver(
   call,
   consent.move,
   inputs,
-  () => document.visibilityState === 'visible' && document.hasFocus(),
+  attended,
   (why) => {
     if (why !== '') notice.say(`Driving by hand: ${why}`, performance.now());
   },
@@ -282,32 +282,28 @@ Promise.all([past('/estimate'), past('/slip')]).then(
   () => undefined,
 );
 
-/** Channels with a message in every step that only signals need. */
-const kOnDemand = ['/sample', '/command'];
-const demanded = new Set<string>();
+/** Subscribes to the channels with a message in every step while signals need them. */
 function demand(): void {
-  for (const topic of kOnDemand) {
-    const needed = drawer.selected === 'signals' || signals.needs(topic);
-    if (needed === demanded.has(topic)) continue;
-    if (needed) client.subscribe(topic, (message) => { signals.receive(topic, message); });
+  for (const topic of ['/sample', '/command']) {
+    if (drawer.selected === 'signals' || signals.needs(topic)) client.subscribe(topic, (message) => { signals.receive(topic, message); });
     else client.unsubscribe(topic);
-    if (needed) demanded.add(topic);
-    else demanded.delete(topic);
   }
 }
 
 listen({
   stop: pressStop,
-  start: () => { controls.pressStart(); },
-  hold: () => { controls.pressHold(); },
-  pause: () => { controls.pressPause(); },
-  drive: () => { drive.press(); },
   driveKey,
   letGo: () => { driver.leave(); },
-  camera: (index) => { viewport.set(kModes[index] ?? 'free'); },
-  nextCamera: () => { viewport.next(); },
-  keys: () => { drawer.select('keys'); },
-  step: (direction) => { transport.step(direction); },
+  pressed: {
+    r: () => { controls.pressStart(); },
+    h: () => { controls.pressHold(); },
+    p: () => { controls.pressPause(); },
+    m: () => { drive.press(); },
+    c: () => { viewport.next(); },
+    '?': () => { drawer.select('keys'); },
+    ...Object.fromEntries(kModes.map((mode, i) => [String(i + 1), () => { viewport.set(mode); }])),
+  },
+  held: { '[': () => { transport.step(-1); }, ']': () => { transport.step(1); } },
 });
 
 function driveKey(code: string, change: KeyChange): boolean {
@@ -319,10 +315,7 @@ function driveKey(code: string, change: KeyChange): boolean {
 }
 
 setInterval(() => { driver.tick(); }, kPeriod_ms);
-for (const gone of ['blur', 'pagehide'] as const) window.addEventListener(gone, () => { driver.leave(); });
-document.addEventListener('visibilitychange', () => {
-  if (document.visibilityState !== 'visible') driver.leave();
-});
+onLeave(() => { driver.leave(); });
 window.addEventListener('gamepaddisconnected', () => { driver.tick(); });
 
 let watching = false;

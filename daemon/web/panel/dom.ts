@@ -64,6 +64,17 @@ export function deleteButton(attributes: Record<string, string>, act: () => void
   return element;
 }
 
+/** Whether a person is at this page: it is visible and has the focus. */
+export const attended = (): boolean => document.visibilityState === 'visible' && document.hasFocus();
+
+/** Calls `left` when the page loses the focus, is hidden or closed. */
+export function onLeave(left: () => void): void {
+  for (const gone of ['blur', 'pagehide'] as const) window.addEventListener(gone, left);
+  document.addEventListener('visibilitychange', () => {
+    if (document.visibilityState !== 'visible') left();
+  });
+}
+
 /** One of a fixed set of symbols, as drawings because fonts lack them. */
 export function icon(name: keyof typeof kIcons): SVGSVGElement {
   const image = svg('svg', { class: 'icon', viewBox: '0 0 16 16', 'aria-hidden': 'true' });

@@ -1,5 +1,5 @@
 // Events, newest first: with the wall-clock time if it is known, filtered by level and by words.
-import { clock, wallClock } from '../state/format.ts';
+import { clock, hasWords, wallClock } from '../state/format.ts';
 import type { Event } from '../state/messages.ts';
 import { kEvents, type Store } from '../state/store.ts';
 import { h } from './dom.ts';
@@ -42,12 +42,10 @@ export class EventLog {
   }
 
   private narrow(): void {
-    const words = this.search.value.trim().toLowerCase().split(/\s+/);
     let any = this.list.children.length === 0;
     for (const element of this.list.children) {
       if (!(element instanceof HTMLElement)) continue;
-      const text = element.textContent.toLowerCase();
-      element.hidden = kLevels.indexOf(element.dataset.level ?? '') < Number(this.level.value) || !words.every((word) => text.includes(word));
+      element.hidden = kLevels.indexOf(element.dataset.level ?? '') < Number(this.level.value) || !hasWords(element.textContent, this.search.value);
       any ||= !element.hidden;
     }
     this.none.hidden = any;

@@ -5,7 +5,7 @@ import { calibrationCourses, drivesOf, measuredIn, measuredTable, noteOf, space,
 import type { RunEntry, RunsList } from '../state/runs.ts';
 import { facts, type CourseEntry, type SetupList } from '../state/setup.ts';
 import { whyNot, type Store } from '../state/store.ts';
-import { button, h, Message, setText } from './dom.ts';
+import { button, h, Message, onLeave, setText } from './dom.ts';
 import { FoundRobot } from './found_robot.ts';
 import { fetched, reason, type Call } from '../state/service.ts';
 
@@ -50,10 +50,7 @@ export class IdentifyPanel {
       ask: (text) => this.confirm(text, 'Drive', 'identify-drive-now'),
     };
     consent.subscribe((why) => { this.giveUp(why); });
-    for (const gone of ['blur', 'pagehide'] as const) window.addEventListener(gone, () => { this.giveUp('The page was left'); });
-    document.addEventListener('visibilitychange', () => {
-      if (document.visibilityState !== 'visible') this.giveUp('The page was left');
-    });
+    onLeave(() => { this.giveUp('The page was left'); });
     this.found = new FoundRobot(call, this.message);
     this.element.append(h('div', { class: 'tab-bar' }, this.evaluate, this.message.element), this.why, this.question, this.found.element, this.list);
   }

@@ -11,7 +11,6 @@ export class Plots {
   window_s = 60;
   private readonly plots: Plot[];
   private readonly truth: Plot;
-  private truthKnown = false;
 
   constructor() {
     this.truth = new Plot({
@@ -90,11 +89,8 @@ export class Plots {
   }
 
   show(store: Store): void {
-    if (!this.truthKnown && store.get('/estimate')?.truth) {
-      this.truthKnown = true;
-      this.truth.element.hidden = false;
-    }
-    setClass(this.element, 'with-truth', this.truthKnown);
+    if (store.get('/estimate')?.truth) this.truth.element.hidden = false;
+    setClass(this.element, 'with-truth', !this.truth.element.hidden);
     for (const plot of this.plots) {
       if (!plot.element.hidden) {
         plot.resize();

@@ -88,13 +88,10 @@ export class RunList {
     const known = new Set(runs.map(({ run }) => run));
     for (const run of [...this.rows.keys()]) if (!known.has(run)) this.rows.delete(run);
     for (const run of [...this.chosen]) if (!known.has(run)) this.chosen.delete(run);
-    const elements = runs.map((run) => this.row(run));
     // Unchanged rows stay in the page, so that they keep the focus and their open parts.
-    const same = elements.length === this.body.children.length;
-    if (!same || elements.some((each, i) => this.body.children[i] !== each)) {
-      if (same) elements.forEach((each, i) => { if (this.body.children[i] !== each) this.body.children[i]?.replaceWith(each); });
-      else this.body.replaceChildren(...elements);
-    }
+    const rows = runs.map((run) => this.row(run));
+    for (const old of [...this.body.rows]) if (!rows.includes(old)) old.remove();
+    rows.forEach((row, i) => { if (this.body.rows[i] !== row) this.body.insertBefore(row, this.body.rows[i] ?? null); });
     this.table.hidden = runs.length === 0;
     this.empty.hidden = runs.length > 0;
     this.empty.textContent = directory

@@ -1,6 +1,6 @@
 // The content of the view as text for screen readers: read out when the state changes, otherwise kept up to date
 // silently.
-import { fixed } from '../state/format.ts';
+import { degrees, fixed } from '../state/format.ts';
 import type { Store } from '../state/store.ts';
 import { h, setText } from './dom.ts';
 
@@ -24,8 +24,7 @@ export function sceneText(store: Store, replayed: boolean): string {
   if (store.stale('/estimate')) {
     parts.push('Its pose is not known now.');
   } else if (estimate !== undefined && pose !== undefined) {
-    const heading_deg = (pose.yaw_rad * 180) / Math.PI;
-    parts.push(`It is at x ${fixed(pose.x_m, 2)} m, y ${fixed(pose.y_m, 2)} m, heading ${fixed(heading_deg, 0)} degrees.`);
+    parts.push(`It is at x ${fixed(pose.x_m, 2)} m, y ${fixed(pose.y_m, 2)} m, heading ${degrees(pose.yaw_rad, 0)} degrees.`);
     if (typeof state.length_m === 'number') {
       const error_mm = 1000 * estimate.cross_track_m;
       const side = Math.abs(error_mm) < 0.5 ? 'on the path' : `${fixed(Math.abs(error_mm), 0)} mm to the ${error_mm > 0 ? 'left' : 'right'} of the path`;

@@ -1,5 +1,6 @@
 // The Signals tab: any numeric fields of the channels as diagrams, live or of a recording.
-import { csv, isSignalTopic, search, Signals, topicOf, unitOf, kSignalHistory_s } from '../state/signals.ts';
+import { hasWords } from '../state/format.ts';
+import { csv, isSignalTopic, Signals, topicOf, unitOf, kSignalHistory_s } from '../state/signals.ts';
 import type { Frame } from '../replay/recording.ts';
 import type { Store } from '../state/store.ts';
 import { button, h, setAttribute, setText } from './dom.ts';
@@ -163,7 +164,7 @@ export class SignalPanel {
 
   private showList(): void {
     const chosen = this.live.names;
-    const found = search([...new Set([...this.live.fields, ...this.signals.fields, ...chosen])].sort(), this.search.value.trim());
+    const found = [...new Set([...this.live.fields, ...this.signals.fields, ...chosen])].sort().filter((name) => hasWords(name, this.search.value));
     const first = [...found.filter((name) => chosen.includes(name)), ...found.filter((name) => !chosen.includes(name))].slice(0, kListed);
     const key = `${first.join()} ${chosen.join()} ${found.length}`;
     if (key === this.listed) return;

@@ -2,7 +2,7 @@
 import type { Consent } from '../state/consent.ts';
 import { kWatch_ms, WheelsUp, type WheelsUpProgress, type WheelsUpQuestion } from '../state/wheels_up.ts';
 import { verdict, type Finding } from '../state/doctor.ts';
-import { button, h, Message, setAttribute } from './dom.ts';
+import { attended, button, h, Message, setAttribute } from './dom.ts';
 import type { Call } from '../state/service.ts';
 
 export class WheelsUpPanel {
@@ -26,7 +26,7 @@ export class WheelsUpPanel {
     this.check = new WheelsUp(
       call,
       consent.move,
-      () => document.visibilityState === 'visible' && document.hasFocus(),
+      attended,
       () => performance.now(),
       (progress) => { this.progress(progress); },
       (why) => { this.message.say(why, true); },

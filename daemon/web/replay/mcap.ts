@@ -23,11 +23,7 @@ export class McapScanner {
   /** True once the part with messages has ended. */
   ended = false;
 
-  /** `wanted` decides by topic and time before anything is copied. */
-  constructor(
-    private readonly received: (message: McapMessage) => void,
-    private readonly wanted: (topic: string, time_s: number) => boolean = () => true,
-  ) {}
+  constructor(private readonly received: (message: McapMessage) => void) {}
 
   /** Takes the next bytes of the file. Throws if it is not an MCAP file, or corrupted. */
   push(bytes: Uint8Array): void {
@@ -76,7 +72,7 @@ export class McapScanner {
     } else if (op === kOp.message && body.length >= 22) {
       const topic = this.topics.get(view.getUint16(0, true));
       const time_s = Number(view.getBigUint64(6, true)) * 1e-9;
-      if (topic !== undefined && this.wanted(topic, time_s)) this.received({ topic, time_s, data: body.subarray(22) });
+      if (topic !== undefined) this.received({ topic, time_s, data: body.subarray(22) });
     } else if (op === kOp.chunk && body.length >= 32) {
       this.chunk(body, view);
     }

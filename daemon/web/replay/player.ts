@@ -23,7 +23,7 @@ export class Player {
     this.begin_s = frames.find((frame) => frame.topic === '/estimate')?.time_s ?? 0;
     this.end_s = frames.at(-1)?.time_s ?? 0;
     this.at_s = this.begin_s;
-    this.seek(this.begin_s);
+    this.show(0);
   }
 
   get duration_s(): number {
@@ -42,8 +42,9 @@ export class Player {
     return began_s > kPlausible_unix_s ? began_s : undefined;
   }
 
-  seek(time_s: number): void {
-    const to_s = Math.min(Math.max(time_s, this.begin_s), this.end_s);
+  /** Shows the moment `position_s` after the beginning of the run. */
+  show(position_s: number): void {
+    const to_s = Math.min(Math.max(this.begin_s + position_s, this.begin_s), this.end_s);
     if (to_s < this.at_s) {
       this.next = 0;
       this.store.clear();
@@ -54,22 +55,17 @@ export class Player {
     }
   }
 
-  /** Shows the moment `position_s` after the beginning of the run. */
-  show(position_s: number): void {
-    this.seek(this.begin_s + position_s);
-  }
-
   tick(dt_s: number): void {
     if (!this.playing) return;
     if (this.at_s >= this.end_s) {
       this.playing = false;
       return;
     }
-    this.seek(this.at_s + dt_s * this.speed);
+    this.show(this.position_s + dt_s * this.speed);
   }
 
   toggle(): void {
-    if (!this.playing && this.at_s >= this.end_s) this.seek(this.begin_s);
+    if (!this.playing && this.at_s >= this.end_s) this.show(0);
     this.playing = !this.playing;
   }
 }

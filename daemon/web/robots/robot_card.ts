@@ -2,7 +2,7 @@
 import { h, setAttribute, setText } from '../panel/dom.ts';
 import { kRunLamps } from '../panel/status_bar.ts';
 import { StopPanel } from '../panel/stop_panel.ts';
-import { clock, fixed } from '../state/format.ts';
+import { clock, degrees, fixed } from '../state/format.ts';
 import { asksForMotion, type State } from '../state/messages.ts';
 import type { Robot } from './robot.ts';
 
@@ -64,7 +64,7 @@ export class RobotCard {
     setText(this.figure.course, state.course === '' ? 'none' : `${state.course}${progress}`);
     setText(this.figure.time, typeof state.run_s === 'number' ? clock(state.run_s) : '\u2013');
     const { pose } = state;
-    setText(this.figure.pose, pose ? `x ${fixed(pose.x_m, 2)} m, y ${fixed(pose.y_m, 2)} m, ${fixed((pose.yaw_rad * 180) / Math.PI, 0)}\u00b0` : '\u2013');
+    setText(this.figure.pose, pose ? `x ${fixed(pose.x_m, 2)} m, y ${fixed(pose.y_m, 2)} m, ${degrees(pose.yaw_rad, 0)}\u00b0` : '\u2013');
     setText(this.figure.battery, typeof state.battery_v === 'number' && present ? `${fixed(state.battery_v, 1)} V` : '\u2013');
     const [fault] = state.faults;
     const more = state.faults.length > 1 ? ` (+${state.faults.length - 1})` : '';

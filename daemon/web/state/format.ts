@@ -1,4 +1,4 @@
-// Numbers as text of constant width, so that nothing on the page moves.
+// Numbers as text of constant width, so that nothing on the page moves; and words in texts.
 
 const kMinus = '\u2212';
 const kUnknown = '\u2013';
@@ -67,4 +67,9 @@ export function bytes(value: number | null | undefined): string {
 export function count(value: number | null | undefined): string {
   if (!isKnown(value)) return kUnknown;
   return Math.round(value).toString().replace(/\B(?=(\d{3})+$)/g, '\u2009');
+}
+
+/** Whether every word of a search occurs in a text. */
+export function hasWords(text: string, search: string): boolean {
+  return search.trim().toLowerCase().split(/\s+/).every((word) => text.toLowerCase().includes(word));
 }

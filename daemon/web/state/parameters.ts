@@ -1,4 +1,5 @@
 // Editing of parameters: meaning of typed text, edits that are not saved yet, and the configuration file's values.
+import { hasWords } from './format.ts';
 import type { Parameter } from './messages.ts';
 
 export type Value = Parameter['value'];
@@ -13,7 +14,6 @@ export interface Difference {
 /** The answer of `parameters_save` and `parameters_restore`. */
 export interface SaveAnswer {
   file: string;
-  written: boolean;
   may_restore: boolean;
   differences: Difference[];
 }
@@ -53,10 +53,9 @@ export function grouped(parameters: readonly Parameter[]): [table: string, param
   return [...groups];
 }
 
-/** Whether every word of the search occurs in name, unit or meaning. */
+/** Whether every word of the search occurs in name, unit, meaning or choices. */
 export function matches(parameter: Parameter, search: string): boolean {
-  const text = `${parameter.name} ${parameter.unit} ${parameter.meaning} ${parameter.choices.join(' ')}`.toLowerCase();
-  return search.toLowerCase().split(/\s+/).every((word) => text.includes(word));
+  return hasWords(`${parameter.name} ${parameter.unit} ${parameter.meaning} ${parameter.choices.join(' ')}`, search);
 }
 
 /** Edits of parameters that take effect only at the next start, and the file's values. */

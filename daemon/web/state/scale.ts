@@ -1,7 +1,7 @@
 // The range of a plot's axis, which changes only in steps.
 
 /** The smallest of 1, 2, 2.5, 5 times a power of ten that is not below `value`. */
-export function niceStep(value: number): number {
+function niceStep(value: number): number {
   if (!(value > 0)) return 1;
   const power = 10 ** Math.floor(Math.log10(value));
   for (const factor of [1, 2, 2.5, 5]) {

@@ -44,35 +44,16 @@ function timeOf(message: unknown): number {
   return valueOf('.t_s', message);
 }
 
+const kUnits: Partial<Record<string, string>> = {
+  radps: 'rad/s', mps2: 'm/s²', mps: 'm/s', degc: '°C', rad: 'rad', hz: 'Hz', ppm: 'ppm', ps: 'B/s', ms: 'ms', us: 'µs', m: 'm', s: 's', v: 'V',
+};
+
 /** A signal's unit, by the suffix of its name as everywhere in the daemon; empty: none. */
 export function unitOf(signal: string): string {
   const field = signal.split('.').filter((part) => !/^\d+$/.test(part)).at(-1) ?? '';
   // The unit may be in the name of the parent: round_trip_us, sample_age_us.p99.
-  const units: [RegExp, string][] = [
-    [/_radps$/, 'rad/s'],
-    [/_mps2$/, 'm/s²'],
-    [/_mps$/, 'm/s'],
-    [/_degc$/, '°C'],
-    [/_rad$/, 'rad'],
-    [/_hz$/, 'Hz'],
-    [/_ppm$/, 'ppm'],
-    [/_bytes_ps$/, 'B/s'],
-    [/_ms$/, 'ms'],
-    [/_us$/, 'µs'],
-    [/_m$/, 'm'],
-    [/_s$/, 's'],
-    [/_v$/, 'V'],
-  ];
-  const found = units.find(([end]) => end.test(field));
-  if (found !== undefined) return found[1];
-  const holder = /_us\.(mean|p50|p99|p999|max)$/.test(signal);
-  return holder ? 'µs' : '';
-}
-
-/** Names in which every word of the search occurs. */
-export function search(names: readonly string[], text: string): string[] {
-  const words = text.toLowerCase().split(/\s+/);
-  return names.filter((name) => words.every((word) => name.toLowerCase().includes(word)));
+  if (/_us\.(mean|p50|p99|p999|max)$/.test(signal)) return 'µs';
+  return field.includes('_') ? (kUnits[field.slice(field.lastIndexOf('_') + 1)] ?? '') : '';
 }
 
 /** The chosen signals of one source. */
