@@ -92,6 +92,18 @@ export async function drawn(page: Page): Promise<number[] | undefined> {
   return text === null || text === '' ? undefined : text.split(' ').map(Number);
 }
 
+/** Red, green and blue of the map at a point of the page, 0 to 255; empty if no map is there. */
+export function colour(page: Page, at: Place): Promise<number[]> {
+  return page.evaluate(({ x, y }) => {
+    const canvas = document.querySelector<HTMLCanvasElement>('.stage canvas');
+    const box = canvas?.getBoundingClientRect();
+    if (canvas === null || box === undefined) return [];
+    const scale = canvas.width / box.width;
+    const data = canvas.getContext('2d')?.getImageData(scale * (x - box.left), scale * (y - box.top), 1, 1).data;
+    return [...(data ?? [])].slice(0, 3);
+  }, at);
+}
+
 /** Whether no run is under way. */
 export async function rests(page: Page): Promise<boolean> {
   return ['aborted', 'idle', 'finished'].includes(await run(page));

@@ -1,7 +1,7 @@
 // The page as a whole: its layout on every screen, its themes, the map and the scene, and everything without a mouse.
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
-import { alive, drawn, driveUntil, findings, goOn, kDesktop, kPhone, kSize, picture, resize, rest, run, shows, tooWide, until } from './cockpit.ts';
+import { alive, colour, drawn, driveUntil, findings, goOn, kDesktop, kPhone, kSize, picture, resize, rest, run, shows, tooWide, until } from './cockpit.ts';
 import { Setting } from './setting.ts';
 
 const kTabs = ['events', 'courses', 'runs', 'parameters', 'signals', 'link', 'doctor', 'identify', 'keys'];
@@ -33,17 +33,12 @@ const kEveryTab = 4;
 const theme = (page: Page): Promise<string | null> => page.getAttribute('html', 'data-theme');
 const pressed = async (page: Page, id: string): Promise<boolean> => (await page.getAttribute(`#${id}`, 'aria-pressed')) === 'true';
 
-/** The brightness of the middle of the map's edge, where nothing but floor and grid is, 0 to 255. */
-const floor = (page: Page): Promise<number> =>
-  page.evaluate(() => {
-    const canvas = document.querySelector<HTMLCanvasElement>('.stage canvas');
-    // A copy, because the browser complains if the page's own canvas is read again and again.
-    const copy = document.createElement('canvas').getContext('2d', { willReadFrequently: true });
-    if (canvas === null || copy === null) return NaN;
-    copy.drawImage(canvas, 1, 1, 1, 1, 0, 0, 1, 1);
-    const { data } = copy.getImageData(0, 0, 1, 1);
-    return ((data[0] ?? 0) + (data[1] ?? 0) + (data[2] ?? 0)) / 3;
-  });
+/** The brightness of the map's corner, where nothing but floor and grid is, 0 to 255. */
+async function floor(page: Page): Promise<number> {
+  const box = await page.locator('.stage canvas').boundingBox();
+  const [red = NaN, green = NaN, blue = NaN] = await colour(page, { x: (box?.x ?? NaN) + 1, y: (box?.y ?? NaN) + 1 });
+  return (red + green + blue) / 3;
+}
 
 /** Presses the tab key until `id` has the focus. */
 async function tabTo(page: Page, id: string): Promise<void> {

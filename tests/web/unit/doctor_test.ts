@@ -1,13 +1,6 @@
-// What the page says of an examination, and how it watches the check of the tracks.
+// How the page watches the check of the tracks.
 import { describe, expect, it } from 'vitest';
-import { verdict, type Finding, type Severity } from '../../../daemon/web/state/doctor.ts';
 import { WheelsUp } from '../../../daemon/web/state/wheels_up.ts';
-
-it('an examination counts what was found; with an error the robot does not drive', () => {
-  const finding = (severity: Severity): Finding => ({ severity, name: 'disk', seen: '', fix: '' });
-  expect(verdict((['ok', 'warning', 'note', 'note'] as const).map(finding))).toBe('Ready to drive: 0 errors, 1 warning, 2 notes.');
-  expect(verdict([finding('error')])).toBe('Not ready to drive: 1 error, 0 warnings, 0 notes.');
-});
 
 describe('the check of the tracks', () => {
   const check = (answers: unknown[]): { calls: [string, unknown][]; progress: unknown[]; failed: string[]; seen: { yes: boolean }; up: WheelsUp } => {

@@ -39,7 +39,7 @@ it('what Save writes are the edits and the live values, without what may not be 
   edits.set(rate, 200);
   expect(edits.names).toEqual([]);
   // A value in force is an edit where the file has another one.
-  edits.compared({ file: 'f', written: false, may_restore: true, differences: [{ name: 'loop.rate_hz', before: '100.0', after: '200.0' }] });
+  edits.compared({ file: 'f', may_restore: true, differences: [{ name: 'loop.rate_hz', before: '100.0', after: '200.0' }] });
   edits.set(rate, 200);
   expect(edits.get('loop.rate_hz')).toBe(200);
 });

@@ -54,13 +54,13 @@ it('a path keeps points at least its spacing apart, never more than its capacity
 });
 
 it('a thinned recording never holds more than its capacity, also of a burst, and covers everything', () => {
-  const thinned = new Thinned<number>(100, 0.01);
-  for (let i = 0; i < 100_000; i++) thinned.add(i * 0.01, i);
+  const thinned = new Thinned(100, 0.01);
+  for (let i = 0; i < 100_000; i++) thinned.add({ time_s: i * 0.01 });
   expect(thinned.items.length).toBeLessThanOrEqual(100);
   expect(thinned.items.length).toBeGreaterThan(40);
-  expect(thinned.items[0]?.item).toBe(0);
-  expect(thinned.items.at(-1)?.item).toBeGreaterThan(97_000);
-  const burst = new Thinned<number>(10, 0);
-  for (let i = 0; i < 1000; i++) burst.add(5, i);
+  expect(thinned.items[0]?.time_s).toBe(0);
+  expect(thinned.items.at(-1)?.time_s).toBeGreaterThan(970);
+  const burst = new Thinned(10, 0);
+  for (let i = 0; i < 1000; i++) burst.add({ time_s: 5 });
   expect(burst.items.length).toBeLessThanOrEqual(10);
 });
