@@ -4,7 +4,7 @@ import { load } from './packages.mjs';
 
 const { McapIndexedReader } = load('@mcap/core');
 const { decompress } = load('fzstd');
-const decompressHandlers = { zstd: (bytes, size) => decompress(bytes, new Uint8Array(Number(size))) };
+export const decompressHandlers = { zstd: (bytes, size) => decompress(bytes, new Uint8Array(Number(size))) };
 
 /** The reader of a file, and its messages (`logTime`, `data`) by topic in the order of time; every CRC is checked. */
 export async function readMcap(file) {

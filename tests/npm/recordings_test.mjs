@@ -5,13 +5,11 @@ import { execFileSync } from 'node:child_process';
 import { readdir, readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import test from 'node:test';
-import { readMcap } from './mcap_file.mjs';
+import { decompressHandlers, readMcap } from './mcap_file.mjs';
 import { load } from './packages.mjs';
 import { inFolder, lineCourse, program, withRobot } from './programs.mjs';
 
 const { McapStreamReader } = load('@mcap/core');
-const { decompress } = load('fzstd');
-const decompressHandlers = { zstd: (bytes, size) => decompress(bytes, new Uint8Array(Number(size))) };
 
 /** The only run that was recorded into `folder`. */
 async function recorded(folder) {

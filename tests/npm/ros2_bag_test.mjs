@@ -7,7 +7,7 @@ import test from 'node:test';
 import { readMcap } from './mcap_file.mjs';
 import { load } from './packages.mjs';
 import { inFolder, lineCourse, program } from './programs.mjs';
-import { angles, decode, definitionsOf, difference, elsewhere, nanoseconds, quaternion } from './ros2.mjs';
+import { decode, definitionsOf, difference, elsewhere, quaternion } from './ros2.mjs';
 
 const { parse } = load('@foxglove/rosmsg');
 const { parse: parseYaml } = load('yaml');
@@ -211,7 +211,6 @@ function checkStates(states, json, facts) {
 }
 
 const runs = [
-  { what: 'without a camera', options: [] },
   { what: 'with a camera', options: ['--camera'] },
   { what: 'of another robot in another set-up that a fault ends', robot: 'large', status: 1,
     options: ['--robot', 'large', '--setup', 'terrain', '--fault', 'imu-frozen@6'] },
