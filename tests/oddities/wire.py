@@ -24,7 +24,8 @@ for section in PAGE.split("\n### ")[1:]:
     assert struct.calcsize(layout) == int(head[3]), section
     TYPE[head[1]], LAYOUT[head[1]] = int(head[2], 0), (struct.Struct(layout), names)
 NAME = {byte: name for name, byte in TYPE.items()}
-GOLDEN = re.findall(r"^(\w+) ((?:[0-9A-F]{2})+)$", PAGE, re.MULTILINE)
+with open(ROOT + "/tests/wire/golden_frames.txt", encoding="utf-8") as frames:
+    GOLDEN = re.findall(r"^(\w+) \|.*\| ([0-9A-F]+)$", frames.read(), re.MULTILINE)
 
 CRC_TABLE = []
 for byte in range(256):

@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "all_messages.h"
-#include "golden.h"
 #include "support/paths.h"
 #include "wire/faults.h"
 #include "wire/frame.h"
@@ -114,14 +113,6 @@ TEST(Schema, APayloadHasTheStatedSizeAndIsReadOnlyWithIt) {
       EXPECT_FALSE(read_payload(payload, other, message)) << name;
     }
   });
-}
-
-TEST(ProtocolDocument, QuotesEveryGoldenFrame) {
-  const auto lines = golden::read_lines();
-  ASSERT_FALSE(lines.empty());
-  for (const golden::Line& line : lines) {
-    expect_in_document("\n" + line.name + " " + line.hex + "\n");
-  }
 }
 
 TEST(ProtocolDocument, ListsEveryFaultWithItsBit) {
