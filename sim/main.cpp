@@ -201,7 +201,6 @@ void add_demo_command(CLI::App& app, Action& action) {
 void add_faults_command(CLI::App& app, Action& action) {
   static FaultsCommand faults;
   CLI::App* command = app.add_subcommand("faults", "List what --fault can do to a robot");
-  command->add_flag("--json", faults.json, "One JSON object a line instead of a table");
   command->add_flag(
       "--drive", faults.drive,
       "Drive with each fault in virtual time; print expected and seen behaviour as a table");

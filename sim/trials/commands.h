@@ -45,7 +45,6 @@ int run_calibrate(const CalibrateCommand& command);
 // tp100-sim faults: the list of faults for --fault, and their effects.
 
 struct FaultsCommand {
-  bool json = false;
   bool drive = false;           ///< drive with each fault, print expected beside observed
   bool encoders = false;        ///< sweep encoder failures over speeds, positions and robots
   bool firmware_alone = false;  ///< do that sweep without the daemon's own checks

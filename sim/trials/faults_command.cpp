@@ -1,5 +1,4 @@
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -23,16 +22,6 @@ std::string_view words(FaultWord word) {
       break;
   }
   return "";
-}
-
-void print_json(const InjectableFault& row) {
-  nlohmann::ordered_json json{{"name", row.name}, {"group", row.group}, {"what", row.what}};
-  if (!row.number.empty())
-    json["number"] = {
-        {"unit", row.number}, {"default", row.standard}, {"min", row.least}, {"max", row.most}};
-  json["word"] = words(row.word);
-  json["lasts"] = !row.at_once;
-  std::printf("%s\n", json.dump().c_str());
 }
 
 void print_row(const InjectableFault& row) {
@@ -90,10 +79,6 @@ int run_faults(const FaultsCommand& command) {
   const BoardKind board = load(options).board;
   if (command.drive) return drive_all(board);
   if (command.encoders) return sweep_encoders(command, board);
-  if (command.json) {
-    for (const InjectableFault& row : kInjectableFaults) print_json(row);
-    return 0;
-  }
   std::printf(
       "--fault NAME[:NUMBER][:WORD][@T[+D]], from T s after the port was opened (0) for D s "
       "(for ever)\n");
