@@ -141,17 +141,6 @@ void add_robot_command(CLI::App& app, Action& action) {
   command->callback([&action] { action = [] { return run_robot(robot); }; });
 }
 
-void add_slope_command(CLI::App& app, Action& action) {
-  static SlopeCommand slope;
-  CLI::App* command =
-      app.add_subcommand("slope", "Measure slip up to 28 deg of slope, beside the paper's table");
-  command->add_option("--robot", slope.robot, "Name in config/robots or file (default: end-loaded)")
-      ->type_name("ROBOT");
-  command->add_flag("--json", slope.json, "One JSON object instead of a table");
-  command->footer("Example: tp100-sim slope --robot uniform");
-  command->callback([&action] { action = [] { return run_slope(slope); }; });
-}
-
 void add_calibrate_command(CLI::App& app, Action& action) {
   static CalibrateCommand calibrate;
   CLI::App* command = app.add_subcommand(
@@ -267,7 +256,6 @@ int run(int argc, char** argv) {
   Action action;
   add_course_command(app, action);
   add_robot_command(app, action);
-  add_slope_command(app, action);
   add_calibrate_command(app, action);
   add_demo_command(app, action);
   add_faults_command(app, action);

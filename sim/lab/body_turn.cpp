@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "sim/trials/commands.h"
+#include "sim/lab/body_slope.h"
 
 namespace tp100::sim {
 namespace {

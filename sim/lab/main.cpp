@@ -7,6 +7,7 @@
 #include <string>
 
 #include "sim/lab/auto_study.h"
+#include "sim/lab/body_slope.h"
 #include "sim/lab/calibration.h"
 #include "sim/lab/reproduce.h"
 #include "sim/robot/options.h"
@@ -113,6 +114,16 @@ void add_identify_command(CLI::App& app, Action& action) {
   command->callback([&action] { action = [] { return run_auto(identify); }; });
 }
 
+void add_slope_command(CLI::App& app, Action& action) {
+  static std::string robot;
+  CLI::App* command =
+      app.add_subcommand("slope", "Measure slip up to 28 deg of slope, beside the paper's table");
+  command->add_option("--robot", robot, "Name in config/robots or file (default: end-loaded)")
+      ->type_name("ROBOT");
+  command->footer("Example: tp100-lab slope --robot uniform");
+  command->callback([&action] { action = [] { return run_slope(robot); }; });
+}
+
 int run(int argc, char** argv) {
   CLI::App app{"The laboratory of tp100: studies that ask whether its model is right", "tp100-lab"};
   app.set_version_flag("--version", TP100_VERSION);
@@ -122,6 +133,7 @@ int run(int argc, char** argv) {
   add_reproduce_command(app, action);
   add_calibrate_command(app, action);
   add_identify_command(app, action);
+  add_slope_command(app, action);
   return tp100::text::run_command_line(app, argc, argv, action);
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "course/robot_file.h"
+#include "sim/lab/body_slope.h"
 #include "sim/lab/body_turn.h"
 #include "sim/lab/real_study.h"
 #include "sim/lab/state_study.h"

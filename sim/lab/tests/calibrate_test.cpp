@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/arithmetic.h"
+#include "sim/lab/body_slope.h"
 #include "sim/lab/body_turn.h"
 #include "sim/lab/calibration.h"
 
