@@ -6,8 +6,8 @@
 #include <cinttypes>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <sstream>
 #include <string_view>
 #include <utility>
@@ -37,6 +37,30 @@ std::string digest(std::string_view content) {
   return text::format("%016" PRIx64, hash);
 }
 
+std::string digest_of_file(const char* path) {
+  std::ostringstream content;
+  content << std::ifstream(path, std::ios::binary).rdbuf();
+  return digest(content.str());
+}
+
+/// This program and the libraries that compute for it, as they were when they were loaded.
+const Origin& program_origin() {
+  static const Origin kOrigin = [] {
+    Origin origin = {
+        {"program", "tp100-sim " TP100_VERSION ", build " + digest_of_file("/proc/self/exe")}};
+    const auto add = [](dl_phdr_info* module, std::size_t /*size*/, void* to) {
+      const std::string name = fs::path(module->dlpi_name).filename();
+      for (const std::string_view library : kLibraries)
+        if (name.starts_with(library))
+          (*static_cast<Origin*>(to))["library " + name] = digest_of_file(module->dlpi_name);
+      return 0;
+    };
+    dl_iterate_phdr(add, &origin);
+    return origin;
+  }();
+  return kOrigin;
+}
+
 /// Every text that the variable can take.
 std::vector<std::string> texts_of(const Variable& variable) {
   List values;
@@ -62,7 +86,6 @@ class Finding {
   explicit Finding(const CampaignSpec& spec) : spec_(spec) {}
 
   Origin operator()() {
-    program();
     if (!spec_.config.empty())
       add("configuration " + spec_.config,
           [this] { return course::read_text_file(spec_.config).text; });
@@ -72,14 +95,6 @@ class Finding {
   }
 
  private:
-  void program() {
-    for (const auto& [name, id] : build_ids()) {
-      if (name.empty()) origin_["program"] = "tp100-sim " TP100_VERSION ", build " + id;
-      for (const std::string_view library : kLibraries)
-        if (name.starts_with(library)) origin_["library " + name] = id;
-    }
-  }
-
   // The run itself reports why a file cannot be read.
   template <class Read>
   void add(const std::string& name, Read read) {
@@ -116,7 +131,7 @@ class Finding {
   }
 
   const CampaignSpec& spec_;
-  Origin origin_;
+  Origin origin_ = program_origin();
 };
 
 }  // namespace
@@ -150,57 +165,6 @@ std::string difference(const Origin& before, const Origin& now) {
   for (const auto& [name, content] : now)
     if (!before.contains(name)) say(name + " was " + kNone + ", is " + content);
   return text;
-}
-
-namespace {
-
-constexpr std::string_view kOwner("GNU\0", 4);
-
-std::size_t padded(std::size_t size) { return (size + 3) / 4 * 4; }
-
-std::string hexadecimal(const char* bytes, std::size_t size) {
-  std::string text;
-  for (std::size_t i = 0; i < size; ++i)
-    text += text::format("%02x", static_cast<unsigned char>(bytes[i]));
-  return text;
-}
-
-/// The build id in a segment of notes; empty: none.
-std::string build_id(const char* notes, std::size_t size) {
-  while (size >= sizeof(ElfW(Nhdr))) {
-    ElfW(Nhdr) head;
-    std::memcpy(&head, notes, sizeof head);
-    const std::size_t content = sizeof head + padded(head.n_namesz);
-    const std::size_t whole = content + padded(head.n_descsz);
-    if (whole > size) break;
-    if (head.n_type == NT_GNU_BUILD_ID &&
-        std::string_view(notes + sizeof head, head.n_namesz) == kOwner)
-      return hexadecimal(notes + content, head.n_descsz);
-    notes += whole;
-    size -= whole;
-  }
-  return {};
-}
-
-int note(dl_phdr_info* object, std::size_t /*size*/, void* context) {
-  auto& ids = *static_cast<std::map<std::string, std::string>*>(context);
-  for (int i = 0; i < object->dlpi_phnum; ++i) {
-    const ElfW(Phdr)& segment = object->dlpi_phdr[i];
-    if (segment.p_type != PT_NOTE) continue;
-    // NOLINTNEXTLINE(performance-no-int-to-ptr): the loader gives integers
-    const auto* notes = reinterpret_cast<const char*>(object->dlpi_addr + segment.p_vaddr);
-    const std::string id = build_id(notes, segment.p_memsz);
-    if (!id.empty()) ids[fs::path(object->dlpi_name).filename()] = id;
-  }
-  return 0;
-}
-
-}  // namespace
-
-std::map<std::string, std::string> build_ids() {
-  std::map<std::string, std::string> ids;
-  dl_iterate_phdr(note, &ids);
-  return ids;
 }
 
 CampaignFolder::CampaignFolder(std::string path, std::string spec_text)

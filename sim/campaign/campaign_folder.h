@@ -12,7 +12,7 @@ namespace tp100::sim {
 /// Origin of a campaign's results besides its spec. Two programs may put runs into one folder, or
 /// one may continue it later, only if the origin is the same for both. Keys are "course 3", "robot
 /// mine.toml", "program", ...; values identify the content: a digest of 16 hexadecimal digits for a
-/// file, version and build for the program, "not there" for a missing file.
+/// file, with its version for the program, "not there" for a missing file.
 using Origin = std::map<std::string, std::string>;
 
 /// This program, the libraries used for its computations, and every file that a run of the campaign
@@ -25,10 +25,6 @@ Origin read_origin(const std::string& text);
 
 /// Describes the differences; empty: none. Pure.
 std::string difference(const Origin& before, const Origin& now);
-
-/// Build ids (hexadecimal, as written by the linker) of the modules loaded into this process, by
-/// file name without folder; the program itself is "". Modules without an id are left out.
-std::map<std::string, std::string> build_ids();
 
 /// A campaign's spec, the origin of its results, and one file for each run that is done. Several
 /// programs may work in it at once, and any of them may be killed: files are created atomically.

@@ -102,7 +102,9 @@ bool only_texts(const Variable& variable) {
 Variable read_choice(text::TomlTable& root, const ChoiceKey& key) {
   if (!root.has(key.name) && key.standard != nullptr)
     return {key.name, text::TomlValue(root.text(key.name, key.standard))};
-  Variable variable = read_variable(root, key.name, key.name);
+  Variable variable = root.holds_table(key.name)
+                          ? read_sampled(root.table(key.name), key.name)
+                          : Variable{key.name, root.required_value(key.name)};
   if (!only_texts(variable))
     root.fail(key.name, std::string(key.name) + " needs a string or { list = [\"...\", ...] }");
   return variable;
@@ -152,11 +154,6 @@ TomlValue draw(const Variable& variable, const SampleKey& by) {
   // Box-Muller transform: std::normal_distribution differs between standard libraries.
   return normal.mean +
          normal.sd * std::sqrt(-2.0 * std::log(share)) * std::cos(2.0 * kPi * shares.next());
-}
-
-Variable read_variable(TomlTable& table, const std::string& key, const std::string& name) {
-  if (!table.holds_table(key)) return {name, table.required_value(key)};
-  return read_sampled(table.table(key), name);
 }
 
 std::vector<Variable> read_variables(TomlTable table, const std::string& prefix) {

@@ -37,12 +37,9 @@ struct SampleKey {
 };
 text::TomlValue draw(const Variable& variable, const SampleKey& by);
 
-/// Reads a value or one of { uniform = [LOW, HIGH] }, { normal = [MEAN, SD] }, { list = [...] }.
-/// Throws SetupError.
-Variable read_variable(text::TomlTable& table, const std::string& key, const std::string& name);
-
-/// Reads the variables in `table` and its nested tables, by full name, in alphabetical order.
-/// Throws SetupError.
+/// Reads the variables in `table` and its nested tables, by full name, in alphabetical order: each a
+/// value, or one of { uniform = [LOW, HIGH] }, { normal = [MEAN, SD] }, { list = [...] }. Throws
+/// SetupError.
 std::vector<Variable> read_variables(text::TomlTable table, const std::string& prefix = "");
 
 /// One run, fully determined.
