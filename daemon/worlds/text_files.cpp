@@ -53,6 +53,23 @@ void walk(std::string_view pattern, Text on_text, Name on_name) {
   }
 }
 
+/// Throws SetupError unless the pattern is short enough and has only names that are `known`.
+template <class Known>
+void require_names(std::string_view pattern, const std::string& where, Known known,
+                   const char* valid) {
+  if (pattern.size() > kMaxTemplate)
+    throw SetupError(where + ": longer than " + std::to_string(kMaxTemplate) + " characters");
+  const std::size_t last = pattern.rfind('{');
+  if (last != std::string_view::npos && pattern.find('}', last) == std::string_view::npos)
+    throw SetupError(where + ": a { without its }");
+  walk(
+      pattern, [](std::string_view) {},
+      [&](std::string_view name) {
+        if (!known(name))
+          throw SetupError(where + ": {" + std::string(name) + "} is no value; use " + valid);
+      });
+}
+
 // x, y, z, roll, pitch, yaw.
 constexpr std::array<std::string_view, 6> kNames = {"x", "y", "z", "roll", "pitch", "yaw"};
 enum Value : std::size_t { kX, kY, kZ, kRoll, kPitch, kYaw };
@@ -200,36 +217,17 @@ std::optional<Orientation> patterned(std::string_view text, std::string_view pat
 }  // namespace
 
 void require_encoder_template(std::string_view pattern, const std::string& where) {
-  if (pattern.size() > kMaxTemplate)
-    throw SetupError(where + ": longer than " + std::to_string(kMaxTemplate) + " characters");
   const auto record = std::make_unique<const StepRecord>();
-  const auto unclosed = pattern.rfind('{');
-  if (unclosed != std::string_view::npos && pattern.find('}', unclosed) == std::string_view::npos)
-    throw SetupError(where + ": a { without its }");
-  walk(
-      pattern, [](std::string_view) {},
-      [&](std::string_view name) {
-        if (!value_of(name, *record, Frame::kRos))
-          throw SetupError(where + ": {" + std::string(name) +
-                           "} is no value; use seq, t_s, left_count, right_count, left, right, x, "
-                           "y, z, roll, pitch, yaw or mode");
-      });
+  require_names(
+      pattern, where,
+      [&](std::string_view name) { return value_of(name, *record, Frame::kRos).has_value(); },
+      "seq, t_s, left_count, right_count, left, right, x, y, z, roll, pitch, yaw or mode");
 }
 
 std::string encoder_text(std::string_view pattern, const StepRecord& record, Frame frame) {
   std::string out;
   walk(
-      pattern,
-      [&](std::string_view text) {
-        for (std::size_t i = 0; i < text.size(); ++i) {
-          const bool escape = text[i] == '\\' && i + 1 < text.size();
-          if (escape && (text[i + 1] == 'n' || text[i + 1] == 't')) {
-            out += text[++i] == 'n' ? '\n' : '\t';
-          } else {
-            out += text[i];
-          }
-        }
-      },
+      pattern, [&](std::string_view text) { out += text; },
       [&](std::string_view name) {
         if (const auto value = value_of(name, record, frame)) out += *value;
       });
@@ -239,20 +237,14 @@ std::string encoder_text(std::string_view pattern, const StepRecord& record, Fra
 
 void require_orientation_template(std::string_view pattern, const std::string& where) {
   if (pattern.empty()) return;
-  if (pattern.size() > kMaxTemplate)
-    throw SetupError(where + ": longer than " + std::to_string(kMaxTemplate) + " characters");
   bool pitch = false;
-  for (std::size_t at = pattern.find('{'); at != std::string_view::npos;
-       at = pattern.find('{', at + 1)) {
-    const std::size_t close = pattern.find('}', at);
-    const std::string_view name = close == std::string_view::npos
-                                      ? pattern.substr(at)
-                                      : pattern.substr(at + 1, close - at - 1);
-    if (close == std::string_view::npos || !index_of(name))
-      throw SetupError(where + ": {" + std::string(name) +
-                       "} is no value; use x, y, z, roll, pitch, yaw, or {} for a number to skip");
-    pitch = pitch || name == "pitch";
-  }
+  require_names(
+      pattern, where,
+      [&](std::string_view name) {
+        pitch = pitch || name == "pitch";
+        return index_of(name).has_value();
+      },
+      "x, y, z, roll, pitch, yaw, or {} for a number to skip");
   if (!pitch) throw SetupError(where + ": has no {pitch}, without which there is no slope");
 }
 

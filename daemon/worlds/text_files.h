@@ -19,8 +19,7 @@ void require_encoder_template(std::string_view pattern, const std::string& where
 
 /// `pattern` with each {name} replaced; lengths and angles in `frame`'s units and signs. Names:
 /// seq, t_s, left_count, right_count, left and right (track speeds), x, y, z, roll, pitch, yaw
-/// (pose in the course's world), mode. `\n` and `\t` stand for a line break and a tab. Always ends
-/// with a line break, which marks it as complete.
+/// (pose in the course's world), mode. Always ends with a line break, which marks it as complete.
 std::string encoder_text(std::string_view pattern, const StepRecord& record, Frame frame);
 
 /// The paper's Orientation.txt: the robot's position and attitude from a world. Input is hostile.

@@ -28,9 +28,9 @@ std::unique_ptr<StepRecord> record() {
 
 TEST(EncoderText, FillsTheTemplateInTheFrame) {
   EXPECT_EQ(encoder_text("{seq} {left} {right}", *record(), Frame::kRos), "17 0.100000 0.110000\n");
-  EXPECT_EQ(encoder_text("{left},{right},{y},{yaw} {mode}\\n", *record(), Frame::kUnreal),
+  EXPECT_EQ(encoder_text("{left},{right},{y},{yaw} {mode}\n", *record(), Frame::kUnreal),
             "10.000000,11.000000,-50.000000,-90.000000 running\n");
-  EXPECT_EQ(encoder_text("{t_s}\\t{left_count}", *record(), Frame::kRos), "2.500000\t-5\n");
+  EXPECT_EQ(encoder_text("{t_s}\t{left_count}", *record(), Frame::kRos), "2.500000\t-5\n");
 }
 
 TEST(OrientationText, UnrealsOwnTextsAreUnderstood) {
