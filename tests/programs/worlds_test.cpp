@@ -10,6 +10,7 @@
 #include <fstream>
 #include <memory>
 #include <regex>
+#include <thread>
 
 #include "process.h"
 #include "record/recording.h"
@@ -21,11 +22,13 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// Runs scripts/world on its own port.
+/// Runs scripts/world on its own port; with a `fault`, false_world.
 class PythonWorld {
  public:
-  explicit PythonWorld(const Words& more = {})
-      : process_(joined({source_path("scripts/world"), "--listen", "127.0.0.1:0"}, more)) {
+  explicit PythonWorld(const std::string& fault = "")
+      : process_(joined(fault.empty() ? Words{source_path("scripts/world")}
+                                      : Words{source_path("tests/programs/false_world"), fault},
+                        {"--listen", "127.0.0.1:0"})) {
     EXPECT_TRUE(process_.wait_for("listening at 127.0.0.1:")) << process_.output();
     // The port number follows in the same line.
     process_.wait_for("\n");
@@ -80,7 +83,7 @@ class WorldFaults : public Worlds,
 // Each fault begins one second into the run. A slow world is only found in real time.
 TEST_P(WorldFaults, EndTheRunWithItsCause) {
   const auto& [fault, cause] = GetParam();
-  const PythonWorld world({"--fault", std::string(fault) + "@1"});
+  const PythonWorld world(fault);
   const Finished finished = run({"tp100-sim", "course", "1-straight", "--world", world.address()});
   EXPECT_EQ(finished.status, 1) << finished.output;
   EXPECT_THAT(finished.output, HasSubstr(cause));
@@ -134,7 +137,7 @@ max_y_m = 0.5
 )";
 
 TEST_F(LiveWorlds, ASlowWorldEndsTheRunSafelyAndTheCauseIsNamed) {
-  const PythonWorld world({"--fault", "slow@1"});
+  const PythonWorld world("slow");
   Process bridge(daemon("1-straight", world.address(), 1000));
   ASSERT_TRUE(bridge.wait_for("state: running -> aborted")) << bridge.output();
   EXPECT_TRUE(robot_->wait_for("motors off")) << robot_->output();
@@ -152,9 +155,9 @@ class FileWorlds : public LiveWorlds {
     std::ofstream(folder_.file("course.toml"))
         << std::regex_replace(kCourse, std::regex("length_m = 1.0"), "length_m = 0.55");
   }
-  Words world(const std::string& fault = "") const {
-    return joined({source_path("scripts/world"), "--files", folder_.path().string()},
-                  {"--course", folder_.file("course.toml"), "--fault", fault});
+  Words world() const {
+    return {source_path("scripts/world"), "--files", folder_.path().string(), "--course",
+            folder_.file("course.toml")};
   }
   Words files_daemon(int timeout_ms) const {
     const Words out = daemon(folder_.file("course.toml"), "files");
@@ -204,12 +207,17 @@ TEST_F(FileWorlds, DriveAStep) {
 
 // The last good value must not be used for longer than the time-out.
 TEST_F(FileWorlds, AWorldWhoseFileNoLongerChangesOrIsGarbageEndsTheRunSafely) {
-  for (const char* fault : {"freeze@1", "garbage@1"}) {
-    SCOPED_TRACE(fault);
-    Process unreal(world(fault));
+  for (const char* last : {"", "P=nowhere\n"}) {
+    SCOPED_TRACE(last);
+    Process unreal(world());
     ASSERT_TRUE(unreal.wait_for("reading")) << unreal.output();
     Process bridge(files_daemon(1000));
-    ASSERT_TRUE(bridge.wait_for("state: running -> aborted")) << bridge.output();
+    ASSERT_TRUE(bridge.wait_for("-> running")) << bridge.output();
+    std::this_thread::sleep_for(std::chrono::seconds(1));
+    unreal.signal(SIGKILL);
+    unreal.wait();
+    if (*last != '\0') write_bytes(folder_.file("Orientation.txt"), last);
+    ASSERT_TRUE(bridge.wait_for("running -> aborted")) << bridge.output();
     EXPECT_TRUE(robot_->wait_for("motors off")) << robot_->output();
     bridge.signal(SIGTERM);
     EXPECT_EQ(bridge.wait(), 1);
