@@ -15,9 +15,6 @@ PARTS = {
               "20 s with random commands in a fence", [
                   ("what", "what", "<62s"), ("count", "count", "5d"), ("p50", "p50", "9.1f"), ("p99", "p99", "9.1f"),
                   ("max", "max", "9.1f"), ("unit", "unit", "<3s")]),
-    "replug": ("a driving robot unplugged again and again; what holds at the end beside what held after ten", [
-        ("what", "what", "<43s"), ("count", "cycles", "5d"), ("p50", "p50", "8.2f"), ("p99", "p99", "8.2f"),
-        ("max", "max", "8.2f"), ("from", "then", "8.4g"), ("to", "at the end", "8.4g")]),
     "step": ("the bridge's step with every estimate, rewind, terrain and control on, course 3 [us]; a step's time is "
              "the median of five passes", [
         ("setup", "set-up", "<7s"), ("steps", "steps", "6d"), ("which", "which", "<22s"), ("caches", "caches", "<6s"),

@@ -10,7 +10,6 @@
 #include <malloc.h>
 #include <sched.h>
 #include <sys/resource.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -151,23 +150,6 @@ void beside_a_frozen_disk(test::FrozenDisk& disk, int rounds) {
   }
   print("frozen disk: longest silence of the watchdog in 3 s", silence);
   ::unsetenv("NOTIFY_SOCKET");
-}
-
-void while_the_statistics_hang() {
-  const test::TemporaryFolder folder;
-  const std::string pipe = folder.file("stats");
-  if (::mkfifo(pipe.c_str(), 0600) != 0) return;
-  // Only the first figures are read; writing the next ones blocks forever.
-  std::thread first([&] { std::ifstream(pipe).ignore(1 << 20); });
-  Rig rig({"--go", "--course", "1-straight", "--stats", pipe});
-  first.join();
-  rig.start();
-  std::this_thread::sleep_for(1100ms);
-  const auto begin = Clock::now();
-  rig.daemon().process().signal(SIGTERM);
-  const int status = rig.daemon().process().wait();
-  print("stats never written: to the end, with status " + std::to_string(status),
-        {ms_since(begin)});
 }
 
 std::string call_of(std::uint32_t service, const std::string& json) {
@@ -353,7 +335,6 @@ int main(int argc, char** argv) try {
   std::signal(SIGPIPE, SIG_IGN);
   // The robot's thread must wait for no lock that a thread of the load holds: a heap for each.
   ::mallopt(M_ARENA_MAX, 1000);
-  while_the_statistics_hang();
   tp100::test::FrozenDisk disk;
   if (!disk.available())
     throw std::runtime_error("no file system can be frozen (root, loop device)");
