@@ -23,7 +23,6 @@
 #include "text/atomic_file.h"
 #include "text/format.h"
 #include "text/toml_document.h"
-#include "text/toml_edit.h"
 
 namespace tp100::app {
 namespace {

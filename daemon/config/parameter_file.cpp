@@ -8,7 +8,7 @@
 #include "config/configuration.h"
 #include "core/error.h"
 #include "text/format.h"
-#include "text/toml_edit.h"
+#include "text/toml_document.h"
 
 namespace tp100::config {
 namespace {

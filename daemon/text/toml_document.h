@@ -95,6 +95,14 @@ using NamedValues = std::vector<std::pair<std::string, TomlValue>>;
 std::string with_values(const std::string& text, const std::string& file,
                         const NamedValues& values);
 
+/// Same as a person does it: everything else, comments, order and line ends included, stays byte
+/// for byte. A key that is absent is added behind the last key of its table; a table that is
+/// absent, at the end. Names are bare keys joined by dots, without repetition. Also throws
+/// SetupError for a name of a table, and for a table that is written on one line and lacks the key.
+/// Pure.
+std::string with_values_in_place(const std::string& text, const std::string& file,
+                                 const NamedValues& values);
+
 /// `text` without these keys of its root, tables among them; comments are lost. Throws SetupError:
 /// text that is not TOML.
 std::string without_keys(const std::string& text, const std::string& file,

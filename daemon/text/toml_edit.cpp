@@ -1,5 +1,3 @@
-#include "text/toml_edit.h"
-
 #include <algorithm>
 #include <cstddef>
 #include <map>
@@ -9,6 +7,7 @@
 
 #include "text/format.h"
 #include "text/key.h"
+#include "text/toml_document.h"
 #include "toml++/toml.h"
 
 namespace tp100::text {

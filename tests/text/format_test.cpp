@@ -18,6 +18,10 @@ TEST(Format, PrintsAsPrintfDoesHoweverLongItIs) {
   EXPECT_EQ(format("%s.", is_long.c_str()), is_long + ".");
 }
 
+TEST(UtcMinute, IsTheDateOfTheCalendar) {
+  EXPECT_EQ(utc_minute(1780236359), "2026-05-31 14:05 UTC");
+}
+
 TEST(NearestName, FindsTypingErrorsUnitsLeftOutAndShortNamesInLongerOnes) {
   const std::vector<std::string_view> names = {"speed_mps", "length_m", "radius_m", "at_m"};
   for (const auto& [typed, meant] : {std::pair{"speeed_mps", "speed_mps"},

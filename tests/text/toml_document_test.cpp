@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "support/refusal.h"
-#include "text/toml_edit.h"
 
 namespace tp100::text {
 namespace {
