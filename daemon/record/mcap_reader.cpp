@@ -266,7 +266,6 @@ McapEnd McapReader::stream(McapHandler& handler) const {
     if (end.problem.empty()) end.problem = what + " at byte " + std::to_string(at);
   };
   for (;;) {
-    end.good_bytes = at;
     if (size - at < kMcapRecordHead) {
       problem("the file is cut off");
       return end;

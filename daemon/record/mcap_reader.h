@@ -54,10 +54,9 @@ class McapHandler {
 
 /// Result of stream().
 struct McapEnd {
-  bool whole = false;            ///< the file has a proper end
-  std::uint64_t good_bytes = 0;  ///< up to here every record was intact
-  std::uint64_t corrupted = 0;   ///< chunks and attachments left out
-  std::string problem;           ///< the first error, with its position
+  bool whole = false;           ///< the file has a proper end
+  std::uint64_t corrupted = 0;  ///< chunks and attachments left out
+  std::string problem;          ///< the first error, with its position
 };
 
 class McapReader {
