@@ -140,11 +140,6 @@ class DaemonRig {
     for (const auto& [event, log_only] : events_.drain()) text += event.text + "\n";
     return text;
   }
-  /// The /state as a viewer sees it.
-  const messages::StateFigures& shown() {
-    publisher_.tick(now());
-    return publisher_.state();
-  }
 
  protected:
   virtual void said(const std::string&) {}

@@ -17,25 +17,6 @@ namespace {
 using ::testing::HasSubstr;
 using namespace std::chrono_literals;
 
-// Other ways to lose it: faults_test.
-TEST_F(Run, ALostLinkIsWaitedForAndTheRobotStaysDisarmed) {
-  options_.course = "1-straight";
-  robot_->plug_in();
-  EXPECT_EQ(run([&] {
-              eventually(driven);
-              robot_->unplug();
-              says_of_itself("\"closed\"");
-              forget();
-              robot_->plug_in();
-              after_commands(160);
-            }),
-            1);
-  EXPECT_EQ(arms(), 0U);
-  for (const char* text : {"link_lost: the link broke", "s around link_lost are in ",
-                           "press Enter to start", "SIGTERM"})
-    EXPECT_TRUE(logged(text)) << text << " is not in " << log_;
-}
-
 /// Unplugs a moving robot and starts it again, many times.
 class Unplugging : public Run {
  protected:

@@ -1,8 +1,7 @@
 // Every service that a viewer may call: who may, in which state, with which arguments; and what
-// becomes of requests about files, runs and the doctor. Motion: doors_test, tests/server.
+// becomes of requests about files. Motion: doors_test, tests/server.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/stat.h>
 
 #include <filesystem>
 #include <map>
@@ -26,7 +25,7 @@ using ::testing::HasSubstr;
 
 constexpr HostNs kNow = 100 * kNsPerS;
 
-/// Two recorded runs and a folder for the user's files.
+/// A recorded run and a folder for the user's files.
 class Folder : public ::testing::Test {
  protected:
   config::RunFiles files() {
@@ -40,15 +39,9 @@ class Folder : public ::testing::Test {
     return all;
   }
   runs::ArchiveSettings archive() {
-    for (const char* run : {"a", "b"}) {
-      fs::create_directories(folder_.path() / "runs" / run);
-      test::write_bytes(folder_.file("runs/" + std::string(run) + "/run.mcap"), "0123");
-    }
-    // Stands in for tp100d, which makes reports and robots; it says what it was asked for.
-    const std::string program = folder_.file("program");
-    test::write_bytes(program, "#!/bin/sh\necho \"$@\" > " + folder_.file("said") + "\nexit 1\n");
-    ::chmod(program.c_str(), 0700);
-    return {.folder = folder_.file("runs"), .program = program};
+    fs::create_directories(folder_.path() / "runs/a");
+    test::write_bytes(folder_.file("runs/a/run.mcap"), "0123");
+    return {.folder = folder_.file("runs"), .program = {}};
   }
 
   test::TemporaryFolder folder_;
@@ -89,7 +82,6 @@ class Services : public Folder, protected DaemonRig {
     if (request.is_object()) return refused(service, request);
     return send(1, service, text).value("refused", "");
   }
-  std::string program_asked_for() const { return test::read_bytes(folder_.file("said")); }
 };
 
 // Clients call a service by its number, which therefore must not change.
@@ -155,6 +147,8 @@ TEST_F(Services, WhatNeedsARobotAtRestIsRefusedInARun) {
       EXPECT_EQ(refused(name, request), server::kUnderWay) << name;
   }
   show(RunState::kIdle, StartRefusal::kNoSession);
+  EXPECT_EQ(refused("pause"), "no run is under way");
+  EXPECT_EQ(refused("resume"), "the run is not paused");
   EXPECT_EQ(refused("wheels_up_begin", calls.at("wheels_up_begin")),
             to_string(StartRefusal::kNoSession));
 }
@@ -252,26 +246,6 @@ TEST_F(Services, FilesAreSavedCheckedAndDeletedAlsoDuringARun) {
               HasSubstr("is in use"));
   EXPECT_EQ(answered("file_delete", {{"kind", "robot"}, {"name", "mine"}}).at("name"), "mine");
   EXPECT_FALSE(fs::exists(saved));
-}
-
-TEST_F(Services, ARunIsNamedReportedComparedIdentifiedAndDeleted) {
-  const json note = answered("run_note", {{"run", "a"}, {"name", ""}, {"tags", "wet"}});
-  EXPECT_EQ(note, json::parse(R"({"run":"a","name":"","note":"","tags":"wet","keep":false})"));
-  answered("run_report", {{"run", "a"}});
-  EXPECT_THAT(program_asked_for(), HasSubstr("report --background"));
-  answered("run_compare", {{"run", "a"}, {"with", "b"}});
-  EXPECT_THAT(program_asked_for(), ::testing::MatchesRegex("compare .*/a .*/b\n"));
-  answered("run_identify", {{"runs", "a b"}, {"measured", "run,distance_m\n1,2\n"}});
-  EXPECT_THAT(program_asked_for(), ::testing::MatchesRegex("identify .*measured.csv .*/a .*/b\n"));
-  EXPECT_EQ(answered("run_delete", {{"run", "a"}}).at("run"), "a");
-  EXPECT_FALSE(fs::exists(folder_.path() / "runs" / "a"));
-  EXPECT_THAT(answered("run_delete", {{"run", "a"}}).at("refused"), HasSubstr("no such run"));
-}
-
-TEST_F(Services, TheDoctorExaminesEachPart) {
-  for (const char* part : {"port", "machine"})
-    EXPECT_FALSE(answered("doctor", {{"part", part}}).at("findings").empty()) << part;
-  EXPECT_TRUE(call(1, "doctor", {{"part", "robot"}}).is_null()) << "that takes a second";
 }
 
 TEST_F(Services, DuringARunOnlyWhatIsInForceAtOnceIsSaved) {

@@ -5,7 +5,6 @@
 
 #include <filesystem>
 #include <map>
-#include <thread>
 
 #include "../server/service_call.h"
 #include "course/bundled_files.h"
@@ -19,7 +18,6 @@ namespace fs = std::filesystem;
 using server::ask;
 using server::Service;
 using ::testing::HasSubstr;
-using namespace std::chrono_literals;
 
 class SetupChange : public Run {
  protected:
@@ -111,34 +109,6 @@ TEST_F(SetupChange, WithAnExternalWorldNothingIsChanged) {
     EXPECT_THAT(ask(viewer, Service::kPlace, R"({"at":"start"})"), HasSubstr("external world"));
   });
   fs::current_path(before);
-}
-
-// What is written, and that no write loses anything: tests/config, tests/text.
-TEST_F(SetupChange, ParametersAreSavedIntoTheFileAndTakenBack) {
-  const std::string original = test::read_bytes(options_.config);
-  run([&] {
-    server::WebClient viewer(page());
-    EXPECT_THAT(ask(viewer, Service::kParametersRestore), HasSubstr("nothing was saved yet"));
-    const std::string request = R"("control.preview_s":0.08,"loop.priority":0})";
-    const std::string difference =
-        R"("differences":[{"name":"control.preview_s","before":"0.06","after":"0.08"}]})";
-    EXPECT_THAT(
-        ask(viewer, Service::kParametersSave, R"({"check":true,)" + request),
-        HasSubstr(R"("file":"config.toml","written":false,"may_restore":false,)" + difference));
-    EXPECT_EQ(test::read_bytes(options_.config), original);
-    EXPECT_THAT(ask(viewer, Service::kParametersSave, "{" + request),
-                HasSubstr(R"("written":true,"may_restore":true,)" + difference));
-    const std::string saved = test::read_bytes(options_.config);
-    EXPECT_EQ(saved, original + "\n[control]\npreview_s = 0.08\n");
-    EXPECT_THAT(ask(viewer, Service::kParametersSave, R"({"robot":"worn","course":"1-curve"})"),
-                HasSubstr(R"("written":true)"));
-    EXPECT_THAT(ask(viewer, Service::kParametersRestore), HasSubstr(R"("written":true)"));
-    EXPECT_EQ(test::read_bytes(options_.config), saved);
-    // A file that somebody else has made invalid meanwhile stays as it is.
-    test::write_bytes(options_.config, "[control]\nx = 1\n");
-    ask(viewer, Service::kParametersSave, "{" + request);
-    EXPECT_EQ(test::read_bytes(options_.config), "[control]\nx = 1\n");
-  });
 }
 
 }  // namespace

@@ -52,22 +52,6 @@ class SetupFilesTest : public ::testing::Test {
   SetupFiles files_{folder_.path().string(), {}};
 };
 
-TEST_F(SetupFilesTest, SavesOnesOwnAndReplacesThemOnlyWhenAsked) {
-  EXPECT_EQ(save("mine", kLine), "");
-  EXPECT_TRUE(listed("mine", SetupFiles::From::kOwn));
-  EXPECT_EQ(files_.read(Bundled::kCourses, "mine").text, kLine);
-  EXPECT_THAT(save("mine", std::string(kLine) + "# 2\n"), HasSubstr("exists already"));
-  EXPECT_EQ(files_.read(Bundled::kCourses, "mine").text, kLine);
-  EXPECT_EQ(save("mine", std::string(kLine) + "# 2\n", true), "");
-  EXPECT_THAT(files_.read(Bundled::kCourses, "mine").text, HasSubstr("# 2"));
-  EXPECT_EQ(own_files(), 2u) << "no temporary file stays";
-  EXPECT_EQ(test::read_bytes(folder_.file("courses/mine.toml.bak")), kLine)
-      << "the old one is kept";
-  EXPECT_FALSE(listed("mine.toml", SetupFiles::From::kOwn));
-  EXPECT_EQ(remove("mine"), "");
-  EXPECT_EQ(own_files(), 1u);
-}
-
 TEST_F(SetupFilesTest, ATextWithAnErrorIsRefusedWithItsLineAndColumn) {
   EXPECT_EQ(save("mine", "speed_mps = 0.1\nspeed = 3\n").find("mine.toml:"), 0u);
   EXPECT_THAT(save("mine", std::string(kLine) + "[[ramp]]\nx = 1\n"), HasSubstr("mine.toml:"));
