@@ -192,22 +192,6 @@ TEST(ClockSync, AnExchangeFarAboveTheUsualTripIsNotUsed) {
   EXPECT_EQ(verdict(8, 3750), Verdict::kOutlier);
 }
 
-TEST(ClockSync, TakesTheRequestsWireTimeFromItsBeginningAndTheReplysFromItsEnd) {
-  for (const HostNs inside_us : {100, 101}) {
-    Line line;
-    line.tick_us = 1;
-    // A request behind 50 spare delimiters takes three times as long as its reply.
-    line.request_wire_us = 1140;
-    line.reply_wire_us = 380;
-    for (std::size_t i = 0; i < ClockSync::kValidAfter; ++i) {
-      EXPECT_FALSE(line.sync.state().valid) << i;
-      EXPECT_EQ(line.exchange({.inside = inside_us}), Verdict::kAccepted);
-    }
-    ASSERT_TRUE(line.sync.state().valid);
-    EXPECT_NEAR(line.error_us(line.now), 0.0, 0.1) << inside_us;
-  }
-}
-
 TEST(ClockSync, WireTimesThatCannotBeRightAreNotExact) {
   // On a pseudo-terminal bytes take less time than their baud rate says; here half of it is left.
   Line line;
@@ -223,15 +207,6 @@ TEST(ClockSync, ExchangesThatContradictEachOtherAreNotExact) {
   line.offset_us += 400;
   line.exchange({.out = 50, .inside = 0, .back = 50});
   EXPECT_NEAR(line.sync.state().uncertainty_us, 50.0, 1.0) << "half of the quickest trip";
-}
-
-TEST(ClockSync, UncertaintyGrowsWithoutReplies) {
-  Line line;
-  EXPECT_EQ(line.sync.state_at(line.now).uncertainty_us, 0.0);
-  line.exchange(20, {});
-  // Rates of resonators change by 3 ppm.
-  EXPECT_NEAR(line.sync.state_at(line.now).uncertainty_us, 4.0, 1.0);
-  EXPECT_NEAR(line.sync.state_at(line.now + 100 * kNsPerS).uncertainty_us, 300.0, 5.0);
 }
 
 TEST(ClockSync, AsksQuicklyAtFirstAndThenFourTimesASecond) {
