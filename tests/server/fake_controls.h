@@ -18,24 +18,14 @@ inline std::vector<messages::ParameterText> parameters() {
   const auto number = [](const char* name, double value, double low, double high) {
     return ParameterText{{.name = name, .value = value, .standard = value, .range = {low, high}}};
   };
-  const auto words = [](const char* name, const char* value,
-                        std::vector<std::string> choices = {}) {
-    const auto type = choices.empty() ? ParameterText::Type::kText : ParameterText::Type::kChoice;
-    return ParameterText{{.name = name,
-                          .type = type,
-                          .value = std::string(value),
-                          .standard = std::string(value),
-                          .choices = std::move(choices)}};
-  };
-  std::vector<ParameterText> all = {
-      number("control.gain", 16.0, 0.0, 200.0),
-      number("loop.rate_hz", 200.0, 50.0, 1000.0),
-      words("server.listen", ""),
-      words("course", ""),
-      number("robot.model.wheelbase_m", 0.2, 0.1, 1.0),
-      words("estimation.steering", "odometry", {"model", "odometry"})};
-  all[0].live = all[5].live = all[5].only_at_standstill = true;
-  all[0].may_save = all[1].may_save = all[3].may_save = true;
+  const ParameterText choice{{.name = "estimation.steering",
+                              .type = ParameterText::Type::kChoice,
+                              .value = std::string("odometry"),
+                              .standard = std::string("odometry"),
+                              .choices = {"model", "odometry"}}};
+  std::vector<ParameterText> all = {number("control.gain", 16.0, 0.0, 200.0),
+                                    number("loop.rate_hz", 200.0, 50.0, 1000.0), choice};
+  all[0].live = all[2].live = all[2].only_at_standstill = true;
   return all;
 }
 
@@ -44,14 +34,10 @@ class FakeControls : public Controls {
   Result<> move(OperatorRequest request, const Consent& given, HostNs) override {
     if (request == OperatorRequest::kStart) ++starts;
     if (request == OperatorRequest::kGoOn) ++go_ons;
-    if (request == OperatorRequest::kResume) ++resumes;
     consents.push_back(given);
     return unless(move_refusal);
   }
-  Result<> pause() override {
-    ++pauses;
-    return Done{};
-  }
+  Result<> pause() override { return Done{}; }
   std::uint64_t stop_count() override { return static_cast<std::uint64_t>(stops.load()); }
   Result<> hold() override {
     ++holds;
@@ -90,25 +76,17 @@ class FakeControls : public Controls {
   messages::DriverFigures driver(HostNs now) override { return wheel.figures(now); }
   void choose(const SetupChoice& choice, Answer answer) override {
     choices.push_back(choice);
-    answer(change_refusal, R"({"course":"3","robot":"worn","setup":"flat"})");
+    answer("", "{}");
   }
-  void place(const std::optional<Pose>& at, Answer answer) override {
-    places.push_back(at);
-    answer(change_refusal, R"({"x_m":0.0,"y_m":0.0,"yaw_rad":0.0})");
-  }
+  void place(const std::optional<Pose>&, Answer answer) override { answer("", "{}"); }
   messages::LoopFigures loop() override { return {}; }
   messages::PortFigures port() override { return {"/dev/ttyACM0", RobotKind::kPhysical, "0.1.0"}; }
   messages::RecordingFigures recording() override { return record; }
-  StartConsent start_consent() override { return consent; }
-  /// Number of requests that were passed on.
-  std::size_t requests() const {
-    return static_cast<std::size_t>(starts + go_ons + holds + stops + pauses + resumes) +
-           consents.size() + inputs.size() + sets.size() + choices.size() + places.size();
-  }
+  StartConsent start_consent() override { return StartConsent::kEnter; }
 
-  std::atomic<int> starts{0}, go_ons{0}, holds{0}, stops{0}, pauses{0}, resumes{0};
+  std::atomic<int> starts{0}, go_ons{0}, holds{0}, stops{0};
   std::vector<Consent> consents;
-  std::string move_refusal, change_refusal;
+  std::string move_refusal;
   std::shared_future<void> held{};     ///< blocks hold() until it is ready
   std::atomic<bool> no_memory{false};  ///< hold() throws
   HostNs motors_off = 0;
@@ -118,8 +96,6 @@ class FakeControls : public Controls {
   std::mutex mutex;
   std::vector<std::pair<std::string, messages::ParameterValue>> sets;
   std::vector<SetupChoice> choices;
-  std::vector<std::optional<Pose>> places;
-  StartConsent consent = StartConsent::kEnter;
   messages::RecordingFigures record{};
 
  private:

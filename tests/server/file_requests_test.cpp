@@ -1,10 +1,9 @@
-// Requests about courses, places and parameters, and answers that come late.
+// Requests about parameters, and answers that come late.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,25 +13,6 @@ namespace tp100::server {
 namespace {
 
 using ::testing::HasSubstr;
-
-TEST_F(RequestHandlerTest, ACourseOrAPlaceIsPassedOn) {
-  step(ready());
-  EXPECT_EQ(answered(Service::kChoose, R"({"course":"3","setup":"flat"})")["course"], "3");
-  ASSERT_EQ(controls_.choices.size(), 1U);
-  EXPECT_EQ(controls_.choices[0].course, "3");
-  EXPECT_EQ(controls_.choices[0].robot, std::nullopt) << "what is not named stays";
-  EXPECT_EQ(controls_.choices[0].setup, "flat");
-  answered(Service::kPlace, R"({"at":"start"})");
-  answered(Service::kPlace, R"({"x_m":1.5,"y_m":-2,"yaw_rad":0.5})");
-  ASSERT_EQ(controls_.places.size(), 2U);
-  EXPECT_FALSE(controls_.places[0]);
-  const Pose at = controls_.places[1].value_or(Pose{});
-  EXPECT_EQ(at.x_m, 1.5);
-  EXPECT_EQ(at.y_m, -2.0);
-  EXPECT_EQ(at.yaw_rad, 0.5);
-  controls_.change_refusal = "mine.toml:3:1: unknown key 'x'";
-  EXPECT_EQ(refused(Service::kChoose, R"({"course":"mine"})"), controls_.change_refusal);
-}
 
 TEST_F(RequestHandlerTest, AnAnswerOfASlowDiskComesLaterAndStopBeforeIt) {
   const Received nothing = call(Service::kRecordStop);
@@ -50,24 +30,6 @@ TEST_F(RequestHandlerTest, AnAnswerOfASlowDiskComesLaterAndStopBeforeIt) {
   viewer_.reset();
   unanswered_("", {});
   handler_.tick(kNow);
-}
-
-TEST_F(RequestHandlerTest, ParametersAreListed) {
-  const Received all = send(R"({"op":"getParameters","parameterNames":[],"id":"q"})");
-  EXPECT_EQ(all.texts[0]["parameters"].size(), 6U);
-  EXPECT_EQ(all.texts[0]["id"], "q");
-  const Received one = send(R"({"op":"getParameters","parameterNames":["loop.rate_hz","none"]})");
-  EXPECT_EQ(one.texts[0]["parameters"].size(), 1U);
-}
-
-TEST_F(RequestHandlerTest, AGoodValueIsPassedOnAndTold) {
-  send(R"({"op":"subscribeParameterUpdates","parameterNames":["control.gain"]})");
-  const Received received = set("control.gain", "20");
-  ASSERT_EQ(controls_.sets.size(), 1U);
-  EXPECT_EQ(controls_.sets[0].second, messages::ParameterValue(20.0));
-  ASSERT_EQ(received.texts.size(), 2U);  // one for the subscription, then the answer to the request
-  EXPECT_EQ(received.texts[1]["parameters"][0]["value"], 20);
-  EXPECT_EQ(received.texts[1]["id"], "s");
 }
 
 TEST_F(RequestHandlerTest, WatchedParametersAddUpUntilTheyAreTakenBack) {

@@ -152,24 +152,6 @@ TEST_F(ServerTest, APageOfAnotherSiteCannotLoadWhatItMayNotSee) {
   EXPECT_THAT(head_of("/api/runs", link), HasSubstr("403 Forbidden"));
 }
 
-TEST_F(ServerTest, WhoSendsGarbageOrAMessageThatIsTooLongIsClosed) {
-  start();
-  for (const bool frames : {true, false}) {
-    WebClient garbage = connect();
-    EXPECT_TRUE(eventually([&] {
-      if (frames) garbage.write_text("{\"op\":\"garbage\"}");
-      if (!frames) garbage.write_raw(std::string(1000, '\xff'));
-      return garbage.closed();
-    }));
-  }
-  WebClient large = connect();
-  large.write_raw_header(100'000'000);
-  EXPECT_TRUE(eventually([&] {
-    large.write_raw(std::string(64 * 1024, 'x'));
-    return large.closed();
-  })) << "it must be closed before all of it is sent";
-}
-
 // The thread sanitizer makes this test about twenty times slower.
 #ifdef __SANITIZE_THREAD__
 constexpr int kGoodViewers = 5, kStepsAtATime = 2;

@@ -1,4 +1,4 @@
-// Requests that set the robot in motion or end its motion: start, pause, STOP and the wheel.
+// Requests that set the robot in motion or end its motion.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -10,18 +10,6 @@ namespace tp100::server {
 namespace {
 
 using ::testing::HasSubstr;
-
-TEST_F(RequestHandlerTest, StartNeedsARobotThatIsReadyAndIdle) {
-  EXPECT_THAT(refused(Service::kStart), HasSubstr("no robot yet"));
-  StepRecord running = ready(RunState::kRunning);
-  running.snapshot.start_refusal = StartRefusal::kUnderWay;
-  step(running);
-  EXPECT_THAT(refused(Service::kStart), HasSubstr("under way"));
-  step(ready());
-  EXPECT_EQ(answered(Service::kStart), Json::parse(R"({"accepted":true})"));
-  EXPECT_EQ(controls_.starts, 1);
-  EXPECT_EQ(controls_.go_ons, 0);
-}
 
 TEST_F(RequestHandlerTest, AStartGoesOnFromHereOnlyWhereARunEndedEarly) {
   const char* here = R"({"from":"here"})";
@@ -37,23 +25,6 @@ TEST_F(RequestHandlerTest, AStartGoesOnFromHereOnlyWhereARunEndedEarly) {
   EXPECT_EQ(controls_.starts, 0);
   EXPECT_EQ(refused(Service::kStart, R"({"from":"start"})"), "");
   EXPECT_EQ(controls_.starts, 1);
-}
-
-TEST_F(RequestHandlerTest, ARunIsPausedAndResumed) {
-  step(ready());
-  EXPECT_EQ(refused(Service::kPause), "no run is under way");
-  StepRecord record = ready(RunState::kRunning);
-  step(record);
-  EXPECT_EQ(refused(Service::kResume), "the run is not paused");
-  EXPECT_EQ(refused(Service::kPause), "");
-  EXPECT_EQ(controls_.pauses, 1);
-  record.snapshot.pause_left_s = 119.0;
-  step(record);
-  // Two people who both press Pause must not set the robot in motion.
-  EXPECT_EQ(answered(Service::kPause), Json::parse(R"({"accepted":true})"));
-  EXPECT_EQ(controls_.resumes, 0);
-  EXPECT_EQ(refused(Service::kResume), "");
-  EXPECT_EQ(controls_.resumes, 1);
 }
 
 // Without it nobody could tell whether the person had seen a STOP, or acted minutes ago.
@@ -85,9 +56,7 @@ TEST_F(RequestHandlerTest, ARunThatNoPageWatchesIsStoppedIfThatIsConfigured) {
     for (const HostNs end = record.now_ns + ns; record.now_ns < end;) {
       record.now_ns += 100 * kNsPerMs;
       step(record);
-      if (watched)
-        call(static_cast<std::uint32_t>(Service::kWatch), "{}", Permission::kCommand,
-             record.now_ns);
+      if (watched) call(Service::kWatch, "{}", Permission::kCommand, record.now_ns);
     }
   };
   for (const bool configured : {false, true}) {
@@ -145,31 +114,6 @@ TEST_F(RequestHandlerTest, StopIsAnsweredWhenTheRobotWasFasterThanTheReportOfThe
   publisher_.stop_answered(kNow + 5 * kNsPerMs, kNow + 5 * kNsPerMs);
   EXPECT_EQ(answered(Service::kStop),
             Json::parse(R"({"acknowledged":true,"acknowledged_ms":5.0})"));
-}
-
-TEST_F(RequestHandlerTest, TheWheelIsDrivenByItsTokenUntilItIsReleasedOrItsViewerLeaves) {
-  StepRecord not_still = ready();
-  not_still.snapshot.drive_refusal = StartRefusal::kNotStill;
-  step(not_still);
-  EXPECT_EQ(refused(Service::kDriveTake), to_string(StartRefusal::kNotStill));
-  step(ready());
-  const auto drive = [&](const std::string& token) {
-    return refused(Service::kDrive, R"({"token":")" + token +
-                                        R"(","speed_mps":0.1,"yaw_rate_radps":-0.2,"input_ms":5})");
-  };
-  std::string token = answered(Service::kDriveTake).at("token");
-  EXPECT_EQ(drive(token), "");
-  ASSERT_EQ(controls_.inputs.size(), 1U);
-  EXPECT_EQ(controls_.inputs[0].speed_mps, 0.1);
-  EXPECT_EQ(controls_.inputs[0].yaw_rate_radps, -0.2);
-  EXPECT_NE(refused(Service::kDriveRelease, R"({"token":"other"})"), "");
-  EXPECT_EQ(refused(Service::kDriveRelease, R"({"token":")" + token + R"("})"), "");
-  EXPECT_NE(drive(token), "");
-
-  token = answered(Service::kDriveTake).at("token");
-  handler_.leave(*viewer_, kNow);
-  EXPECT_EQ(controls_.drivers_lost, 1);
-  EXPECT_NE(drive(token), "");
 }
 
 }  // namespace

@@ -3,29 +3,25 @@
 
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
+#include <memory>
+#include <vector>
 
-#include "../messages/fixtures.h"
-#include "fake_controls.h"
+#include "request_rig.h"
 
 namespace tp100::server {
 namespace {
 
-using Json = nlohmann::json;
-
-class PublisherTest : public ::testing::Test {
+class PublisherTest : public RequestHandlerTest {
  protected:
   PublisherTest() {
-    join(viewer_);
+    subscribe_to_all(*viewer_);
     take();
   }
-  /// A viewer that subscribes to every channel.
-  void join(const std::shared_ptr<Viewer>& viewer) {
-    broker_.add(viewer);
+  void subscribe_to_all(Viewer& viewer) {
     Subscribe all;
     for (std::uint32_t i = 1; i <= messages::kChannelCount; ++i)
       all.subscriptions.push_back({i, i});
-    broker_.subscribe(*viewer, all);
+    broker_.subscribe(viewer, all);
   }
   std::vector<Json> take(messages::Channel wanted = messages::Channel::kClient) {
     std::vector<Json> out;
@@ -61,13 +57,6 @@ class PublisherTest : public ::testing::Test {
     return take(messages::Channel::kState);
   }
 
-  FakeControls controls_;
-  Broker broker_{messages::channel_texts()};
-  Publisher publisher_{broker_,
-                       messages::Messages(messages::example_subject(), messages::example_clock()),
-                       controls_};
-  std::shared_ptr<Viewer> viewer_ = std::make_shared<Viewer>(
-      1, [] {}, [] {});
   StepRecord record_ = messages::example_record();
 };
 
@@ -92,7 +81,8 @@ TEST_F(PublisherTest, AllViewersShareTheMessagesOfACourseUntilTheNextReplacesThe
   for (std::uint32_t id = 2; id < 42; ++id) {
     deaf.push_back(std::make_shared<Viewer>(
         id, [] {}, [] {}));
-    join(deaf.back());
+    broker_.add(deaf.back());
+    subscribe_to_all(*deaf.back());
   }
   std::vector<std::weak_ptr<const std::string>> texts;
   for (int i = 0; i < 10; ++i) {

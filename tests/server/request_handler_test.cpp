@@ -14,16 +14,6 @@ namespace {
 
 using ::testing::HasSubstr;
 
-TEST_F(RequestHandlerTest, GreetsWithInfoChannelsAndServices) {
-  handler_.send_server_info(*viewer_, Permission::kStopOnly);
-  const Received received = take();
-  ASSERT_EQ(received.texts.size(), 3U);
-  EXPECT_EQ(received.texts[0]["op"], "serverInfo");
-  EXPECT_EQ(received.texts[0]["metadata"]["commands"], "stop");
-  EXPECT_EQ(received.texts[1]["channels"].size(), messages::kChannelCount);
-  EXPECT_EQ(received.texts[2]["services"].size(), handler_.services().size());
-}
-
 TEST_F(RequestHandlerTest, ASubscriberGetsWhatIsKeptAtOnceAndThenWhatIsNewUntilItLeaves) {
   const Received course = send(R"({"op":"subscribe","subscriptions":[{"id":1,"channelId":17}]})");
   ASSERT_EQ(course.data.size(), 1U);

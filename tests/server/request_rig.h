@@ -58,23 +58,19 @@ class RequestHandlerTest : public ::testing::Test {
   }
   /// A request that sets the robot in motion gets the consent of a person who looks at the page
   /// now, unless it has one.
-  Received call(std::uint32_t service, const std::string& payload = "{}",
+  Received call(Service service, const std::string& payload = "{}",
                 Permission permission = Permission::kCommand, HostNs now = kNow) {
     Json request = Json::parse(payload, nullptr, false);
-    const auto row =
-        std::ranges::find(handler_.services(), static_cast<Service>(service), &ServiceRow::service);
+    const auto row = std::ranges::find(handler_.services(), service, &ServiceRow::service);
     const bool moves = row != handler_.services().end() && row->rules.consents;
     if (moves && request.is_object() && !request.contains("stops")) {
       request["stops"] = controls_.stop_count();
       request["t_s"] = publisher_.clock().t_s(now);
     }
     const std::string text = moves && request.is_object() ? request.dump() : payload;
-    handler_.handle(viewer_, ServiceCall{service, 9, "json", text}, permission, now);
+    const auto number = static_cast<std::uint32_t>(service);
+    handler_.handle(viewer_, ServiceCall{number, 9, "json", text}, permission, now);
     return take();
-  }
-  Received call(Service service, const std::string& payload = "{}",
-                Permission permission = Permission::kCommand) {
-    return call(static_cast<std::uint32_t>(service), payload, permission);
   }
   /// Why the request is refused; empty: it is not.
   std::string refused(Service service, const std::string& payload = "{}",

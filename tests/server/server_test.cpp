@@ -8,7 +8,6 @@
 #include <atomic>
 #include <filesystem>
 #include <future>
-#include <map>
 #include <string>
 #include <thread>
 #include <vector>
@@ -40,28 +39,6 @@ TEST_F(ServerTest, AnAddressThatIsNoneOrTakenIsAnErrorOfOneLine) {
   EXPECT_NE(refused("127.0.0.1:" + port_), "");
 }
 
-TEST_F(ServerTest, ItsListenerHearsAllOfItAlsoWhenNobodyIsServed) {
-  for (const char* listen : {"127.0.0.1:0", "off"}) {
-    std::map<messages::Channel, std::string> received;
-    settings_.listen = listen;
-    settings_.listener = [&](messages::Channel channel, std::uint64_t, std::string_view json) {
-      received[channel] = json;
-    };
-    start();
-    EXPECT_EQ(server_->url().empty(), std::string(listen) == "off");
-    step();
-    server_->take(messages::Event{.at_ns = monotonic_now(), .text = "something"});
-    server_->flush();
-    server_.reset();  // this also ends the thread that writes to `received`
-    EXPECT_THAT(received[messages::Channel::kParameter], HasSubstr("control.gain")) << listen;
-    EXPECT_THAT(received[messages::Channel::kEvent], HasSubstr("something")) << listen;
-    EXPECT_THAT(received[messages::Channel::kLog], HasSubstr("something")) << listen;
-    EXPECT_THAT(received[messages::Channel::kState], HasSubstr("\"run\":\"running\"")) << listen;
-    for (const messages::Channel channel : {messages::Channel::kLink, messages::Channel::kLoop})
-      EXPECT_NE(received[channel], "") << listen;
-  }
-}
-
 TEST_F(ServerTest, ByItselfItTakesAnotherPortIfTheUsualOneIsTaken) {
   settings_.listen = "auto";
   start();
@@ -91,46 +68,6 @@ TEST_F(ServerTest, ServesThePageAndSaysHowItIs) {
   const std::string answer = http_get(port_, request + request + last);
   EXPECT_NE(answer.find("<html>"), answer.rfind("<html>"));
   EXPECT_THAT(answer, HasSubstr("404 Not Found"));
-}
-
-TEST_F(ServerTest, ListsTheRobotsOfTheMachineAndTheNamedOnes) {
-  start();
-  const std::string url = server_->url();
-  std::unique_ptr<Server> other = std::move(server_);
-  settings_.robots = {"http://10.0.0.7:8765/"};
-  start();
-  const std::string request = "GET /api/robots HTTP/1.0\r\nHost: 127.0.0.1:" + port_ + "\r\n\r\n";
-  EXPECT_THAT(http_get(port_, request),
-              ::testing::AllOf(HasSubstr("{\"robots\":[{\"url\":\"" + server_->url() + "\","),
-                               HasSubstr("\"" + url + "\""),
-                               HasSubstr("{\"url\":\"http://10.0.0.7:8765/\"}]}")));
-  other.reset();
-  EXPECT_THAT(http_get(port_, request), Not(HasSubstr(url)));
-}
-
-TEST_F(ServerTest, SaysWhichSubProtocolItSpeaksAndNoOtherIsTaken) {
-  start();
-  const std::string key = "Sec-WebSocket-Protocol: ";
-  for (const std::string name : {"foxglove.websocket.v1", "foxglove.sdk.v1"})
-    EXPECT_THAT(head_of("/", kHost + kUpgrade + key + name + "\r\n"),
-                HasSubstr(key + name + "\r\n"));
-  for (const std::string& none : {key + "chat\r\n", std::string()})
-    EXPECT_THAT(head_of("/", kHost + kUpgrade + none), HasSubstr("400 Bad Request"));
-}
-
-TEST_F(ServerTest, AViewerSeesStepsAndStops) {
-  start();
-  WebClient client = connect();
-  EXPECT_THAT(client.read_until("\"serverInfo\""), HasSubstr("tp100d"));
-  client.subscribe(messages::Channel::kEstimate);
-  EXPECT_TRUE(eventually([&] {
-    step();
-    return client.number_after("\"odometry\":{\"x_m\":0.") == 22;
-  }));
-  client.call(Service::kStop);
-  EXPECT_TRUE(eventually([&] { return controls_.stops == 1; }));
-  server_->stop_answered(monotonic_now());
-  EXPECT_THAT(client.read_until("\"acknowledged\""), HasSubstr("true"));
 }
 
 // For want of memory, or by a defect.

@@ -165,10 +165,9 @@ bool sets_in_motion(Service service) {
          service == Service::kDriveTake || service == Service::kWheelsUpBegin;
 }
 
-void WebClient::call(std::uint32_t service) {
+void WebClient::call(Service service) {
   std::string bytes = {'\x02', static_cast<char>(service), 0, 0, 0, 1, 0, 0, 0, 4, 0, 0, 0};
-  const bool moves = sets_in_motion(static_cast<Service>(service));
-  write_binary(bytes + "json{" + (moves ? consent() : "") + "}");
+  write_binary(bytes + "json{" + (sets_in_motion(service) ? consent() : "") + "}");
 }
 
 std::string WebClient::consent() {

@@ -38,8 +38,7 @@ class WebClient {
   void subscribe(messages::Channel channel);
   /// Calls a service. One that sets the robot in motion gets the consent of a person who looks at
   /// the page now.
-  void call(std::uint32_t service);
-  void call(Service service) { call(static_cast<std::uint32_t>(service)); }
+  void call(Service service);
   /// `"stops":N,"t_s":T` of the next /state; without a subscription to it from one of its own,
   /// whose messages are not among those below. Throws if none arrives within a minute.
   std::string consent();

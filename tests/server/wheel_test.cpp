@@ -1,7 +1,6 @@
 // Who drives by hand, and how old what a person asks for counts.
 #include "server/wheel.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -72,39 +71,6 @@ TEST_F(WheelTest, AnInputThatIsDelayedOrWhoseTimeStandsStillIsAsOldAsThePersonsI
   }
   EXPECT_FALSE(wheel_.figures(now_).fresh);
   EXPECT_TRUE(wheel_.take(kB, now_));
-}
-
-// Over a modem or a tunnel whose delay is always the same, the robot would drive on after the key
-// was released.
-TEST_F(WheelTest, ADelayThatIsThereFromTheFirstInputOnIsRefusedOrCounted) {
-  for (double round_trip_ms = 0.0; round_trip_ms < 4000.0; round_trip_ms += 12.5) {
-    for (const double share_up : {0.0, 0.5, 1.0}) {
-      SCOPED_TRACE(round_trip_ms);
-      const std::string token = wheel_.take(kA, now_).value();
-      const double up_ms = share_up * round_trip_ms;
-      pass(round_trip_ms - up_ms);
-      // The client has the token: an input every 50 ms, each of which arrives later.
-      const HostNs given_ns = now_;
-      pass(up_ms);
-      if (round_trip_ms >= 300.0) {
-        EXPECT_FALSE(drive(token, 0.0));
-        EXPECT_THAT(why_, testing::HasSubstr("less than 0.3 s"));
-        EXPECT_EQ(wheel_.figures(now_).by, "") << "it must not stay armed for nobody";
-        EXPECT_FALSE(drive(token, 50.0));
-        EXPECT_EQ(why_, "");
-        continue;
-      }
-      for (double ms = 0.0; ms < 1000.0; ms += 50.0, pass(50.0)) {
-        const auto input = drive(token, ms);
-        ASSERT_TRUE(input);
-        // 150 ms later it counts as none.
-        EXPECT_LE(input->at_ns + kFreshInputNs, given_ns + from_s((ms + 300.0) * 1e-3));
-        if (round_trip_ms > 250.0) continue;
-        EXPECT_LE(now_ + 50 * kNsPerMs, input->at_ns + kFreshInputNs) << "it would stutter";
-      }
-      wheel_.clear();
-    }
-  }
 }
 
 // A first input that the client gave long before it had the wheel says nothing about its clock.
