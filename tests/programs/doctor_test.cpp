@@ -3,10 +3,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <netinet/in.h>
-#include <sys/socket.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <csignal>
 #include <filesystem>
@@ -14,7 +11,6 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <ostream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -82,8 +78,8 @@ TEST_F(Doctor, FindsNothingThatKeepsAGoodRobotFromDriving) {
   EXPECT_EQ(examined.report.at("errors"), 0);
   EXPECT_THAT(examined.line("firmware"),
               HasSubstr("ok firmware: an emulated board, firmware 0.1.0"));
-  for (const char* name :
-       {"device", "permission", "battery", "imu", "link", "clock", "real-time", "governor", "disk"})
+  for (const char* name : {"device", "permission", "battery", "imu", "link", "clock", "real-time",
+                           "governor", "page-port", "disk"})
     EXPECT_FALSE(examined.finding(name).is_null()) << name;
   const json& link = examined.report.at("link");
   EXPECT_GT(link.at("samples"), 0);
@@ -98,65 +94,34 @@ TEST_F(Doctor, FindsNothingThatKeepsAGoodRobotFromDriving) {
   expect_motors_never_on();
 }
 
-struct Defect {
-  const char* name;
-  Words robot;
-  int status;  // negative: any
-  const char *finding, *line, *fix;
-};
-
-void PrintTo(const Defect& defect, std::ostream* out) { *out << defect.name; }
-
-class DoctorOfADefect : public Doctor, public testing::WithParamInterface<Defect> {};
-
-TEST_P(DoctorOfADefect, FindsItAndSaysWhatToDo) {
-  start_robot(GetParam().robot);
-  const Examined examined = examine();
-  if (GetParam().status >= 0) {
-    EXPECT_EQ(examined.status, GetParam().status) << examined.report.dump();
-  }
-  EXPECT_THAT(examined.line(GetParam().finding),
-              AllOf(HasSubstr(GetParam().line), HasSubstr(GetParam().fix)));
-}
-
-std::string name_of(const testing::TestParamInfo<Defect>& param) { return param.param.name; }
-
-// What the doctor says of each: tests/doctor.
-INSTANTIATE_TEST_SUITE_P(
-    Defects, DoctorOfADefect,
-    testing::Values(
-        Defect{"Silence", {"--fault=cut:to-host"}, 1, "firmware", "error firmware: /", "reset"},
-        Defect{"Version", {"--fault=version:9"}, 1, "firmware", "protocol 9", "scripts/flash"},
-        Defect{"Restarts", {"--fault=reboot-loop:0.3"}, 1, "reboots", "error reboots: ", ""},
-        Defect{"Battery", {"--fault=battery:5.5"}, 1, "battery", "error battery: 5.5 V", "charge"},
-        Defect{"NoGyro", {"--fault=imu-missing"}, 1, "fault", "error fault: imu_missing", ""},
-        Defect{"Noise", {"--fault=flip:0.002"}, -1, "link", "warning link: ", "short cable"}),
-    name_of);
+TEST_F(Doctor, FindsEachDefectAndSaysWhatToDo) {
+  struct Defect {
+    Words robot;
+    int status;  // negative: any
+    const char *finding, *line, *fix;
+  };
+  const Defect defects[] = {
+      {{"--fault=cut:to-host"}, 1, "firmware", "error firmware: /", "reset"},
+      {{"--fault=version:9"}, 1, "firmware", "protocol 9", "scripts/flash"},
+      {{"--fault=reboot-loop:0.3"}, 1, "reboots", "error reboots: ", ""},
+      {{"--fault=battery:5.5"}, 1, "battery", "error battery: 5.5 V", "charge"},
+      {{"--fault=imu-missing"}, 1, "fault", "error fault: imu_missing", ""},
+      {{"--fault=flip:0.002"}, -1, "link", "warning link: ", "short cable"},
 #ifdef TP100_HAS_IMAGE
-INSTANTIATE_TEST_SUITE_P(
-    Boards, DoctorOfADefect,
-    testing::Values(
-        Defect{"None", {"--board=avr"}, 0, "firmware", "ok firmware: a Mega 2560", ""},
-        Defect{
-            "Blank", {"--board=avr", "--blank"}, 1, "bootloader", "only the bootloader", "flash"}),
-    name_of);
+      {{"--board=avr"}, 0, "firmware", "ok firmware: a Mega 2560", ""},
+      {{"--board=avr", "--blank"}, 1, "bootloader", "only the bootloader", "flash"},
 #endif
-
-TEST_F(Doctor, NamesWhoListensOnThePagesPort) {
-  const int listener = ::socket(AF_INET, SOCK_STREAM, 0);
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  socklen_t size = sizeof address;
-  ASSERT_EQ(::bind(listener, reinterpret_cast<const sockaddr*>(&address), size), 0);
-  ASSERT_EQ(::listen(listener, 1), 0);
-  ASSERT_EQ(::getsockname(listener, reinterpret_cast<sockaddr*>(&address), &size), 0);
-  const std::string number = std::to_string(ntohs(address.sin_port));
-  write_bytes(folder_.file("page.toml"), "[server]\nlisten = \"127.0.0.1:" + number + "\"\n");
-  const Examined examined = examine({"--config", folder_.file("page.toml")});
-  EXPECT_THAT(examined.line("page-port"), HasSubstr("warning page-port: TCP port " + number));
-  EXPECT_THAT(examined.line("page-port"), HasSubstr("(pid " + std::to_string(getpid()) + ")"));
-  ::close(listener);
+  };
+  for (const Defect& defect : defects) {
+    SCOPED_TRACE(defect.robot.back());
+    start_robot(defect.robot);
+    const Examined examined = examine();
+    if (defect.status >= 0) {
+      EXPECT_EQ(examined.status, defect.status) << examined.report.dump();
+    }
+    EXPECT_THAT(examined.line(defect.finding),
+                AllOf(HasSubstr(defect.line), HasSubstr(defect.fix)));
+  }
 }
 
 TEST_F(Doctor, TriesTheFolderOfTheRecordings) {
