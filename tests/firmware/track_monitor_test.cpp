@@ -39,7 +39,7 @@ Found find(const wire::Parameters& p, double limit_s, At at) {
     verdict = monitor.update(static_cast<std::int16_t>(std::lround(now.duty * wire::kFullDuty)),
                              static_cast<std::int32_t>(std::lround(counts)), 5,
                              static_cast<std::int16_t>(std::lround(now.load * wire::kFullDuty)),
-                             values, p);
+                             now.load < 0.05, values, p);
     if (verdict != TrackMonitor::kGood) break;
   }
   return {verdict, s};

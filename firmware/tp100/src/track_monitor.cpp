@@ -85,7 +85,7 @@ void DutySteps::reset() {
   ms_ = 0;
 }
 
-bool DutySteps::update(int16_t duty, int32_t counts, uint8_t dt_ms, int16_t load,
+bool DutySteps::update(int16_t duty, int32_t counts, uint8_t dt_ms, int16_t load, bool free,
                        const MonitorValues& values, const wire::Parameters& p) {
   if (!known_) from_counts_ = counts;
   known_ = true;
@@ -103,9 +103,8 @@ bool DutySteps::update(int16_t duty, int32_t counts, uint8_t dt_ms, int16_t load
   ms_ = 0;
   if (p.stall_duty == 0) return false;
   const float load_duty = static_cast<float>(load) * 1e-3f;
-  return monitor_.update(mean_duty, mps, load_duty,
-                         load_duty < shared::RobotLimits<float>::free_duty(), step_s, p.dead_band,
-                         p.feed_forward, kSoonestShare * 1e-3f * static_cast<float>(p.stall_ms));
+  return monitor_.update(mean_duty, mps, load_duty, free, step_s, p.dead_band, p.feed_forward,
+                         kSoonestShare * 1e-3f * static_cast<float>(p.stall_ms));
 }
 
 TrackMonitor::TrackMonitor(uint8_t first) : steps_(first) { reset(); }
@@ -124,9 +123,9 @@ void TrackMonitor::reset() {
 }
 
 TrackMonitor::Verdict TrackMonitor::update(int16_t duty, int32_t counts, uint8_t dt_ms,
-                                           int16_t load, const MonitorValues& values,
+                                           int16_t load, bool free, const MonitorValues& values,
                                            const wire::Parameters& p) {
-  const bool missing = steps_.update(duty, counts, dt_ms, load, values, p);
+  const bool missing = steps_.update(duty, counts, dt_ms, load, free, values, p);
   if (jumps_again(counts, dt_ms, values) || missing) return kStalled;
   const int16_t size = duty < 0 ? static_cast<int16_t>(-duty) : duty;
   const int8_t sign = duty > 0 ? 1 : duty < 0 ? -1 : 0;
@@ -203,6 +202,10 @@ void TurnMonitor::reset() {
   right_ = 0.0f;
   accel_x_ = 0;
   samples_ = 0;
+}
+
+bool TurnMonitor::free() const {
+  return load_ < static_cast<int16_t>(shared::RobotLimits<float>::free_duty() * kFullDuty);
 }
 
 void TurnMonitor::rest(int16_t accel_x) {

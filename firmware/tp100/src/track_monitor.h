@@ -31,8 +31,9 @@ class DutySteps {
   explicit DutySteps(uint8_t first) : first_(first) { reset(); }
   /// Call once per sample. `duty`: applied during the last `dt_ms` [thousandths]. `counts`: now.
   /// `load`: duty that slopes and turns may take now, beyond straight level driving [thousandths].
+  /// `free`: the robot drives straight on level ground, so that the duty of a speed can be learned.
   /// True: much less motion than the duty implies.
-  bool update(int16_t duty, int32_t counts, uint8_t dt_ms, int16_t load,
+  bool update(int16_t duty, int32_t counts, uint8_t dt_ms, int16_t load, bool free,
               const MonitorValues& values, const wire::Parameters& parameters);
   /// A run begins: forgets what was learned about the track.
   void reset();
@@ -58,7 +59,7 @@ class TrackMonitor {
   /// See DutySteps.
   explicit TrackMonitor(uint8_t first);
   /// Call once per sample, see DutySteps::update.
-  Verdict update(int16_t duty, int32_t counts, uint8_t dt_ms, int16_t load,
+  Verdict update(int16_t duty, int32_t counts, uint8_t dt_ms, int16_t load, bool free,
                  const MonitorValues& values, const wire::Parameters& parameters);
   /// A run begins: forgets what was learned about the track.
   void reset();
@@ -106,6 +107,8 @@ class TurnMonitor {
   /// The same, and for scrubbing in a turn; the other track needs that much less if it runs in the
   /// same direction.
   int16_t load() const { return load_; }
+  /// No load acts on the tracks.
+  bool free() const;
 
  private:
   void weigh(float turn_rad, float driven_rad, float elapsed_s);

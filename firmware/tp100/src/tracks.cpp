@@ -76,15 +76,17 @@ void Tracks::measure(const TurnHistory& history) {
 Tracks::Verdicts Tracks::check(uint8_t dt_ms) {
   phase_ = static_cast<uint8_t>((phase_ + 1) % kTurnPhases);
   const int16_t load = turn_monitor_.load();
+  const bool free = turn_monitor_.free();
   Verdicts found;
-  found.left = left_.monitor.update(left_.duty, left_.counts, dt_ms, load, values_, parameters_);
+  found.left =
+      left_.monitor.update(left_.duty, left_.counts, dt_ms, load, free, values_, parameters_);
   found.right =
-      right_.monitor.update(right_.duty, right_.counts, dt_ms, load, values_, parameters_);
+      right_.monitor.update(right_.duty, right_.counts, dt_ms, load, free, values_, parameters_);
   // In a turn, one track takes more duty and the other as much less: their mean shows a stall.
   const int16_t mean_duty = static_cast<int16_t>((left_.duty + right_.duty) / 2);
   const int32_t mean_counts = distance(left_.counts, distance(left_.counts, right_.counts) / 2);
   const bool missing = mean_steps_.update(mean_duty, mean_counts, dt_ms, turn_monitor_.slope_load(),
-                                          values_, parameters_);
+                                          free, values_, parameters_);
   const bool good = found.left == TrackMonitor::kGood && found.right == TrackMonitor::kGood;
   if (!missing || !good) return found;
   const float left_m = shared::magnitude(left_.monitor.missing_m());
