@@ -37,8 +37,8 @@ struct SampleKey {
 };
 text::TomlValue draw(const Variable& variable, const SampleKey& by);
 
-/// Reads the variables in `table` and its nested tables, by full name, in alphabetical order: each a
-/// value, or one of { uniform = [LOW, HIGH] }, { normal = [MEAN, SD] }, { list = [...] }. Throws
+/// Reads the variables in `table` and its nested tables, by full name, in alphabetical order: each
+/// a value, or one of { uniform = [LOW, HIGH] }, { normal = [MEAN, SD] }, { list = [...] }. Throws
 /// SetupError.
 std::vector<Variable> read_variables(text::TomlTable table, const std::string& prefix = "");
 
