@@ -28,15 +28,15 @@
 #include "../support/notify_socket.h"
 #include "../support/temporary_folder.h"
 #include "rig.h"
+#include "server/service.h"
 
 namespace tp100::bench {
 namespace {
 
 using namespace std::chrono_literals;
+using server::Service;
 using server::WebClient;
 
-constexpr std::uint32_t kStart = 1, kStop = 3, kRecordStart = 4, kRecordStop = 5, kChoose = 9,
-                        kFileCheck = 13, kRunReport = 20, kRunIdentify = 23;
 constexpr int kFlooders = 40, kReaders = 4;
 
 /// This thread measures, and so waits for no load; `inherited`: so do the threads that it starts.
@@ -63,7 +63,7 @@ class Rig {
   void start() {
     forget();
     for (int i = 0; i < 600 && !drives(); ++i) {
-      if (i % 10 == 0) viewer_.call(kStart);
+      if (i % 10 == 0) viewer_.call(Service::kStart);
       std::this_thread::sleep_for(20ms);
     }
     if (!drives()) throw std::runtime_error("it does not drive: " + daemon_.process().output());
@@ -124,8 +124,8 @@ void beside_a_frozen_disk(test::FrozenDisk& disk, int rounds) {
       {"STOP of the page",
        [](Rig& rig) {
          // A client ends the recording, which waits for the disk, and then STOP is pressed.
-         rig.viewer().call(kRecordStop);
-         rig.viewer().call(kStop);
+         rig.viewer().call(Service::kRecordStop);
+         rig.viewer().call(Service::kStop);
        }},
       {"Enter",
        [&](Rig&) {
@@ -152,7 +152,7 @@ void beside_a_frozen_disk(test::FrozenDisk& disk, int rounds) {
   ::unsetenv("NOTIFY_SOCKET");
 }
 
-std::string call_of(std::uint32_t service, const std::string& json) {
+std::string call_of(Service service, const std::string& json) {
   const std::string bytes = {'\x02', static_cast<char>(service), 0, 0, 0, 1, 0, 0, 0, 4, 0, 0, 0};
   return bytes + "json" + json;
 }
@@ -176,24 +176,24 @@ class Load {
     for (int i = 0; i < kReaders; ++i) add([this] { read(); });
     add([this] {
       connected([](WebClient& client) {
-        client.write_binary(call_of(kChoose, R"({"course":"longest"})"));
+        client.write_binary(call_of(Service::kChoose, R"({"course":"longest"})"));
         std::this_thread::sleep_for(200ms);
       });
     });
     add([this] {
       connected([](WebClient& client) {
-        client.write_binary(call_of(kRunReport, R"({"run":"seen"})"));
+        client.write_binary(call_of(Service::kRunReport, R"({"run":"seen"})"));
         std::this_thread::sleep_for(700ms);
-        client.write_binary(call_of(kRunIdentify, R"({"runs":"seen"})"));
+        client.write_binary(call_of(Service::kRunIdentify, R"({"runs":"seen"})"));
         std::this_thread::sleep_for(700ms);
       });
     });
     add([this] {
       connected([this](WebClient& client) {
-        client.call(kRecordStart);
+        client.call(Service::kRecordStart);
         std::this_thread::sleep_for(300ms);
         disk_.freeze();
-        client.call(kRecordStop);
+        client.call(Service::kRecordStop);
         std::this_thread::sleep_for(1s);
         disk_.thaw();
       });
@@ -241,8 +241,9 @@ class Load {
         R"({"op":"subscribe","subscriptions":[)" + all + "]}",
         R"({"op":"unsubscribe","subscriptionIds":[)" + none + "]}",
         R"({"op":"subscribeParameterUpdates","parameterNames":[]})"};
-    const std::string check = call_of(kFileCheck, R"({"kind":"course","name":"dear","text":")" +
-                                                      longest_course(900, "\\n") + "\"}");
+    const std::string check =
+        call_of(Service::kFileCheck,
+                R"({"kind":"course","name":"dear","text":")" + longest_course(900, "\\n") + "\"}");
     std::size_t next = static_cast<std::size_t>(number);
     connected([&](WebClient& client) {
       const std::size_t which = next++ % (texts.size() + 1);
@@ -276,7 +277,7 @@ std::vector<double> press(Rig& rig, int presses) {
   std::mt19937 random(1);
   std::uniform_int_distribution<int> pause_us(10'000, 20'000);
   for (int i = 0; i < presses; ++i) {
-    took.push_back(rig.pressed([&] { rig.viewer().call(kStop); }));
+    took.push_back(rig.pressed([&] { rig.viewer().call(Service::kStop); }));
     if (rig.viewer().closed()) throw std::runtime_error("the viewer that presses STOP was closed");
     rig.viewer().take();
     std::this_thread::sleep_for(std::chrono::microseconds(pause_us(random)));
@@ -305,9 +306,9 @@ void beside_everything(test::FrozenDisk& disk, int presses, int runs) {
       << "library = \"" << folder.file("library") << "\"\ncourse = \"longest\"\n";
   Rig rig({"--config", folder.file("tp100.toml"), "--record", kept});
   if (!rig.daemon().process().wait_for("ready")) throw std::runtime_error("no robot");
-  rig.viewer().write_binary(call_of(kRecordStart, R"({"name":"seen"})"));
+  rig.viewer().write_binary(call_of(Service::kRecordStart, R"({"name":"seen"})"));
   std::this_thread::sleep_for(1s);
-  rig.viewer().call(kRecordStop);
+  rig.viewer().call(Service::kRecordStop);
   std::this_thread::sleep_for(1s);
   rig.viewer().take();
   print("an idle daemon: STOP of the page", press(rig, presses));

@@ -11,14 +11,14 @@
 #include <vector>
 
 #include "../server/web_client.h"
+#include "server/service.h"
 
 int main(int argc, char** argv) {
   using tp100::messages::Channel;
+  using tp100::server::Service;
   using tp100::server::WebClient;
   using Clock = std::chrono::steady_clock;
   using namespace std::chrono_literals;
-  // Ids of services that the server offers.
-  constexpr std::uint32_t kStart = 1, kRecord = 4, kEndRecording = 5;
   if (argc != 4) {
     std::fprintf(stderr, "usage: viewer_load PORT SECONDS VIEWERS\n");
     return 2;
@@ -34,8 +34,8 @@ int main(int argc, char** argv) {
   }
   WebClient watcher(argv[1]);
   watcher.subscribe(Channel::kClient);
-  watcher.call(kEndRecording);
-  watcher.call(kRecord);
+  watcher.call(Service::kRecordStop);
+  watcher.call(Service::kRecordStart);
   unsigned long long dropped = 0;
   for (Clock::time_point next = Clock::now(); Clock::now() < end;
        std::this_thread::sleep_for(5ms)) {
@@ -44,7 +44,7 @@ int main(int argc, char** argv) {
     next += 500ms;
     dropped = std::max<unsigned long long>(dropped, watcher.number_after("\"dropped_total\":"));
     // The server refuses this while the robot drives.
-    watcher.call(kStart);
+    watcher.call(Service::kStart);
   }
   std::size_t received = 0, lost = 0;
   for (WebClient& viewer : viewers) {
