@@ -155,14 +155,15 @@ doctor::Findings WheelsUpCheck::examine(const course::Robot& robot, std::string&
 void WheelsUpCheck::finish(const doctor::Findings& findings, const std::string& port) {
   handover_.end();
   const std::lock_guard lock(mutex_);
-  events_.post(
-      {.at_ns = monotonic_now(),
-       .kind = "doctor",
-       .text = "the check of the tracks has ended: " + (lost_.empty() ? end_of(findings) : lost_)});
   step_ = "the check has ended, and the daemon has its port again";
   question_.reset();
   result_ = doctor::json(findings, port);
   on_ = false;
+  // Last: whoever hears of the end may begin another check.
+  events_.post(
+      {.at_ns = monotonic_now(),
+       .kind = "doctor",
+       .text = "the check of the tracks has ended: " + (lost_.empty() ? end_of(findings) : lost_)});
 }
 
 }  // namespace tp100::selftest
