@@ -2,10 +2,13 @@
 // Everything that tunes a step. Filled from the configuration and the robot file by config.
 
 #include <array>
+#include <string_view>
 
 #include "control/monitor.h"
 #include "control/parameters.h"
 #include "control/tracker.h"
+#include "core/arithmetic.h"
+#include "core/command.h"
 #include "core/enum_names.h"
 #include "core/estimates.h"
 #include "core/step_record.h"
@@ -90,6 +93,24 @@ course::Fence fence_of(const course::Course* course);
 control::MonitoredRobot monitored_robot(const Parameters& parameters, const course::Course* course);
 
 // Changes while the step runs.
+
+/// A key of the configuration that may change: safety limits may not.
+struct LiveKey {
+  std::string_view name;
+  double control::Parameters::*field = nullptr;  ///< null: `steering`
+  double si = 1.0;                               ///< SI units of one unit of the key
+};
+/// By the number of LiveParameter.
+inline constexpr std::array<LiveKey, kLiveParameters> kLiveKeys = {{
+    {"estimation.steering"},
+    {"control.preview_s", &control::Parameters::preview_s},
+    {"control.cross_track_gain_1ps", &control::Parameters::cross_track_gain_1ps},
+    {"control.max_approach_deg", &control::Parameters::max_approach_rad, kRadPerDeg},
+    {"control.acceleration_mps2", &control::Parameters::acceleration_mps2},
+    {"control.min_speed_mps", &control::Parameters::min_speed_mps},
+    {"control.pivot_rate_radps", &control::Parameters::pivot_rate_radps},
+    {"control.pivot_acceleration_radps2", &control::Parameters::pivot_acceleration_radps2},
+}};
 
 /// Applies `change`. False, and nothing is changed, if the value is invalid: not finite, negative,
 /// an unknown pose source, or steering while `under_way`. Other limits are the caller's duty. No

@@ -1,13 +1,12 @@
 #include "live/live_controls.h"
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 #include <string_view>
 #include <utility>
 
+#include "bridge/parameters.h"
 #include "config/parameter_file.h"
-#include "core/arithmetic.h"
 #include "core/board.h"
 #include "core/clock.h"
 #include "course/robot_file.h"
@@ -32,27 +31,11 @@ Result<> unless_busy(bool passed_on) {
   return Done{};
 }
 
-struct LiveKey {
-  std::string_view name;
-  LiveParameter parameter;
-  double si = 1.0;
-};
-// Safety limits cannot be changed live.
-constexpr std::array<LiveKey, 8> kLiveKeys = {{
-    {"estimation.steering", LiveParameter::kSteering},
-    {"control.preview_s", LiveParameter::kPreview},
-    {"control.cross_track_gain_1ps", LiveParameter::kCrossTrackGain},
-    {"control.max_approach_deg", LiveParameter::kMaxApproach, kRadPerDeg},
-    {"control.acceleration_mps2", LiveParameter::kAcceleration},
-    {"control.min_speed_mps", LiveParameter::kMinSpeed},
-    {"control.pivot_rate_radps", LiveParameter::kPivotRate},
-    {"control.pivot_acceleration_radps2", LiveParameter::kPivotAcceleration},
-}};
-
-const LiveKey* live_key(std::string_view name) {
-  for (const LiveKey& key : kLiveKeys)
-    if (key.name == name) return &key;
-  return nullptr;
+/// Nothing if the key is not live.
+std::optional<LiveParameter> live_parameter(std::string_view name) {
+  const auto key = std::ranges::find(bridge::kLiveKeys, name, &bridge::LiveKey::name);
+  if (key == bridge::kLiveKeys.end()) return std::nullopt;
+  return static_cast<LiveParameter>(key - bridge::kLiveKeys.begin());
 }
 
 }  // namespace
@@ -287,26 +270,26 @@ void LiveControls::end() {
 
 std::optional<ParameterChange> change_for(const ParameterText& parameter,
                                           const messages::ParameterValue& value) {
-  const LiveKey* key = live_key(parameter.name);
-  if (key == nullptr) return std::nullopt;
+  const std::optional<LiveParameter> live = live_parameter(parameter.name);
+  if (!live) return std::nullopt;
   if (const double* number = std::get_if<double>(&value))
-    return ParameterChange{key->parameter, *number * key->si};
+    return ParameterChange{*live, *number * bridge::kLiveKeys[static_cast<std::size_t>(*live)].si};
   const std::string* name = std::get_if<std::string>(&value);
   const auto choice = name == nullptr
                           ? parameter.choices.end()
                           : std::find(parameter.choices.begin(), parameter.choices.end(), *name);
   if (choice == parameter.choices.end()) return std::nullopt;
-  return ParameterChange{key->parameter, static_cast<double>(choice - parameter.choices.begin())};
+  return ParameterChange{*live, static_cast<double>(choice - parameter.choices.begin())};
 }
 
 std::vector<ParameterText> parameter_list(const config::Configuration& configuration,
                                           const course::Robot& robot) {
   std::vector<ParameterText> out;
   for (text::KeyText& key : config::configuration_keys(configuration)) {
-    const LiveKey* live = live_key(key.name);
-    const bool only_at_standstill = live != nullptr && live->parameter == LiveParameter::kSteering;
+    const std::optional<LiveParameter> live = live_parameter(key.name);
+    const bool only_at_standstill = live == LiveParameter::kSteering;
     const bool may_save = config::may_save(key);
-    out.push_back({std::move(key), live != nullptr, only_at_standstill, may_save});
+    out.push_back({std::move(key), live.has_value(), only_at_standstill, may_save});
   }
   for (text::KeyText& key : course::robot_keys(robot)) out.push_back({std::move(key)});
   return out;
