@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdio>
-#include <utility>
+#include <string_view>
+#include <vector>
 
 #include "app/commands.h"
 #include "config/configuration.h"
@@ -17,49 +19,24 @@
 namespace tp100::app {
 namespace {
 
-using Word = std::pair<std::string_view, FileKind>;
+struct Words {
+  FileKind kind;
+  std::vector<std::string_view> words;  ///< keys of its top level
+};
 
-constexpr std::array<Word, 40> kWords = {{
-    {"robot", FileKind::kConfiguration},
-    {"course", FileKind::kConfiguration},
-    {"setup", FileKind::kConfiguration},
-    {"link", FileKind::kConfiguration},
-    {"loop", FileKind::kConfiguration},
-    {"estimation", FileKind::kConfiguration},
-    {"camera", FileKind::kConfiguration},
-    {"control", FileKind::kConfiguration},
-    {"speed_mps", FileKind::kCourse},
-    {"start", FileKind::kCourse},
-    {"segment", FileKind::kCourse},
-    {"disturbance", FileKind::kCourse},
-    {"ramp", FileKind::kCourse},
-    {"block", FileKind::kCourse},
-    {"surface", FileKind::kCourse},
-    {"fence", FileKind::kCourse},
-    {"keep_out", FileKind::kCourse},
-    {"shape", FileKind::kRobot},
-    {"drive", FileKind::kRobot},
-    {"emulated", FileKind::kRobot},
-    {"rate_hz", FileKind::kCamera},
-    {"delay_ms", FileKind::kCamera},
-    {"noise_m", FileKind::kCamera},
-    {"noise_deg", FileKind::kCamera},
-    {"bias_m", FileKind::kCamera},
-    {"dropped", FileKind::kCamera},
-    {"outliers", FileKind::kCamera},
-    {"height_m", FileKind::kCamera},
-    {"marker_size_m", FileKind::kCamera},
-    {"lens", FileKind::kView},
-    {"marker", FileKind::kView},
-    {"floor_marker", FileKind::kView},
-    {"floor_point", FileKind::kView},
-    {"runs", FileKind::kCampaign},
-    {"seed", FileKind::kCampaign},
-    {"config", FileKind::kCampaign},
-    {"board", FileKind::kCampaign},
-    {"faults", FileKind::kCampaign},
-    {"configuration", FileKind::kCampaign},
-    {"robot_values", FileKind::kCampaign},
+const std::array<Words, 6> kWords = {{
+    {FileKind::kConfiguration,
+     {"robot", "course", "setup", "link", "loop", "estimation", "camera", "control"}},
+    {FileKind::kCourse,
+     {"speed_mps", "start", "segment", "disturbance", "ramp", "block", "surface", "fence",
+      "keep_out"}},
+    {FileKind::kRobot, {"shape", "drive", "emulated"}},
+    {FileKind::kCamera,
+     {"rate_hz", "delay_ms", "noise_m", "noise_deg", "bias_m", "dropped", "outliers", "height_m",
+      "marker_size_m"}},
+    {FileKind::kView, {"lens", "marker", "floor_marker", "floor_point"}},
+    {FileKind::kCampaign,
+     {"runs", "seed", "config", "board", "faults", "configuration", "robot_values"}},
 }};
 
 std::string text_of(const course::Course& course) {
@@ -102,15 +79,14 @@ std::string check_configuration(const course::TextFile& file) {
 FileKind file_kind(const std::string& text, const std::string& file) {
   const text::TomlDocument document(text, file);
   text::TomlTable root = document.root();
-  std::vector<std::string_view> words;
-  words.reserve(kWords.size());
-  for (const Word& word : kWords) words.push_back(word.first);
+  std::vector<std::string_view> all;
+  for (const auto& [kind, words] : kWords) all.insert(all.end(), words.begin(), words.end());
   // Each key, even misspelled, votes for the kind of file that has it.
-  std::array<int, 6> votes{};
+  std::array<int, kWords.size()> votes{};
   for (const std::string& key : root.keys()) {
-    const std::string_view word = text::nearest_name(key, words);
-    for (const auto& [name, kind] : kWords)
-      if (name == word) ++votes[static_cast<std::size_t>(kind)];
+    const std::string_view word = text::nearest_name(key, all);
+    for (const auto& [kind, words] : kWords)
+      votes[static_cast<std::size_t>(kind)] += static_cast<int>(std::ranges::count(words, word));
   }
   // The one key that every campaign needs outweighs the many that it shares with a configuration.
   if (root.has("runs")) votes[static_cast<std::size_t>(FileKind::kCampaign)] += 4;
@@ -120,11 +96,7 @@ FileKind file_kind(const std::string& text, const std::string& file) {
     const bool configures = model.has("mode") || model.has("turning_threshold_radps");
     ++votes[static_cast<std::size_t>(configures ? FileKind::kConfiguration : FileKind::kRobot)];
   }
-  FileKind best = FileKind::kConfiguration;
-  for (const FileKind kind : {FileKind::kCourse, FileKind::kRobot, FileKind::kCamera,
-                              FileKind::kView, FileKind::kCampaign})
-    if (votes[static_cast<std::size_t>(kind)] > votes[static_cast<std::size_t>(best)]) best = kind;
-  return best;
+  return static_cast<FileKind>(std::ranges::max_element(votes) - votes.begin());
 }
 
 std::string check_file(const std::string& path) {

@@ -9,7 +9,6 @@
 #include "config/run_setup.h"
 #include "config/setup_files.h"
 #include "core/clock.h"
-#include "core/enum_names.h"
 #include "core/error.h"
 #include "course/bundled_files.h"
 #include "course/course.h"
@@ -37,12 +36,6 @@
 namespace tp100::app {
 namespace {
 
-bridge::Setup setup_of(const std::string& name) {
-  if (const auto setup = value_in(bridge::kSetupNames, name)) return *setup;
-  throw SetupError("--setup " + text::one_line(name) +
-                   ": not a set-up; use stand, flat or terrain");
-}
-
 /// The files of the run, with the command line's overrides.
 config::RunFiles files_of(const RunOptions& options) {
   config::RunFiles files;
@@ -56,7 +49,7 @@ config::RunFiles files_of(const RunOptions& options) {
   files.robot =
       config::read_setup_file(course::Bundled::kRobots,
                               options.robot.empty() ? configuration.robot : options.robot, library);
-  files.setup = options.setup.empty() ? configuration.parameters.setup : setup_of(options.setup);
+  files.setup = config::setup_option(options.setup, configuration.parameters.setup);
   files.world = config::world_option(options.world, configuration.parameters.world.kind);
   return files;
 }

@@ -53,6 +53,13 @@ WorldRun world_run(const RunSetup& run) {
   return out;
 }
 
+bridge::Setup setup_option(const std::string& option, bridge::Setup configured) {
+  if (option.empty()) return configured;
+  if (const auto setup = value_in(bridge::kSetupNames, option)) return *setup;
+  throw SetupError("--setup " + text::one_line(option) +
+                   ": not a set-up; use stand, flat or terrain");
+}
+
 bridge::WorldKind world_option(const std::string& option, bridge::WorldKind configured) {
   if (option.empty()) return configured;
   if (option.starts_with("udp:")) return bridge::WorldKind::kUdp;

@@ -47,6 +47,9 @@ LoadedRun with_files(const LoadedRun& run, const course::TextFile& course,
 /// The run's data for the interfaces to an external world.
 WorldRun world_run(const RunSetup& run);
 
+/// The value of --setup; empty: as configured. Throws SetupError.
+bridge::Setup setup_option(const std::string& option, bridge::Setup configured);
+
 /// The value of --world: internal, files or udp:[HOST:]PORT; empty: as configured. Throws
 /// SetupError.
 bridge::WorldKind world_option(const std::string& option, bridge::WorldKind configured);

@@ -14,12 +14,6 @@ BoardKind board_kind(const std::string& name) {
   throw SetupError("--board " + text::one_line(name) + ": not a board; use native or avr");
 }
 
-bridge::Setup setup_kind(const std::string& name) {
-  if (const auto setup = value_in(bridge::kSetupNames, name)) return *setup;
-  throw SetupError("--setup " + text::one_line(name) +
-                   ": not a set-up; use stand, flat or terrain");
-}
-
 /// Changes by the options to the robot's file. --body and --floor are values of the file, so that
 /// recordings have them, too.
 text::NamedValues robot_values(const Options& options) {
@@ -67,8 +61,7 @@ Loaded load(const Options& options) {
   loaded.files.robot = course::read_bundled(course::Bundled::kRobots, robot);
   change(loaded.files.robot, robot_values(options));
   loaded.robot = course::parse_robot(loaded.files.robot.text, loaded.files.robot.path);
-  loaded.setup =
-      options.setup.empty() ? loaded.configuration.parameters.setup : setup_kind(options.setup);
+  loaded.setup = config::setup_option(options.setup, loaded.configuration.parameters.setup);
   loaded.files.setup = loaded.setup;
   return loaded;
 }
