@@ -83,12 +83,6 @@ messages::PublishClock read_clocks() {
   return {.start_ns = monotonic_now(), .start_unix_ns = start_unix_ns};
 }
 
-std::optional<server::PageFile> page_file(std::string_view path) {
-  const web::File* file = web::find(path);
-  if (file == nullptr) return std::nullopt;
-  return server::PageFile{file->mime, file->bytes, file->etag};
-}
-
 runs::ArchiveSettings archive_settings(const config::RecordSettings& settings,
                                        const live::LiveRecording& recording) {
   std::error_code unknown;
@@ -137,7 +131,7 @@ std::unique_ptr<server::Server> make_server(const config::RunSetup& run,
   out.robots = server::robot_pages(settings.robots);
   out.runs_folder = run.configuration.record.directory;
   out.runs = [&runs] { return runs.json(); };
-  out.page = page_file;
+  out.page = web::find;
   out.setup = [&setup](std::string_view path) { return live::setup_content(setup, path); };
   out.services = controls.services();
   out.real_time = run.configuration.loop.priority > 0;

@@ -46,7 +46,7 @@ HttpAnswer json_answer(std::string json) {
   return answer;
 }
 
-HttpAnswer page_answer(const PageFile& file, std::string_view none_match) {
+HttpAnswer page_answer(const web::File& file, std::string_view none_match) {
   HttpAnswer answer;
   answer.type = file.mime;
   answer.headers.emplace_back("ETag", file.etag);
@@ -206,7 +206,7 @@ HttpAnswer http_answer(const HttpRequest& request, const HttpSources& sources) {
     return path == kSetupList ? json_answer(std::move(*content))
                               : http_text(200, std::move(*content));
   }
-  if (const auto file = sources.page ? sources.page(path) : std::nullopt)
+  if (const web::File* file = sources.page ? sources.page(path) : nullptr)
     return page_answer(*file, request.none_match);
   return http_text(404, "nothing is served at this address");
 }

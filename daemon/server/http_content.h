@@ -15,17 +15,12 @@
 #include "core/descriptor.h"
 #include "runs/run_folder.h"
 #include "runs/run_zip.h"
+#include "web/bundle.h"
 
 namespace tp100::server {
 
-/// One file of the page; lives as long as the program.
-struct PageFile {
-  std::string_view mime;
-  std::span<const unsigned char> bytes;
-  std::string_view etag;  ///< quotes included
-};
-/// Returns the file for the `path` that a browser requests, or nothing.
-using Page = std::function<std::optional<PageFile>(std::string_view path)>;
+/// Returns the page's file for the `path` that a browser requests, or null.
+using Page = std::function<const web::File*(std::string_view path)>;
 
 struct HttpRequest {
   std::string_view method;  ///< "GET", ...

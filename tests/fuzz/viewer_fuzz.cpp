@@ -67,7 +67,7 @@ void converse(fuzz::ByteSource source, Permission permission) {
 
 void request(std::string_view text) {
   HttpSources sources;
-  sources.page = [](std::string_view) { return std::nullopt; };
+  sources.page = [](std::string_view) { return nullptr; };
   sources.runs_folder = "/nowhere";
   sources.runs = [] { return std::string("{}"); };
   sources.health = [] { return std::string("{}"); };

@@ -14,6 +14,7 @@
 #include "../support/temporary_folder.h"
 #include "server/access.h"
 #include "text/file_name.h"
+#include "web/bundle.h"
 
 namespace tp100::server {
 namespace {
@@ -22,15 +23,13 @@ namespace fs = std::filesystem;
 using ::testing::Contains;
 using ::testing::Pair;
 
-constexpr unsigned char kPage[] = "<html>";
+constexpr unsigned char kHtml[] = "<html>";
+constexpr web::File kPage = {"/", "text/html", "\"5a\"", {kHtml, 6}};
 
 class HttpContent : public ::testing::Test {
  protected:
   HttpContent() {
-    sources_.page = [](std::string_view path) {
-      return path == "/" ? std::optional(PageFile{"text/html", {kPage, 6}, "\"5a\""})
-                         : std::nullopt;
-    };
+    sources_.page = [](std::string_view path) { return path == "/" ? &kPage : nullptr; };
     sources_.runs_folder = folder_.file("runs");
     sources_.runs = [] { return std::string(R"({"runs":[]})"); };
     sources_.health = [] { return std::string("{}"); };

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,13 +14,15 @@
 #include "core/clock.h"
 #include "fake_controls.h"
 #include "server/server.h"
+#include "web/bundle.h"
 #include "web_client.h"
 
 namespace tp100::server {
 
 using test::eventually;
 
-inline constexpr unsigned char kPage[] = "<html>cockpit</html>";
+inline constexpr unsigned char kHtml[] = "<html>cockpit</html>";
+inline constexpr web::File kPage = {"/", "text/html", "\"1\"", {kHtml, sizeof kHtml - 1}};
 inline const std::string kHost = "Host: 127.0.0.1\r\n";
 /// Header lines of a viewer, but for the sub-protocol.
 inline const std::string kUpgrade =
@@ -32,10 +33,7 @@ class ServerTest : public ::testing::Test {
  protected:
   ServerTest() {
     settings_.listen = "127.0.0.1:0";
-    settings_.page = [](std::string_view path) {
-      return path == "/" ? std::optional(PageFile{"text/html", {kPage, sizeof kPage - 1}, "\"1\""})
-                         : std::nullopt;
-    };
+    settings_.page = [](std::string_view path) { return path == "/" ? &kPage : nullptr; };
   }
   void start() {
     const messages::PublishClock clock{monotonic_now(), 1'700'000'000 * kNsPerS};
