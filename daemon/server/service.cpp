@@ -59,7 +59,7 @@ const char* kind_of(const RequestField::Value& value) {
 
 /// Whether all have names and types of the example.
 Result<> check(const ServiceRow& row, const std::vector<RequestField>& arguments) {
-  const std::vector<RequestField> known = parse_request(row.request).value();
+  const std::vector<RequestField>& known = row.request.fields;
   for (const RequestField& field : arguments) {
     const auto like = std::ranges::find(known, field.name, &RequestField::name);
     const bool of_consent = row.rules.consents && (field.name == "stops" || field.name == "t_s");
@@ -75,7 +75,7 @@ Result<> check(const ServiceRow& row, const std::vector<RequestField>& arguments
 
 ServiceText text_of(const ServiceRow& row) {
   const std::string type = type_of(row.name);
-  std::string request = row.request;
+  std::string request = row.request.json;
   if (row.rules.consents)
     request.insert(1, request == "{}" ? R"("stops":1,"t_s":1.5)" : R"("stops":1,"t_s":1.5,)");
   return {static_cast<std::uint32_t>(row.service), row.name, type,

@@ -100,6 +100,14 @@ using Answer = std::function<void(const std::string& why, const std::string& jso
 using AtOnce = std::function<Result<std::string>(const Request&)>;     ///< returns the answer
 using Later = std::function<Result<>(const Request&, const Answer&)>;  ///< answers or refuses
 
+/// A JSON object that has the names and types of a request's arguments.
+struct RequestExample {
+  RequestExample(const char* text) : json(text), fields(parse_request(text).value()) {}
+
+  const char* json;
+  std::vector<RequestField> fields;
+};
+
 struct ServiceRow {
   struct Rules {
     bool consents = false;        ///< sets the robot in motion, and so carries what the person saw
@@ -111,7 +119,7 @@ struct ServiceRow {
   Service service{};
   const char* name = "";
   // Examples, from which the schemas are made; without a consent's arguments.
-  const char* request = "{}";
+  RequestExample request = "{}";
   const char* response = "{}";
   std::variant<std::monostate, AtOnce, Later> does{};  ///< nothing: STOP, which waits for nothing
   Rules rules{};

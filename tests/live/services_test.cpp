@@ -113,7 +113,7 @@ TEST_F(Services, AreNumberedNamedAndExplainedOnThePage) {
     ASSERT_NE(row, rows.end()) << line;
     const std::string request = cell[2];
     EXPECT_EQ(request.starts_with("consent"), row->second->rules.consents) << line;
-    const json example = json::parse(row->second->request);
+    const json example = json::parse(row->second->request.json);
     for (const auto& [name, value] : example.items())
       EXPECT_THAT(request, HasSubstr("\"" + name + "\"")) << line;
     rows.erase(row);
