@@ -91,19 +91,17 @@ std::vector<std::string> warnings(const Fit& fit) {
 
 /// Left out where there is nothing to say: without images, and of a run without hand measurements.
 void write_errors(text::JsonWriter& json, const char* name, const Fit& fit) {
-  json.key(name).begin_object();
-  if (has_images(fit))
-    json.field("rms_m", fit.rms_m).field("max_m", fit.max_m).field("rms_rad", fit.rms_rad);
-  json.key("runs").begin_array();
-  for (const RunFit& run : fit.runs) {
-    json.begin_object().field("name", run.name).field("images", run.images);
-    json.field("rejected", run.rejected);
-    if (run.images > 0)
-      json.field("rms_m", run.rms_m).field("max_m", run.max_m).field("rms_rad", run.rms_rad);
-    json.field("distance_off_m", run.distance_off_m).field("turned_off_rad", run.turned_off_rad);
-    json.end_object();
-  }
-  json.end_array().end_object();
+  const auto write_residual = [&json](const auto& of) {
+    json.field("rms_m", of.rms_m).field("max_m", of.max_m).field("rms_rad", of.rms_rad);
+  };
+  json.object(name, [&] {
+    if (has_images(fit)) write_residual(fit);
+    json.objects("runs", fit.runs, [&](const RunFit& run) {
+      json.field("name", run.name).field("images", run.images).field("rejected", run.rejected);
+      if (run.images > 0) write_residual(run);
+      json.field("distance_off_m", run.distance_off_m).field("turned_off_rad", run.turned_off_rad);
+    });
+  });
 }
 
 std::string residual_row(const model::ModelForm& form, const Fit& fit) {
@@ -139,41 +137,33 @@ std::string identify_report(const Identification& found, const course::Robot& ba
 
 std::string identify_json(const Identification& found, const course::Robot& base,
                           const course::Robot& robot, const std::optional<AutoProgress>& driven) {
-  std::string text;
-  text::JsonWriter json(text);
-  json.begin_object().field("robot", base.name).key("parameters").begin_array();
-  for (const model::ParameterRow& row : kTrackParameters) {
-    const ParameterEstimate& estimate = found.extended[row.value];
-    json.begin_object()
-        .field("name", row.key)
-        .field("unit", text::unit_of(row.key))
-        .field("before", base.model.*row.value / row.si)
-        .field("found", estimate.found);
-    if (estimate.found)
-      json.field("value", robot.model.*row.value / row.si)
-          .field("half_interval", estimate.half_interval / row.si);
-    json.end_object();
-  }
-  json.end_array();
-  json.key("slopes").begin_array();
-  for (const model::AddedSlip& slope : found.slopes)
-    json.begin_object()
-        .field("slope_deg", slope.slope_rad * kDegPerRad)
-        .field("added_left", to_file(slope.left))
-        .field("added_right", to_file(slope.right))
-        .end_object();
-  json.end_array();
-  write_errors(json, "errors_before", found.before);
-  write_errors(json, "errors_after", found.extended);
-  if (driven) {
-    json.key("driven").begin_object();
-    json.field("manoeuvres", driven->manoeuvres).field("driving_s", driven->driving_s);
-    json.field("narrow", driven->narrow).end_object();
-  }
-  json.field("condition", found.extended.condition).key("warnings").begin_array();
-  for (const std::string& line : warnings(found.extended)) json.value(line);
-  json.end_array().end_object();
-  return text;
+  return text::json_object([&](text::JsonWriter& json) {
+    json.field("robot", base.name);
+    json.objects("parameters", kTrackParameters, [&](const model::ParameterRow& row) {
+      const ParameterEstimate& estimate = found.extended[row.value];
+      json.field("name", row.key)
+          .field("unit", text::unit_of(row.key))
+          .field("before", base.model.*row.value / row.si)
+          .field("found", estimate.found);
+      if (estimate.found)
+        json.field("value", robot.model.*row.value / row.si)
+            .field("half_interval", estimate.half_interval / row.si);
+    });
+    json.objects("slopes", found.slopes, [&](const model::AddedSlip& slope) {
+      json.field("slope_deg", slope.slope_rad * kDegPerRad)
+          .field("added_left", to_file(slope.left))
+          .field("added_right", to_file(slope.right));
+    });
+    write_errors(json, "errors_before", found.before);
+    write_errors(json, "errors_after", found.extended);
+    if (driven)
+      json.object("driven", [&] {
+        json.field("manoeuvres", driven->manoeuvres)
+            .field("driving_s", driven->driving_s)
+            .field("narrow", driven->narrow);
+      });
+    json.field("condition", found.extended.condition).values("warnings", warnings(found.extended));
+  });
 }
 
 course::Robot identified_robot(const Identification& found, const course::Robot& base,

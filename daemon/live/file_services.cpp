@@ -95,22 +95,14 @@ std::string replaced(const course::TextFile& now, const std::string& next, bool 
     }
   const bool written = !check && next != now.text;
   if (written) write();
-  std::string text;
-  text::JsonWriter json(text);
-  json.begin_object()
-      .field("file", fs::path(now.path).filename().string())
-      .field("written", written)
-      .field("may_restore", is_file(text::kept_path(now.path)))
-      .key("differences")
-      .begin_array();
-  for (const config::ParameterDifference& each : differences)
-    json.begin_object()
-        .field("name", each.name)
-        .field("before", each.before)
-        .field("after", each.after)
-        .end_object();
-  json.end_array().end_object();
-  return text;
+  return text::json_object([&](text::JsonWriter& json) {
+    json.field("file", fs::path(now.path).filename().string())
+        .field("written", written)
+        .field("may_restore", is_file(text::kept_path(now.path)));
+    json.objects("differences", differences, [&](const config::ParameterDifference& each) {
+      json.field("name", each.name).field("before", each.before).field("after", each.after);
+    });
+  });
 }
 
 /// Throws SetupError.

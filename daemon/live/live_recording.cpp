@@ -129,13 +129,9 @@ std::vector<server::ServiceRow> LiveRecording::services() {
   const auto end = [this](const server::Request&, const server::Answer& answer) -> Result<> {
     stop(0, [this, answer](const std::string& why) {
       const messages::RecordingFigures ended = figures();
-      std::string json;
-      text::JsonWriter(json)
-          .begin_object()
-          .field("run", ended.run)
-          .field("bytes", ended.bytes)
-          .end_object();
-      answer(why, json);
+      answer(why, text::json_object([&](text::JsonWriter& json) {
+               json.field("run", ended.run).field("bytes", ended.bytes);
+             }));
     });
     return Done{};
   };

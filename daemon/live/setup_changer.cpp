@@ -45,14 +45,9 @@ std::string course_name(const config::LoadedRun& run) {
 }
 
 std::string pose_json(const Pose& pose) {
-  std::string text;
-  text::JsonWriter(text)
-      .begin_object()
-      .field("x_m", pose.x_m)
-      .field("y_m", pose.y_m)
-      .field("yaw_rad", pose.yaw_rad)
-      .end_object();
-  return text;
+  return text::json_object([&](text::JsonWriter& json) {
+    json.field("x_m", pose.x_m).field("y_m", pose.y_m).field("yaw_rad", pose.yaw_rad);
+  });
 }
 
 }  // namespace

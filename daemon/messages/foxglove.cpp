@@ -65,6 +65,21 @@ void write_entity(text::JsonWriter& json, const Entity& entity, std::uint64_t un
   json.end_object();
 }
 
+std::string scene_update(std::uint64_t unix_ns, bool all,
+                         const std::function<void(text::JsonWriter&)>& write) {
+  return text::json_object([&](text::JsonWriter& json) {
+    json.key("deletions").begin_array();
+    if (all) {
+      json.begin_object();
+      write_time(json, "timestamp", unix_ns);
+      json.field("type", 1).field("id", "").end_object();
+    }
+    json.end_array().key("entities").begin_array();
+    write(json);
+    json.end_array();
+  });
+}
+
 std::string transforms_text(const Messages& messages, const StepRecord& record,
                             const std::optional<Truth>& truth) {
   const PublishClock& clock = messages.clock();

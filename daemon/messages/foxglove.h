@@ -2,6 +2,7 @@
 // The messages of Foxglove's own schemas, and the pieces of JSON that they share.
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -61,13 +62,6 @@ void write_rotation(text::JsonWriter& json, std::string_view name, const Pose& p
 /// foxglove.Pose under "pose".
 void write_foxglove_pose(text::JsonWriter& json, const Pose& pose);
 
-/// Element of "deletions" that deletes every entity of its topic.
-inline void write_deletion_of_all(text::JsonWriter& json, std::uint64_t unix_ns) {
-  json.begin_object();
-  write_time(json, "timestamp", unix_ns);
-  json.field("type", 1).field("id", "").end_object();
-}
-
 /// The primitives of one scene entity; empty kinds are written too, because viewers need them.
 struct Entity {
   std::string id{};
@@ -77,6 +71,10 @@ struct Entity {
   std::string cubes{};      ///< same
 };
 void write_entity(text::JsonWriter& json, const Entity& entity, std::uint64_t unix_ns);
+/// foxglove.SceneUpdate with the entities that `write` writes; `all`: in place of every entity of
+/// the topic.
+std::string scene_update(std::uint64_t unix_ns, bool all,
+                         const std::function<void(text::JsonWriter&)>& write);
 
 /// The members "points", "color", "colors" and "indices" of a line or triangle primitive.
 void write_vertices(text::JsonWriter& json, std::span<const Point> points, const Colour& colour);

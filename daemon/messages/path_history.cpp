@@ -67,25 +67,20 @@ std::string PathHistory::whole(const PublishClock& clock, HostNs now) const {
 
 std::string PathHistory::message(const PublishClock& clock, HostNs now, bool all) const {
   const std::uint64_t at = clock.unix_ns(now);
-  std::string text;
-  text::JsonWriter json(text);
-  json.begin_object().key("deletions").begin_array();
-  if (all) write_deletion_of_all(json, at);
-  json.end_array().key("entities").begin_array();
-  for (std::size_t i = 0; i < strips_.size(); ++i) {
-    const Strip& strip = strips_[i];
-    // Repeat the last point of the previous part, so that the strip has no gap.
-    const std::size_t from = all || strip.given == 0 ? 0 : strip.given - 1;
-    if (strip.points.size() < from + 2) continue;
-    write_entity(
-        json,
-        {.id = "path_history/" + std::string(to_string(kPoseSources[i])) + "/" +
-               std::to_string(chunk_),
-         .lines = line_strip(std::span(strip.points).subspan(from), kThicknessM, kColours[i])},
-        at);
-  }
-  json.end_array().end_object();
-  return text;
+  return scene_update(at, all, [&](text::JsonWriter& json) {
+    for (std::size_t i = 0; i < strips_.size(); ++i) {
+      const Strip& strip = strips_[i];
+      // Repeat the last point of the previous part, so that the strip has no gap.
+      const std::size_t from = all || strip.given == 0 ? 0 : strip.given - 1;
+      if (strip.points.size() < from + 2) continue;
+      write_entity(
+          json,
+          {.id = "path_history/" + std::string(to_string(kPoseSources[i])) + "/" +
+                 std::to_string(chunk_),
+           .lines = line_strip(std::span(strip.points).subspan(from), kThicknessM, kColours[i])},
+          at);
+    }
+  });
 }
 
 }  // namespace tp100::messages

@@ -121,13 +121,9 @@ void write_robot(text::JsonWriter& json, const course::Robot& robot, std::uint64
 
 std::string scene_text(const Messages& messages, HostNs at) {
   const std::uint64_t unix_ns = messages.clock().unix_ns(at);
-  return text::json_object([&](text::JsonWriter& json) {
-    json.key("deletions").begin_array();
-    write_deletion_of_all(json, unix_ns);
-    json.end_array().key("entities").begin_array();
+  return scene_update(unix_ns, true, [&](text::JsonWriter& json) {
     if (messages.path() != nullptr) write_course(json, messages, unix_ns);
     write_robot(json, messages.run_context().robot, unix_ns);
-    json.end_array();
   });
 }
 

@@ -82,23 +82,17 @@ Result<std::string> WheelsUpCheck::watch(const server::Request& request) {
     answer_ = answer;
     question_.reset();
   }
-  std::string json;
-  text::JsonWriter writer(json);
-  writer.begin_object().field("step", step_);
-  if (question_) {
-    writer.key("question").begin_object();
-    writer.field("number", question_number_).field("text", question_->text);
-    writer.key("choices").begin_array();
-    for (const doctor::Choice& choice : question_->choices)
-      writer.begin_object()
-          .field("answer", choice.answer)
-          .field("meaning", choice.meaning)
-          .end_object();
-    writer.end_array().end_object();
-  }
-  if (!result_.empty()) writer.key("result").raw(result_);
-  writer.end_object();
-  return json;
+  return text::json_object([&](text::JsonWriter& json) {
+    json.field("step", step_);
+    if (question_)
+      json.object("question", [&] {
+        json.field("number", question_number_).field("text", question_->text);
+        json.objects("choices", question_->choices, [&](const doctor::Choice& choice) {
+          json.field("answer", choice.answer).field("meaning", choice.meaning);
+        });
+      });
+    if (!result_.empty()) json.key("result").raw(result_);
+  });
 }
 
 void WheelsUpCheck::lose(const std::string& viewer) {

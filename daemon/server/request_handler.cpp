@@ -18,13 +18,11 @@ std::string name_of(const Viewer& viewer) {
 
 /// The response of stop.
 std::string stop_answer(const messages::StopFigures& stop) {
-  std::string text;
-  text::JsonWriter json(text);
-  const bool acknowledged = stop.status == messages::StopFigures::Status::kAcknowledged;
-  json.begin_object().field("acknowledged", acknowledged);
-  if (acknowledged) json.field("acknowledged_ms", stop.acknowledged_ms);
-  json.end_object();
-  return text;
+  return text::json_object([&](text::JsonWriter& json) {
+    const bool acknowledged = stop.status == messages::StopFigures::Status::kAcknowledged;
+    json.field("acknowledged", acknowledged);
+    if (acknowledged) json.field("acknowledged_ms", stop.acknowledged_ms);
+  });
 }
 
 }  // namespace

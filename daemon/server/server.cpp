@@ -150,17 +150,14 @@ void Server::State::failed(const std::string& why) {
 
 std::string Server::State::health() const {
   const HostNs now = monotonic_now();
-  std::string text;
-  text::JsonWriter(text)
-      .begin_object()
-      .field("ok", now - publisher.last_step_ns() < kStandsStillNs)
-      .field("version", publisher.run_context().version)
-      .field("uptime_s", publisher.clock().t_s(now))
-      .field("run", to_string(publisher.state().run))
-      .field("session", to_string(publisher.state().session))
-      .field("clients", broker.viewers().size())
-      .end_object();
-  return text;
+  return text::json_object([&](text::JsonWriter& json) {
+    json.field("ok", now - publisher.last_step_ns() < kStandsStillNs)
+        .field("version", publisher.run_context().version)
+        .field("uptime_s", publisher.clock().t_s(now))
+        .field("run", to_string(publisher.state().run))
+        .field("session", to_string(publisher.state().session))
+        .field("clients", broker.viewers().size());
+  });
 }
 
 Server::Server(ServerSettings settings, const messages::Messages& messages,

@@ -108,12 +108,9 @@ Refusal no_such(const std::string& what, const std::string& name) {
 }
 
 std::string json_of(std::initializer_list<std::pair<const char*, std::string_view>> texts) {
-  std::string json;
-  text::JsonWriter writer(json);
-  writer.begin_object();
-  for (const auto& [name, text] : texts) writer.field(name, text);
-  writer.end_object();
-  return json;
+  return text::json_object([&](text::JsonWriter& json) {
+    for (const auto& [name, text] : texts) json.field(name, text);
+  });
 }
 
 Result<std::string> accepted(const Result<>& done) {
