@@ -12,11 +12,11 @@
 namespace tp100::control {
 namespace {
 
-/// Final pose of a robot that starts `left_m` beside a straight path and drives along it for 15 s.
+/// Pose of a robot that started `left_m` beside a straight path once it has driven 0.7 m along it.
 Pose driven(const Law& law, double left_m) {
   LaggingRobot robot;
   robot.pose.y_m = left_m;
-  for (int i = 0; i < 3000; ++i) {
+  while (robot.pose.x_m < 0.7) {
     const LawOutput steering = law.steer({.cross_track_m = robot.pose.y_m,
                                           .heading_rad = robot.pose.yaw_rad,
                                           .yaw_rate_radps = robot.twist.yaw_rate_radps,
@@ -34,9 +34,7 @@ TEST(ExtendingPage, ShowsALawThatSteersOntoThePath) {
   const std::unique_ptr<Law> law = std::make_unique<Proportional>(Parameters{});
   for (const double left_m : {-0.08, 0.08}) {
     const Pose end = driven(*law, left_m);
-    EXPECT_GT(end.x_m, 1.0);
-    EXPECT_NEAR(end.y_m, 0.0, 0.005);
-    EXPECT_NEAR(end.yaw_rad, 0.0, 0.02);
+    EXPECT_NEAR(end.y_m, 0.0, 0.003);  // as law_test asks of every law
   }
 }
 
