@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <exception>
@@ -29,14 +28,6 @@ constexpr double kMaxStampS = 1e9;
 constexpr std::string_view kStamp = "taken_s";
 
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
-
-template <class Number>
-std::optional<Number> number_of(std::string_view text) {
-  Number value{};
-  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || stop != text.data() + text.size()) return {};
-  return value;
-}
 
 /// Thrown if stop_fd can be read during a wait.
 class Stopped : public std::exception {};
@@ -123,7 +114,7 @@ void PipeSource::comment(Header& header) {
   rest.remove_prefix(kStamp.size());
   while (!rest.empty() && is_space(rest.front())) rest.remove_prefix(1);
   while (!rest.empty() && is_space(rest.back())) rest.remove_suffix(1);
-  header.taken_s = number_of<double>(rest);
+  header.taken_s = text::number_in<double>(rest);
   if (!header.taken_s || !(std::abs(*header.taken_s) < kMaxStampS))
     throw fault("no time after taken_s; write seconds");
 }
@@ -151,7 +142,7 @@ PipeSource::Header PipeSource::header() {
   header.colour = magic == "P6";
   for (int& number : header.numbers) {
     const std::string digits = word(header);
-    const std::optional<int> value = number_of<int>(digits);
+    const std::optional<int> value = text::number_in<int>(digits);
     const bool side = &number != &header.numbers.back();  // the largest value is checked below
     if (!value || *value < 1 || (side && *value > kMaxSide))
       throw fault(text::one_line(digits, 40) + " is not a number from 1 to " +

@@ -7,7 +7,6 @@
 #include <array>
 #include <cctype>
 #include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -25,7 +24,7 @@
 #include "core/clock.h"
 #include "core/error.h"
 #include "course/bundled_files.h"
-#include "text/toml_document.h"
+#include "text/format.h"
 
 namespace tp100::camera {
 namespace {
@@ -84,13 +83,11 @@ std::map<std::string, HostNs> read_times(const std::string& path) {
     };
     const std::size_t comma = row.rfind(',');
     if (comma == std::string::npos) throw fail("no comma");
-    double t_s = 0.0;
-    const char* end = row.data() + row.size();
-    const auto [stop, error] = std::from_chars(row.data() + comma + 1, end, t_s);
-    if (error != std::errc{} || stop != end || !(std::abs(t_s) < kMaxTimeS)) throw fail("no time");
-    if (!(t_s > last_s)) throw fail("not later than the image before");
-    last_s = t_s;
-    if (!times.emplace(row.substr(0, comma), from_s(t_s)).second) throw fail("named twice");
+    const auto t_s = text::number_in<double>(std::string_view(row).substr(comma + 1));
+    if (!t_s || !(std::abs(*t_s) < kMaxTimeS)) throw fail("no time");
+    if (!(*t_s > last_s)) throw fail("not later than the image before");
+    last_s = *t_s;
+    if (!times.emplace(row.substr(0, comma), from_s(*t_s)).second) throw fail("named twice");
   }
   return times;
 }

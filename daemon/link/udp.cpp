@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <charconv>
 #include <cstring>
 #include <fstream>
 
@@ -35,8 +34,8 @@ UdpAddress parse_udp(std::string_view text, const std::string& where) {
     address.host = host;
     rest.remove_prefix(colon + 1);
   }
-  const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), address.port);
-  if (error != std::errc{} || end != rest.data() + rest.size() || address.port == 0) throw wrong();
+  address.port = tp100::text::number_in<std::uint16_t>(rest).value_or(0);
+  if (address.port == 0) throw wrong();
   return address;
 }
 

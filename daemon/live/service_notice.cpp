@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <cstddef>
 #include <cstring>
 #include <limits>
@@ -14,6 +13,7 @@
 #include <utility>
 
 #include "core/clock.h"
+#include "text/format.h"
 #include "text/standard_streams.h"
 
 namespace tp100::live {
@@ -21,10 +21,7 @@ namespace {
 
 /// 0 unless it is a whole number above 0.
 std::int64_t number(std::string_view text) {
-  std::int64_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc() && end == text.data() + text.size() ? std::max<std::int64_t>(value, 0)
-                                                                  : 0;
+  return std::max<std::int64_t>(text::number_in<std::int64_t>(text).value_or(0), 0);
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "record/recording.h"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -12,7 +11,7 @@
 #include "record/recording_file.h"
 #include "record/recording_writer.h"
 #include "record/step_codec.h"
-#include "text/toml_document.h"
+#include "text/format.h"
 
 namespace tp100::record {
 namespace {
@@ -156,17 +155,12 @@ std::string Recording::fact(const std::string& name) const {
 }
 
 HostNs Recording::start_ns() const {
-  const std::string text = fact("start_ns");
-  HostNs start = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), start);
-  return error == std::errc{} && end == text.data() + text.size() && is_time(start) ? start : 0;
+  const HostNs start = text::number_in<HostNs>(fact("start_ns")).value_or(0);
+  return is_time(start) ? start : 0;
 }
 
 std::int64_t Recording::start_unix_ns() const {
-  const std::string text = fact("start_unix_ns");
-  std::int64_t start = 0;
-  std::from_chars(text.data(), text.data() + text.size(), start);
-  return start;
+  return text::number_in<std::int64_t>(fact("start_unix_ns")).value_or(0);
 }
 
 std::string Recording::file(const std::string& name) const {

@@ -1,6 +1,5 @@
 #include "report/page_parts.h"
 
-#include <charconv>
 #include <cmath>
 
 #include "core/arithmetic.h"
@@ -39,9 +38,7 @@ std::string title_of(const RecordedRun& run) {
 }
 
 std::string date_of(const RecordedRun& run) {
-  std::int64_t start_unix_ns = 0;
-  const std::string start = fact(run, "start_unix_ns");
-  std::from_chars(start.data(), start.data() + start.size(), start_unix_ns);
+  const auto start_unix_ns = text::number_in<std::int64_t>(fact(run, "start_unix_ns")).value_or(0);
   if (start_unix_ns > 0) return text::utc_minute(start_unix_ns / 1'000'000'000);
   if (run.written_unix_s == 0) return "not recorded (virtual time)";
   return text::utc_minute(run.written_unix_s) + " (date of the file; driven in virtual time)";

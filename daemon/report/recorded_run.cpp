@@ -1,7 +1,6 @@
 #include "report/recorded_run.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -10,6 +9,7 @@
 
 #include "core/arithmetic.h"
 #include "course/path.h"
+#include "text/format.h"
 
 namespace tp100::report {
 namespace {
@@ -307,8 +307,7 @@ RecordedRun read_run(const record::Recording& recording, const RecordedContext& 
   run.result.robot = recording.fact("robot");
   run.result.setup = recording.fact("setup");
   run.result.baselines = baselines_of(run_context.robot, run_context.turning_threshold_radps);
-  const std::string seed = recording.fact("seed");
-  std::from_chars(seed.data(), seed.data() + seed.size(), run.result.seed);
+  run.result.seed = text::number_in<std::uint64_t>(recording.fact("seed")).value_or(0);
 
   const auto reader = std::make_unique<Reader>(run, recording);
   recording.visit({.step =

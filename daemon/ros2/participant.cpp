@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <cstring>
 #include <filesystem>
 #include <map>
@@ -135,10 +134,8 @@ dds_domainid_t domain_of(const config::Ros2Settings& settings) {
   if (settings.domain >= 0) return static_cast<dds_domainid_t>(settings.domain);
   const std::string variable = text::environment_variable("ROS_DOMAIN_ID");
   if (variable.empty()) return 0;
-  int domain = -1;
-  const char* const end = variable.data() + variable.size();
-  const auto [stopped, error] = std::from_chars(variable.data(), end, domain);
-  if (error != std::errc{} || stopped != end || domain < 0 || domain > kLastDomain)
+  const int domain = text::number_in<int>(variable).value_or(-1);
+  if (domain < 0 || domain > kLastDomain)
     throw SetupError("ROS_DOMAIN_ID=" + text::one_line(variable) +
                      ": not a domain; use a number from 0 to " + std::to_string(kLastDomain));
   return static_cast<dds_domainid_t>(domain);

@@ -3,12 +3,12 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <charconv>
 #include <utility>
 #include <vector>
 
 #include "core/error.h"
 #include "text/file_name.h"
+#include "text/format.h"
 
 namespace tp100::server {
 namespace {
@@ -117,13 +117,6 @@ HttpAnswer file_answer(const HttpRequest& request, std::string_view path,
   return answer;
 }
 
-std::optional<std::uint64_t> number(std::string_view text) {
-  std::uint64_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (text.empty() || error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
 }  // namespace
 
 std::optional<std::size_t> HttpAnswer::read(std::span<char> into) {
@@ -158,7 +151,8 @@ std::optional<std::pair<std::uint64_t, std::uint64_t>> byte_range(std::string_vi
   const std::size_t dash = header.find('-');
   if (dash == std::string_view::npos || header.find(',') != std::string_view::npos)
     return std::nullopt;
-  const auto first = number(header.substr(0, dash)), last = number(header.substr(dash + 1));
+  const auto first = text::number_in<std::uint64_t>(header.substr(0, dash)),
+             last = text::number_in<std::uint64_t>(header.substr(dash + 1));
   if (dash == 0) {  // the last bytes
     if (!last) return std::nullopt;
     outside = *last == 0 || size == 0;

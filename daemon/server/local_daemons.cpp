@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstddef>
 #include <cstring>
 #include <optional>
@@ -29,10 +28,7 @@ constexpr std::string_view kHostLetters =
 
 /// 0: not a port.
 std::uint16_t port_in(std::string_view text) {
-  std::uint16_t port = 0;
-  const char* end = text.data() + text.size();
-  const auto [at, error] = std::from_chars(text.data(), end, port);
-  return error == std::errc() && at == end && text.front() != '0' ? port : 0;
+  return text.starts_with('0') ? 0 : text::number_in<std::uint16_t>(text).value_or(0);
 }
 
 bool is_session(std::string_view text) {

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <boost/asio/post.hpp>
-#include <charconv>
 #include <chrono>
 #include <utility>
 
@@ -14,6 +13,7 @@
 #include "core/error.h"
 #include "loop/real_time.h"
 #include "server/viewer_socket.h"
+#include "text/format.h"
 
 namespace tp100::server {
 namespace {
@@ -39,10 +39,8 @@ tcp::endpoint parse_address(const std::string& text) {
     if (host == "localhost") host = "127.0.0.1";
     boost::system::error_code error;
     const asio::ip::address ip = asio::ip::make_address(host, error);
-    std::uint16_t port = 0;
-    const char* end = text.data() + text.size();
-    const auto [at, wrong] = std::from_chars(text.data() + colon + 1, end, port);
-    if (!error && wrong == std::errc() && at == end) return {ip, port};
+    const auto port = text::number_in<std::uint16_t>(std::string_view(text).substr(colon + 1));
+    if (!error && port) return {ip, *port};
   }
   throw SetupError("--listen " + text +
                    ": not an address; use ADDRESS:PORT like 127.0.0.1:8765, auto or off");

@@ -1,10 +1,13 @@
 #pragma once
 // Text for messages to the user: numbers, text from elsewhere, the name that was probably meant.
 
+#include <charconv>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 namespace tp100::text {
@@ -18,6 +21,17 @@ std::string number_text(double value);
 
 /// The shortest text that reads back as the same value.
 std::string shortest(double value);
+
+/// The number that is all of `text`, as the C locale writes it; nothing if it is none, or none that
+/// Number can hold.
+template <class Number>
+std::optional<Number> number_in(std::string_view text) {
+  Number value{};
+  const char* const end = text.data() + text.size();
+  const auto [at, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || at != end) return std::nullopt;
+  return value;
+}
 
 /// As printf prints it, however long. Throws std::runtime_error if printf cannot.
 [[gnu::format(printf, 1, 2)]] std::string format(const char* pattern, ...);

@@ -1,6 +1,5 @@
 #include "sim/faults/fault.h"
 
-#include <charconv>
 #include <cmath>
 #include <optional>
 
@@ -20,11 +19,8 @@ constexpr double kMaxS = 1e6;
 }
 
 std::optional<double> number_of(std::string_view text) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-    return std::nullopt;
-  return value;
+  const auto value = text::number_in<double>(text);
+  return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 /// Removes and returns the part before `mark`; also removes `mark`.
