@@ -9,12 +9,14 @@
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
+#include <optional>
 #include <string_view>
 
 #include "core/board.h"
 #include "core/clock.h"
 #include "core/faults.h"
 #include "core/time.h"
+#include "link/session.h"
 #include "link/transport.h"
 #include "text/format.h"
 #include "wire/frame.h"
@@ -26,8 +28,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// The first hello before `deadline`; an empty text if none arrives.
-HelloReply listen(const link::Port& port, Clock::time_point deadline) {
+/// The first hello before `deadline`.
+std::optional<wire::Hello> listen(const link::Port& port, Clock::time_point deadline) {
   wire::FrameDecoder decoder;
   std::array<std::uint8_t, 256> buffer{};
   for (;;) {
@@ -41,27 +43,17 @@ HelloReply listen(const link::Port& port, Clock::time_point deadline) {
     for (ssize_t i = 0; i < n; ++i) {
       if (decoder.push(buffer[static_cast<std::size_t>(i)]) != wire::DecodeResult::kFrame) continue;
       if (decoder.type() != static_cast<std::uint8_t>(wire::Type::kHello)) continue;
-      HelloReply hello = read_hello(decoder.payload(), decoder.size());
-      if (!hello.text.empty()) return hello;
+      const auto hello = link::read_hello(decoder.payload(), decoder.size());
+      if (hello) return hello;
     }
   }
 }
 
 }  // namespace
 
-HelloReply read_hello(const std::uint8_t* payload, std::size_t size) {
-  // The hello of every version begins with protocol, firmware and schema.
-  constexpr std::size_t kPrefix = 9;
-  if (size < kPrefix) return {};
-  wire::Hello hello{};
-  wire::Reader prefix(payload);
-  prefix.field("", hello.protocol);
-  prefix.field("", hello.firmware);
-  prefix.field("", hello.schema);
-  const bool ours = wire::read_payload(payload, size, hello) &&
-                    hello.protocol == wire::kProtocolVersion && hello.schema == wire::kSchemaHash;
+HelloReply reply_of(const wire::Hello& hello) {
   const auto& firmware = hello.firmware;
-  if (ours)
+  if (link::is_ours(hello))
     return {true, text::format("%s, firmware %u.%u.%u, protocol %u", board_name(hello.board),
                                firmware[0], firmware[1], firmware[2], hello.protocol)};
   return {false, text::format("firmware %u.%u.%u, protocol %u schema %08x, but tp100d uses "
@@ -73,17 +65,14 @@ HelloReply read_hello(const std::uint8_t* payload, std::size_t size) {
 int run_hello(const HelloOptions& options) {
   const link::Port port = link::open_port(options.port, {});
   const auto patience = std::chrono::duration<double>(options.timeout_s);
-  const HelloReply hello =
+  const auto hello =
       listen(port, Clock::now() + std::chrono::duration_cast<Clock::duration>(patience));
-  if (hello.ours) {
-    std::printf("%s: %s\n", options.port.c_str(), hello.text.c_str());
-    return 0;
-  }
-  const std::string none = "no hello of a TP100; flash the board with " + flash_command() +
-                           ", or choose another port (see `tp100d ports`)";
-  std::fprintf(stderr, "%s: %s\n", options.port.c_str(),
-               (hello.text.empty() ? none : hello.text).c_str());
-  return 1;
+  const HelloReply reply =
+      hello ? reply_of(*hello)
+            : HelloReply{false, "no hello of a TP100; flash the board with " + flash_command() +
+                                    ", or choose another port (see `tp100d ports`)"};
+  std::fprintf(reply.ours ? stdout : stderr, "%s: %s\n", options.port.c_str(), reply.text.c_str());
+  return reply.ours ? 0 : 1;
 }
 
 namespace {

@@ -1,9 +1,9 @@
 #pragma once
 // `tp100d ports --hello DEV`: which firmware a board runs.
 
-#include <cstddef>
-#include <cstdint>
 #include <string>
+
+#include "wire/messages.h"
 
 namespace tp100::doctor {
 
@@ -17,8 +17,8 @@ struct HelloReply {
   bool ours = false;  ///< protocol and schema are this program's
   std::string text;   ///< one line: board, firmware, protocol and, if not ours, what to do
 };
-/// Decodes the payload of a hello of any version; an empty text if it is too short. Pure.
-HelloReply read_hello(const std::uint8_t* payload, std::size_t size);
+/// `hello`: of any version, as link::read_hello() returns it. Pure.
+HelloReply reply_of(const wire::Hello& hello);
 
 /// Opens the port, which resets a Mega, sends nothing and prints the first hello. Returns 0 if its
 /// firmware is for this program, 1 for another one or without a hello. Throws SetupError.

@@ -1,7 +1,5 @@
 #include "doctor/robot.h"
 
-#include <array>
-
 #include "core/faults.h"
 #include "doctor/hello.h"
 #include "text/format.h"
@@ -181,10 +179,8 @@ LinkTest LinkMeter::end(const LinkCounters& counters, const ClockState& clock, H
   return test;
 }
 
-void add_hello(wire::Hello hello, ProbeResult& probe) {
-  std::array<std::uint8_t, wire::Hello::kSize> payload{};
-  wire::write_payload(hello, payload.data());
-  const HelloReply reply = read_hello(payload.data(), payload.size());
+void add_hello(const wire::Hello& hello, ProbeResult& probe) {
+  const HelloReply reply = reply_of(hello);
   probe.hello = reply.text;
   probe.ours = reply.ours;
 }

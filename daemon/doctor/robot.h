@@ -88,7 +88,7 @@ struct ProbeResult {
 };
 
 // Parts of a probe, of the newest hello and of the newest sample.
-void add_hello(wire::Hello hello, ProbeResult& probe);
+void add_hello(const wire::Hello& hello, ProbeResult& probe);
 void add_sample(const Sample& sample, ProbeResult& probe);
 
 /// Names: firmware, start, bootloader, parameters, session, reboots, motors, fault, battery, imu,

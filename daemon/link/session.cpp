@@ -14,8 +14,6 @@ namespace {
 using wire::Result;
 using wire::Type;
 
-// Protocol, firmware version and schema open every hello, whatever its version.
-constexpr std::size_t kHelloPrefix = 9;
 // A session counts as lasting after this many samples, one second.
 constexpr std::uint32_t kLasted = 200;
 constexpr HostNs kFirstRetryNs = 200 * kNsPerMs;
@@ -36,6 +34,22 @@ double fastest_of(const wire::Parameters& parameters) {
 }
 
 }  // namespace
+
+std::optional<wire::Hello> read_hello(const std::uint8_t* payload, std::size_t size) {
+  constexpr std::size_t kPrefix = 9;
+  if (size < kPrefix) return std::nullopt;
+  wire::Hello hello{};
+  wire::Reader prefix(payload);
+  prefix.field("", hello.protocol);
+  prefix.field("", hello.firmware);
+  prefix.field("", hello.schema);
+  if (is_ours(hello) && !wire::read_payload(payload, size, hello)) return std::nullopt;
+  return hello;
+}
+
+bool is_ours(const wire::Hello& hello) {
+  return hello.protocol == wire::kProtocolVersion && hello.schema == wire::kSchemaHash;
+}
 
 Session::Session(const SessionSettings& settings)
     : settings_(settings),
@@ -127,11 +141,13 @@ void Session::on_frame(HostNs now) {
 }
 
 void Session::on_hello(HostNs now) {
-  wire::Hello hello;
-  if (!wire::read_payload(reader_.payload(), reader_.size(), hello)) return on_other_hello(now);
-  if (hello.protocol != wire::kProtocolVersion || hello.schema != wire::kSchemaHash) {
-    return on_other_hello(now);
+  const std::optional<wire::Hello> read = read_hello(reader_.payload(), reader_.size());
+  if (!read) {
+    ++counters_.wrong_size;
+    return;
   }
+  const wire::Hello& hello = *read;
+  if (!is_ours(hello)) return on_other_hello(hello, now);
   if (hello.boot_nonce == 0 || hello.state > static_cast<std::uint8_t>(wire::State::kFaulted))
     return on_bad_hello(hello, now);
   const bool same_boot = known_boot_ && hello.boot_nonce == hello_.boot_nonce;
@@ -163,20 +179,7 @@ void Session::on_hello(HostNs now) {
   enter(SessionState::kParameters, now);
 }
 
-void Session::on_other_hello(HostNs now) {
-  if (reader_.size() < kHelloPrefix) {
-    ++counters_.wrong_size;
-    return;
-  }
-  wire::Hello hello{};
-  wire::Reader prefix(reader_.payload());
-  prefix.field("", hello.protocol);
-  prefix.field("", hello.firmware);
-  prefix.field("", hello.schema);
-  if (hello.protocol == wire::kProtocolVersion && hello.schema == wire::kSchemaHash) {
-    ++counters_.wrong_size;
-    return;
-  }
+void Session::on_other_hello(const wire::Hello& hello, HostNs now) {
   const bool repeated = state_ == SessionState::kRefused && hello.protocol == hello_.protocol &&
                         hello.schema == hello_.schema;
   if (repeated) return;

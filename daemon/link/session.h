@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -29,6 +30,12 @@ struct SessionSettings {
   HostNs first_frame_timeout_ns = 5 * kNsPerS;
   HostNs clock_answer_ns = ClockSync::kAnswerNs;  ///< later answers to clock requests are not used
 };
+
+/// Reads a hello of any version: of another one only protocol, firmware and schema, with which
+/// every hello begins. Nothing: its size is wrong.
+std::optional<wire::Hello> read_hello(const std::uint8_t* payload, std::size_t size);
+/// Whether protocol and schema are this program's.
+bool is_ours(const wire::Hello& hello);
 
 class Session {
  public:
@@ -89,7 +96,7 @@ class Session {
   void enter(SessionState state, HostNs now);
   void on_frame(HostNs now);
   void on_hello(HostNs now);
-  void on_other_hello(HostNs now);
+  void on_other_hello(const wire::Hello& hello, HostNs now);
   void on_bad_hello(const wire::Hello& hello, HostNs now);
   void refuse(const wire::Hello& hello, HostNs now);
   void on_sample(const wire::Sample& sample, HostNs now);

@@ -12,6 +12,7 @@
 
 #include "doctor/hello.h"
 #include "fake_system.h"
+#include "link/session.h"
 #include "wire/frame.h"
 #include "wire/messages.h"
 
@@ -210,13 +211,14 @@ std::array<std::uint8_t, wire::Hello::kSize> payload(std::uint16_t protocol, std
 
 TEST(HelloReply, NamesBoardFirmwareAndProtocol) {
   auto bytes = payload(wire::kProtocolVersion, wire::kSchemaHash);
-  EXPECT_EQ(read_hello(bytes.data(), 8).text, "") << "too short";
-  const HelloReply hello = read_hello(bytes.data(), bytes.size());
+  EXPECT_FALSE(link::read_hello(bytes.data(), 8)) << "too short";
+  EXPECT_FALSE(link::read_hello(bytes.data(), bytes.size() - 1)) << "ours, but of another size";
+  const HelloReply hello = reply_of(link::read_hello(bytes.data(), bytes.size()).value());
   EXPECT_TRUE(hello.ours);
   EXPECT_EQ(hello.text,
             "a Mega 2560, firmware 3.20.100, protocol " + std::to_string(wire::kProtocolVersion));
   bytes[9] = static_cast<std::uint8_t>(wire::BoardType::kFakeRobot);
-  EXPECT_THAT(read_hello(bytes.data(), bytes.size()).text,
+  EXPECT_THAT(reply_of(link::read_hello(bytes.data(), bytes.size()).value()).text,
               HasSubstr("robot simulated inside the board"));
 }
 
@@ -224,7 +226,7 @@ TEST(HelloReply, OfAnotherVersionNamesBothAndAsksForFlashing) {
   const auto other = payload(wire::kProtocolVersion + 1, 0xABCD);
   // Only the first nine bytes of a hello are guaranteed in every version.
   for (const std::size_t size : {std::size_t{9}, other.size()}) {
-    const HelloReply hello = read_hello(other.data(), size);
+    const HelloReply hello = reply_of(link::read_hello(other.data(), size).value());
     EXPECT_FALSE(hello.ours);
     EXPECT_THAT(hello.text, HasSubstr("firmware 3.20.100"));
     EXPECT_THAT(hello.text, HasSubstr("schema 0000abcd"));
