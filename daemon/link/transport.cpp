@@ -19,6 +19,7 @@
 #include <memory>
 #include <utility>
 
+#include "core/descriptor.h"
 #include "core/error.h"
 #include "link/port_holder.h"
 
@@ -74,22 +75,6 @@ std::string owner_group(const std::string& path) {
                        "); see `tp100d ports`");
   }
 }
-
-// Closes the descriptor unless it is released: set-up may fail at many points.
-class Guard {
- public:
-  explicit Guard(int fd) : fd_(fd) {}
-  ~Guard() {
-    if (fd_ >= 0) ::close(fd_);
-  }
-  Guard(const Guard&) = delete;
-  Guard& operator=(const Guard&) = delete;
-  int release() { return std::exchange(fd_, -1); }
-  int fd() const { return fd_; }
-
- private:
-  int fd_;
-};
 
 /// The standard speed of that baud rate; B0: there is none.
 speed_t standard_speed(int baud) {
@@ -219,14 +204,14 @@ Port open_port(const std::string& path, const PortOptions& options) {
   // A process that may open the port in spite of TIOCEXCL (root) must not change the settings of
   // its holder: the lock is taken before libserialport configures the port. It is closed last, so
   // that DTR stays up.
-  const Guard first(open_raw(real, error));
-  if (first.fd() < 0) fail_open(path, error);
-  if (::flock(first.fd(), LOCK_EX | LOCK_NB) != 0) fail_busy(path);
-  ::flock(first.fd(), LOCK_UN);
+  const Descriptor first(open_raw(real, error));
+  if (!first) fail_open(path, error);
+  if (::flock(first.get(), LOCK_EX | LOCK_NB) != 0) fail_busy(path);
+  ::flock(first.get(), LOCK_UN);
   const bool by_library = known_by_name(real);
   const int fd = by_library ? open_serial_port(real, options.baud, error) : open_raw(real, error);
   if (fd < 0) fail_open(path, error);
-  Guard guard(fd);
+  Descriptor owner(fd);
   if (::fstat(fd, &status) != 0) fail_open(path, errno);
   const bool pseudo_terminal = is_pseudo_terminal(status.st_mode, status.st_rdev);
   if (::isatty(fd) == 0) throw SetupError(path + ": is not a serial port; see `tp100d ports`");
@@ -240,7 +225,7 @@ Port open_port(const std::string& path, const PortOptions& options) {
   set_raw(fd, path, speed, options);
   if (!pseudo_terminal) ask_low_latency(fd);
   ::tcflush(fd, TCIFLUSH);
-  return {guard.release(), path, pseudo_terminal};
+  return {owner.release(), path, pseudo_terminal};
 }
 
 }  // namespace tp100::link

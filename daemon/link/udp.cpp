@@ -60,26 +60,21 @@ sockaddr_in resolve(const UdpAddress& address) {
   return out;
 }
 
-UdpSender::UdpSender(const UdpAddress& to) {
+UdpSender::UdpSender(const UdpAddress& to)
+    : socket_(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0)) {
   const sockaddr_in address = resolve(to);
-  socket_ = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
   sockaddr generic{};
   static_assert(sizeof generic == sizeof address);
   std::memcpy(&generic, &address, sizeof generic);
-  if (socket_ < 0 || ::connect(socket_, &generic, sizeof generic) != 0) {
-    const int error = errno;
-    if (socket_ >= 0) ::close(socket_);
-    throw SetupError("udp:" + to_string(to) + ": cannot send there (" + std::strerror(error) +
+  if (!socket_ || ::connect(socket_.get(), &generic, sizeof generic) != 0)
+    throw SetupError("udp:" + to_string(to) + ": cannot send there (" + std::strerror(errno) +
                      "); choose another address");
-  }
 }
-
-UdpSender::~UdpSender() { ::close(socket_); }
 
 bool UdpSender::send(std::string_view datagram) {
   // ECONNREFUSED belongs to the previous datagram; the second attempt sends this one.
   for (int attempt = 0; attempt < 2; ++attempt) {
-    if (::send(socket_, datagram.data(), datagram.size(), MSG_NOSIGNAL) >= 0) return true;
+    if (::send(socket_.get(), datagram.data(), datagram.size(), MSG_NOSIGNAL) >= 0) return true;
     if (errno != ECONNREFUSED && errno != EINTR) return false;
   }
   return false;

@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/descriptor.h"
+
 namespace tp100::link {
 
 /// Address that datagrams are sent to or received on. IPv4.
@@ -27,15 +29,12 @@ class UdpSender {
  public:
   /// Throws SetupError.
   explicit UdpSender(const UdpAddress& to);
-  ~UdpSender();
-  UdpSender(const UdpSender&) = delete;
-  UdpSender& operator=(const UdpSender&) = delete;
 
   /// False: the system did not accept the datagram.
   bool send(std::string_view datagram);
 
  private:
-  int socket_ = -1;
+  Descriptor socket_;
 };
 
 /// Name of this machine's monotonic clock (camera_message.h): its boot id. If that is unknown:

@@ -39,11 +39,8 @@ ServiceSettings service_settings() {
 }
 
 ServiceNotice::ServiceNotice(ServiceSettings settings) : settings_(std::move(settings)) {
-  if (!settings_.socket.empty()) socket_ = ::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0);
-}
-
-ServiceNotice::~ServiceNotice() {
-  if (socket_ >= 0) ::close(socket_);
+  if (!settings_.socket.empty())
+    socket_ = Descriptor(::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0));
 }
 
 std::string ServiceNotice::ready() {
@@ -73,14 +70,15 @@ void ServiceNotice::stopping() { send("STOPPING=1"); }
 int ServiceNotice::send(const std::string& text) const {
   sockaddr_un address{};
   const std::string& name = settings_.socket;
-  if (socket_ < 0) return ENOTSOCK;
+  if (!socket_) return ENOTSOCK;
   if (name.size() >= sizeof address.sun_path) return ENAMETOOLONG;
   address.sun_family = AF_UNIX;
   std::copy(name.begin(), name.end(), address.sun_path);
   if (name.front() == '@') address.sun_path[0] = '\0';
   const auto size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + name.size());
-  const ssize_t sent = ::sendto(socket_, text.data(), text.size(), MSG_NOSIGNAL | MSG_DONTWAIT,
-                                reinterpret_cast<const sockaddr*>(&address), size);
+  const ssize_t sent =
+      ::sendto(socket_.get(), text.data(), text.size(), MSG_NOSIGNAL | MSG_DONTWAIT,
+               reinterpret_cast<const sockaddr*>(&address), size);
   return sent < 0 ? errno : 0;
 }
 

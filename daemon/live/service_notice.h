@@ -7,6 +7,7 @@
 #include <functional>
 #include <string>
 
+#include "core/descriptor.h"
 #include "core/time.h"
 
 namespace tp100::live {
@@ -23,9 +24,6 @@ ServiceSettings service_settings();
 class ServiceNotice {
  public:
   explicit ServiceNotice(ServiceSettings settings);
-  ~ServiceNotice();
-  ServiceNotice(const ServiceNotice&) = delete;
-  ServiceNotice& operator=(const ServiceNotice&) = delete;
 
   /// Reports that the program has started. Returns why this failed, or nothing.
   std::string ready();
@@ -43,7 +41,7 @@ class ServiceNotice {
   std::string status_;
   std::uint64_t cycles_ = 0;
   HostNs next_ns_ = 0;
-  int socket_ = -1;
+  Descriptor socket_;
 };
 
 /// Waits for disks when the loop has ended, and feeds the watchdog meanwhile.

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "core/clock.h"
+#include "core/descriptor.h"
 #include "core/error.h"
 #include "text/atomic_file.h"
 #include "worlds/text_files.h"
@@ -54,17 +55,12 @@ class Watched {
   /// may be half written.
   std::optional<std::string> look() {
     // Regular files only: opening a pipe would wait for its other end.
-    const int file = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
-    if (file < 0) return std::nullopt;
+    const Descriptor file(::open(path_.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
     struct stat status {};
-    std::optional<std::string> text;
-    if (::fstat(file, &status) == 0 && S_ISREG(status.st_mode)) {
-      const Stamp stamp{status.st_ino, status.st_size,
-                        status.st_mtim.tv_sec * kNsPerS + status.st_mtim.tv_nsec};
-      if (!(stamp == accepted_)) text = read(file, stamp);
-    }
-    ::close(file);
-    return text;
+    if (!file || ::fstat(file.get(), &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
+    const Stamp stamp{status.st_ino, status.st_size,
+                      status.st_mtim.tv_sec * kNsPerS + status.st_mtim.tv_nsec};
+    return stamp == accepted_ ? std::nullopt : read(file.get(), stamp);
   }
 
  private:

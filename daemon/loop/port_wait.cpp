@@ -40,17 +40,10 @@ bool announce(int fd) {
 PortWait::PortWait(HostNs spare_ns)
     : spare_ns_(spare_ns), timer_(::timerfd_create(CLOCK_MONOTONIC, TFD_NONBLOCK | TFD_CLOEXEC)) {
   const sigset_t set = announcements();
-  signals_ = timer_ < 0 ? -1 : ::signalfd(-1, &set, SFD_NONBLOCK | SFD_CLOEXEC);
-  if (signals_ >= 0) return;
-  const int error = errno;
-  if (timer_ >= 0) ::close(timer_);
-  throw SetupError(std::string("no timer for the real-time loop (") + std::strerror(error) +
-                   "); raise the limit of open files (ulimit -n)");
-}
-
-PortWait::~PortWait() {
-  ::close(timer_);
-  ::close(signals_);
+  if (timer_) signals_ = Descriptor(::signalfd(-1, &set, SFD_NONBLOCK | SFD_CLOEXEC));
+  if (!signals_)
+    throw SetupError(std::string("no timer for the real-time loop (") + std::strerror(errno) +
+                     "); raise the limit of open files (ulimit -n)");
 }
 
 void PortWait::watch(int fd) {
@@ -62,7 +55,8 @@ void PortWait::watch(int fd) {
 
 bool PortWait::readable(HostNs until) {
   if (rings_ns_ == 0 || rings_ns_ > until) set(until);
-  std::array<pollfd, 2> of{{{by_signal_ ? signals_ : fd_, POLLIN, 0}, {timer_, POLLIN, 0}}};
+  std::array<pollfd, 2> of{
+      {{by_signal_ ? signals_.get() : fd_, POLLIN, 0}, {timer_.get(), POLLIN, 0}}};
   if (::poll(of.data(), of.size(), -1) <= 0) return false;
   if (of[1].revents != 0) set(rings_ns_ < until ? until : monotonic_now() + spare_ns_);
   return of[0].revents != 0;
@@ -78,14 +72,14 @@ bool PortWait::may_read() {
 
 bool PortWait::take_signal() {
   signalfd_siginfo info;
-  return ::read(signals_, &info, sizeof info) == sizeof info;
+  return ::read(signals_.get(), &info, sizeof info) == sizeof info;
 }
 
 // Setting the timer also clears its expiration.
 void PortWait::set(HostNs at) {
   rings_ns_ = std::max<HostNs>(at, 1);
   const itimerspec once{{}, {static_cast<time_t>(rings_ns_ / kNsPerS), rings_ns_ % kNsPerS}};
-  ::timerfd_settime(timer_, TFD_TIMER_ABSTIME, &once, nullptr);
+  ::timerfd_settime(timer_.get(), TFD_TIMER_ABSTIME, &once, nullptr);
 }
 
 }  // namespace tp100::loop

@@ -1,6 +1,7 @@
 #pragma once
 // Waits for a port's bytes, and tells when a read would not block.
 
+#include "core/descriptor.h"
 #include "core/time.h"
 
 namespace tp100::loop {
@@ -21,9 +22,6 @@ class PortWait {
   /// `spare_ns`: the timer expires by itself this long after a deadline that was met. With half a
   /// period, it expires between two samples. Throws SetupError if the system provides no timer.
   explicit PortWait(HostNs spare_ns);
-  ~PortWait();
-  PortWait(const PortWait&) = delete;
-  PortWait& operator=(const PortWait&) = delete;
 
   /// The port to wait for from now on, non-blocking.
   void watch(int fd);
@@ -39,7 +37,7 @@ class PortWait {
   bool take_signal();
 
   HostNs spare_ns_;
-  int timer_, signals_;
+  Descriptor timer_, signals_;
   int fd_ = -1;
   bool by_signal_ = false;  // the port is a terminal
   HostNs rings_ns_ = 0;     // expiration of the timer; 0: never

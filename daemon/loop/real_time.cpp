@@ -121,9 +121,9 @@ void resolve(Privilege& privilege) {
 RealTimeProcess::RealTimeProcess(const ProcessRequest& request) {
   if (request.lock_memory) privileges_.push_back(lock_memory());
   if (request.hold_cpu_latency) {
-    latency_fd_ = ::open("/dev/cpu_dma_latency", O_WRONLY | O_CLOEXEC);
+    latency_ = Descriptor(::open("/dev/cpu_dma_latency", O_WRONLY | O_CLOEXEC));
     const std::int32_t zero = 0;
-    const bool held = latency_fd_ >= 0 && ::write(latency_fd_, &zero, sizeof zero) == sizeof zero;
+    const bool held = latency_ && ::write(latency_.get(), &zero, sizeof zero) == sizeof zero;
     privileges_.push_back({"processor kept awake (/dev/cpu_dma_latency)", held,
                            R"(echo KERNEL==\"cpu_dma_latency\",OWNER=\"$USER\" | )"
                            "sudo tee /etc/udev/rules.d/90-tp100.rules && sudo udevadm trigger "
@@ -136,10 +136,6 @@ RealTimeProcess::RealTimeProcess(const ProcessRequest& request) {
          true,
          {}});
   for (Privilege& privilege : privileges_) resolve(privilege);
-}
-
-RealTimeProcess::~RealTimeProcess() {
-  if (latency_fd_ >= 0) ::close(latency_fd_);
 }
 
 void RealTimeProcess::keep() const {

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "core/descriptor.h"
+
 namespace tp100::loop {
 
 /// SCHED_FIFO priority of what a robot waits for besides the loop: before ordinary programs.
@@ -38,9 +40,6 @@ struct ThreadRequest {
 class RealTimeProcess {
  public:
   explicit RealTimeProcess(const ProcessRequest& request);
-  ~RealTimeProcess();
-  RealTimeProcess(const RealTimeProcess&) = delete;
-  RealTimeProcess& operator=(const RealTimeProcess&) = delete;
 
   const std::vector<Privilege>& privileges() const { return privileges_; }
   /// Raises workers that the kernel has made since. Reads /proc, so once a second is enough, and
@@ -49,7 +48,7 @@ class RealTimeProcess {
 
  private:
   std::vector<Privilege> privileges_;
-  int latency_fd_ = -1;
+  Descriptor latency_;
   bool workers_raised_ = false;
 };
 

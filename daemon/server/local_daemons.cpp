@@ -65,23 +65,17 @@ std::string url_of(const LocalDaemon& daemon, std::string_view name) {
 }  // namespace
 
 Announcement::Announcement(const LocalDaemon& daemon)
-    : fd_(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+    : socket_(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
   const std::string name = std::string(kMark) + daemon.address + "/" + std::to_string(daemon.port) +
                            "/" + daemon.session;
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
   // Abstract: the first byte of the name stays 0.
-  if (fd_ < 0 || name.size() >= sizeof address.sun_path) return;
+  if (!socket_ || name.size() >= sizeof address.sun_path) return;
   std::memcpy(address.sun_path + 1, name.data(), name.size());
   const auto size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + name.size());
   // It never listens: nobody can connect or send anything.
-  if (::bind(fd_, reinterpret_cast<const sockaddr*>(&address), size) == 0) return;
-  ::close(fd_);
-  fd_ = -1;
-}
-
-Announcement::~Announcement() {
-  if (fd_ >= 0) ::close(fd_);
+  ::bind(socket_.get(), reinterpret_cast<const sockaddr*>(&address), size);
 }
 
 std::vector<LocalDaemon> daemons_in(std::string_view table) {
@@ -101,15 +95,14 @@ std::vector<LocalDaemon> daemons_in(std::string_view table) {
 
 std::vector<LocalDaemon> local_daemons() {
   std::string table;
-  const int fd = ::open("/proc/net/unix", O_RDONLY | O_CLOEXEC);
-  if (fd < 0) return {};
+  const Descriptor file(::open("/proc/net/unix", O_RDONLY | O_CLOEXEC));
+  if (!file) return {};
   char part[16'384];
   while (table.size() < kMaxTable) {
-    const ssize_t got = ::read(fd, part, sizeof part);
+    const ssize_t got = ::read(file.get(), part, sizeof part);
     if (got <= 0) break;
     table.append(part, static_cast<std::size_t>(got));
   }
-  ::close(fd);
   return daemons_in(table);
 }
 

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/descriptor.h"
+
 namespace tp100::server {
 
 /// What a daemon announces. Every account of the machine can announce anything: it is a hint where
@@ -25,12 +27,9 @@ class Announcement {
  public:
   /// If the kernel refuses, nothing is announced; then only other pages do not list this daemon.
   explicit Announcement(const LocalDaemon& daemon);
-  ~Announcement();
-  Announcement(const Announcement&) = delete;
-  Announcement& operator=(const Announcement&) = delete;
 
  private:
-  int fd_;
+  Descriptor socket_;
 };
 
 /// The daemons in a table of Unix sockets like /proc/net/unix: the first 64, by port. Whatever is

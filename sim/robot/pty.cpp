@@ -55,11 +55,11 @@ void make_link(const std::string& device, const std::string& link) {
 }  // namespace
 
 Pty::Pty(const std::string& link) {
-  master_ = posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
-  if (master_ < 0) fail("cannot create a pseudo-terminal");
+  master_ = Descriptor(posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
+  if (!master_) fail("cannot create a pseudo-terminal");
   std::array<char, 128> name{};
-  if (grantpt(master_) != 0 || unlockpt(master_) != 0 ||
-      ptsname_r(master_, name.data(), name.size()) != 0) {
+  if (grantpt(master_.get()) != 0 || unlockpt(master_.get()) != 0 ||
+      ptsname_r(master_.get(), name.data(), name.size()) != 0) {
     fail("cannot set up the pseudo-terminal");
   }
   device_ = name.data();
@@ -81,24 +81,23 @@ Pty::Pty(const std::string& link) {
 Pty::~Pty() {
   std::error_code error;
   if (!link_.empty() && fs::read_symlink(link_, error) == device_) fs::remove(link_, error);
-  ::close(master_);
 }
 
 bool Pty::open() {
-  pollfd descriptor{master_, 0, 0};
+  pollfd descriptor{master_.get(), 0, 0};
   return poll(&descriptor, 1, 0) == 0 || (descriptor.revents & POLLHUP) == 0;
 }
 
 std::size_t Pty::read(std::span<std::uint8_t> buffer) {
-  const ssize_t n = ::read(master_, buffer.data(), buffer.size());
+  const ssize_t n = ::read(master_.get(), buffer.data(), buffer.size());
   return n > 0 ? static_cast<std::size_t>(n) : 0;
 }
 
 std::size_t Pty::write(std::span<const std::uint8_t> bytes) {
-  const ssize_t n = ::write(master_, bytes.data(), bytes.size());
+  const ssize_t n = ::write(master_.get(), bytes.data(), bytes.size());
   return n > 0 ? static_cast<std::size_t>(n) : 0;
 }
 
-void Pty::flush() { tcflush(master_, TCIOFLUSH); }
+void Pty::flush() { tcflush(master_.get(), TCIOFLUSH); }
 
 }  // namespace tp100::sim

@@ -6,6 +6,8 @@
 #include <span>
 #include <string>
 
+#include "core/descriptor.h"
+
 namespace tp100::sim {
 
 /// The robot's end of a pty, with a symbolic link to the client's end. Raw, non-blocking.
@@ -29,10 +31,10 @@ class Pty {
   std::size_t write(std::span<const std::uint8_t> bytes);
   /// Discards bytes left by an earlier client.
   void flush();
-  int descriptor() const { return master_; }
+  int descriptor() const { return master_.get(); }
 
  private:
-  int master_ = -1;
+  Descriptor master_;
   std::string device_;
   std::string link_;
 };

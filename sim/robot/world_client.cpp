@@ -2,7 +2,6 @@
 
 #include <poll.h>
 #include <sys/socket.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -29,24 +28,17 @@ sockaddr* generic(sockaddr_in* address) {
 
 WorldClient::WorldClient(const config::WorldRun& run, std::uint32_t session)
     : peer_(config::peer_settings(run, session, true)),
-      world_(link::resolve(link::parse_udp(run.settings.address, "world"))) {
-  socket_ = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
-  if (socket_ < 0) throw SetupError(std::string("world: no socket (") + std::strerror(errno) + ")");
-  try {
-    if (!run.settings.listen.empty()) {
-      sockaddr_in local = link::resolve(link::parse_udp(run.settings.listen, "world.listen"));
-      if (::bind(socket_, generic(&local), sizeof local) != 0)
-        throw SetupError("world: cannot listen at " + run.settings.listen + " (" +
-                         std::strerror(errno) + "); choose another world.listen");
-    }
-    greet();
-  } catch (...) {
-    ::close(socket_);
-    throw;
+      world_(link::resolve(link::parse_udp(run.settings.address, "world"))),
+      socket_(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0)) {
+  if (!socket_) throw SetupError(std::string("world: no socket (") + std::strerror(errno) + ")");
+  if (!run.settings.listen.empty()) {
+    sockaddr_in local = link::resolve(link::parse_udp(run.settings.listen, "world.listen"));
+    if (::bind(socket_.get(), generic(&local), sizeof local) != 0)
+      throw SetupError("world: cannot listen at " + run.settings.listen + " (" +
+                       std::strerror(errno) + "); choose another world.listen");
   }
+  greet();
 }
-
-WorldClient::~WorldClient() { ::close(socket_); }
 
 void WorldClient::greet() {
   const auto record = std::make_unique<StepRecord>();
@@ -69,7 +61,7 @@ void WorldClient::greet() {
 
 void WorldClient::send(const std::string& datagram) {
   // Errors are ignored: a missing receiver is noticed by its silence.
-  (void)::sendto(socket_, datagram.data(), datagram.size(), MSG_NOSIGNAL, generic(&world_),
+  (void)::sendto(socket_.get(), datagram.data(), datagram.size(), MSG_NOSIGNAL, generic(&world_),
                  sizeof world_);
 }
 
@@ -78,7 +70,7 @@ bool WorldClient::receive(HostNs now, Clock::time_point deadline, const Take& ta
     sockaddr_in sender{};
     socklen_t length = sizeof sender;
     const ssize_t n =
-        ::recvfrom(socket_, buffer_.data(), buffer_.size(), 0, generic(&sender), &length);
+        ::recvfrom(socket_.get(), buffer_.data(), buffer_.size(), 0, generic(&sender), &length);
     if (n >= 0) {
       if (sender.sin_addr.s_addr != world_.sin_addr.s_addr) continue;
       const auto sample =
@@ -90,7 +82,7 @@ bool WorldClient::receive(HostNs now, Clock::time_point deadline, const Take& ta
     if (errno != EAGAIN && errno != EINTR) return false;
     const auto left = deadline - Clock::now();
     if (left.count() <= 0) return false;
-    pollfd waiting{socket_, POLLIN, 0};
+    pollfd waiting{socket_.get(), POLLIN, 0};
     const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(left).count();
     ::poll(&waiting, 1, static_cast<int>(ms) + 1);
   }

@@ -10,6 +10,7 @@
 #include <functional>
 
 #include "config/world_settings.h"
+#include "core/descriptor.h"
 #include "core/step_record.h"
 #include "worlds/peer.h"
 
@@ -22,9 +23,6 @@ class WorldClient {
   /// Finds the world at run.settings.address and waits for its welcome, five seconds at most.
   /// `session` is the first session number. Throws SetupError.
   WorldClient(const config::WorldRun& run, std::uint32_t session);
-  ~WorldClient();
-  WorldClient(const WorldClient&) = delete;
-  WorldClient& operator=(const WorldClient&) = delete;
 
   /// After a step at virtual time `now`: sends the pose, if one is due, and waits for the matching
   /// answer. If the world takes more than five seconds of real time, later answers are not awaited.
@@ -44,7 +42,7 @@ class WorldClient {
 
   worlds::Peer peer_;
   sockaddr_in world_{};
-  int socket_ = -1;
+  Descriptor socket_;
   bool waits_ = true;
   // One byte more than a datagram may have, so that a longer one is detected.
   std::array<char, worlds::kMaxWorldDatagram + 1> buffer_{};
