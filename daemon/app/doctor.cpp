@@ -182,16 +182,7 @@ void examine_port(Examination& all, const DoctorOptions& options) {
   // All findings name the system's files by absolute path.
   if (name != "auto") name = std::filesystem::absolute(name);
   all.port = doctor::choose_port(all.system, name, link::list_ports());
-  append(all.findings, all.port.findings);
-  if (all.port.device.empty()) return;
-  append(all.findings,
-         doctor::permission_findings(all.system, all.port.device, doctor::this_account(),
-                                     all.system.usable(all.port.device)));
-  if (!all.port.pseudo_terminal) {
-    append(all.findings, doctor::holder_findings(all.system, all.port.device));
-    append(all.findings,
-           doctor::modem_manager_findings(all.system, all.port.device, all.port.info));
-  }
+  append(all.findings, doctor::port_findings(all.system, all.port));
 }
 
 void examine_robot(Examination& all, const DoctorOptions& options) {

@@ -279,6 +279,21 @@ void add_latency_timer(const System& system, const std::string& tty, Findings& f
 
 }  // namespace
 
+Findings port_findings(const System& system, const ChosenPort& port, bool open) {
+  Findings findings = port.findings;
+  if (port.device.empty()) return findings;
+  append(findings,
+         permission_findings(system, port.device, this_account(), system.usable(port.device)));
+  if (open) {
+    findings.push_back(ok("holder", port.device + ": this daemon has it open"));
+  } else if (!port.pseudo_terminal) {
+    append(findings, holder_findings(system, port.device));
+  }
+  if (!port.pseudo_terminal)
+    append(findings, modem_manager_findings(system, port.device, port.info));
+  return findings;
+}
+
 Findings usb_findings(const System& system, const std::string& device, const link::PortInfo& info) {
   Findings findings;
   const std::string tty = "/sys/class/tty/" + fs::path(device).filename().string();

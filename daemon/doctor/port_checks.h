@@ -58,6 +58,10 @@ Findings permission_findings(const System& system, const std::string& device,
 Findings modem_manager_findings(const System& system, const std::string& device,
                                 const link::PortInfo& info);
 
+/// The findings of the choice, and whether this process may use the port and no other program keeps
+/// it from that. `open`: this process has it open.
+Findings port_findings(const System& system, const ChosenPort& port, bool open = false);
+
 // Settings of the USB bus and the bridge chip that affect the robot's bytes.
 
 /// Names: autosuspend, latency-timer, bridge; nothing for a port that is not on USB. Call it while

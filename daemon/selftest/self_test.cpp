@@ -133,20 +133,9 @@ std::string SelfTest::port_findings() const {
   if (name != "auto") name = absolute(name);
   if (!open.path.empty()) open.path = absolute(open.path);
   const doctor::ChosenPort port = doctor::choose_port(system, name, link::list_ports(), open.path);
-  Findings findings = port.findings;
-  if (!port.device.empty()) {
-    append(findings, doctor::permission_findings(system, port.device, doctor::this_account(),
-                                                 system.usable(port.device)));
-    if (!open.path.empty()) {
-      findings.push_back(doctor::ok("holder", port.device + ": this daemon has it open"));
-    } else if (!port.pseudo_terminal) {
-      append(findings, doctor::holder_findings(system, port.device));
-    }
-    if (!port.pseudo_terminal) {
-      append(findings, doctor::modem_manager_findings(system, port.device, port.info));
-      append(findings, doctor::usb_findings(system, port.device, port.info));
-    }
-  }
+  Findings findings = doctor::port_findings(system, port, !open.path.empty());
+  if (!port.device.empty() && !port.pseudo_terminal)
+    append(findings, doctor::usb_findings(system, port.device, port.info));
   return doctor::json(findings, port.path);
 }
 
