@@ -4,15 +4,15 @@
 #include <cmath>
 #include <cstddef>
 
+#include "control/tracker.h"
 #include "core/arithmetic.h"
 #include "core/pose.h"
 
 namespace tp100::report {
 namespace {
 
-constexpr double kRecoveredM = 0.01;
-constexpr double kRecoveredRad = 3.0 * kRadPerDeg;
-constexpr double kRecoveredForS = 0.5;
+// The figures call the robot back on its path as its controller does.
+using control::Recovery;
 // A disturbance is detected at the latest when a camera has seen it twice.
 constexpr double kNoticedWithinS = 0.5;
 
@@ -41,12 +41,13 @@ Window settled(const std::vector<TrajectoryPoint>& points, const std::vector<Dev
   std::size_t since = window.end;
   for (std::size_t i = window.begin; i < window.end; ++i) {
     if (points[i].t_s < disturbed_until_s) continue;
-    if (deviations[i].cross_track_m > kRecoveredM || deviations[i].yaw_rad > kRecoveredRad) {
+    if (deviations[i].cross_track_m > Recovery::kRecoveredM ||
+        deviations[i].yaw_rad > Recovery::kRecoveredRad) {
       since = window.end;
       continue;
     }
     if (since == window.end) since = i;
-    if (points[i].t_s - points[since].t_s >= kRecoveredForS) return {since, i};
+    if (points[i].t_s - points[since].t_s >= Recovery::kRecoveredForS) return {since, i};
   }
   return {window.end, window.end};
 }
