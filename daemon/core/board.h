@@ -2,6 +2,7 @@
 // The board that a hello names, and what moves when its robot drives. Pure.
 
 #include <cstdint>
+#include <string>
 
 #include "wire/messages.h"
 
@@ -28,6 +29,12 @@ constexpr const char* board_name(std::uint8_t board) {
 constexpr bool is_known_board(std::uint8_t board) {
   return board >= static_cast<std::uint8_t>(wire::BoardType::kMega2560) &&
          board <= static_cast<std::uint8_t>(wire::BoardType::kFakeRobot);
+}
+
+/// "MAJOR.MINOR.PATCH".
+inline std::string firmware_text(const wire::Hello& hello) {
+  return std::to_string(hello.firmware[0]) + "." + std::to_string(hello.firmware[1]) + "." +
+         std::to_string(hello.firmware[2]);
 }
 
 /// A port is physical unless this proves otherwise: a pseudo-terminal alone may be a serial server

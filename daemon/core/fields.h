@@ -32,6 +32,22 @@ void visit_each(const std::array<std::string_view, N>& names, Visitor& visit, Fi
   (visit(names[i++], fields), ...);
 }
 
+/// The fields of `values` as an object of nlohmann's; null: an optional one that has no value.
+template <class Json, class Values>
+Json object_of(const Values& values) {
+  Json json;
+  visit_fields(
+      [&json](std::string_view name, const auto& value) {
+        if constexpr (requires { value.has_value(); }) {
+          json[name] = value ? Json(*value) : Json(nullptr);
+        } else {
+          json[name] = value;
+        }
+      },
+      values);
+  return json;
+}
+
 }  // namespace tp100
 
 /// Calls visit(name, variable) for each of these variables.

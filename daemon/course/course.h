@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/fields.h"
 #include "core/pose.h"
 #include "course/terrain.h"
 
@@ -18,6 +19,7 @@ namespace tp100::course {
 struct Vertex {
   double x_m = 0.0, y_m = 0.0;
 };
+TP100_FIELDS(Vertex, x_m, y_m)
 /// At least three corners in order, either way around; the last one is joined to the first. Its
 /// edges do not cross.
 using Polygon = std::vector<Vertex>;
@@ -80,6 +82,7 @@ struct Disturbance {
   double yaw_rad;
   double duration_s;  ///< the push is spread over this time
 };
+TP100_FIELDS(Disturbance, at_m, sideways_m, yaw_rad, duration_s)
 
 /// One course. The path starts at `start` and is followed at `speed_mps`.
 struct Course {

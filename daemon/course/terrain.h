@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/fields.h"
+
 namespace tp100::course {
 
 /// Where a piece lies: the centre of its footprint and the direction of its own x axis, world
@@ -14,6 +16,7 @@ struct Place {
   double x_m = 0.0, y_m = 0.0;
   double heading_rad = 0.0;
 };
+TP100_FIELDS(Place, x_m, y_m, heading_rad)
 
 /// Up, flat top, down. A robot driving along its heading meets the up side first.
 struct Ramp {
@@ -28,6 +31,7 @@ struct Ramp {
   double down_length_m() const;  ///< of the footprint under the down side
   double length_m() const;       ///< of the whole footprint
 };
+TP100_FIELDS(Ramp, place, height_m, up_rad, top_m, down_rad, width_m)
 
 /// A box: a step up and a step down.
 struct Block {
@@ -36,6 +40,7 @@ struct Block {
   double depth_m;  ///< along its heading
   double width_m;
 };
+TP100_FIELDS(Block, place, height_m, depth_m, width_m)
 
 /// A rectangle of another surface; it also covers ramps and blocks on it.
 struct Surface {
@@ -48,6 +53,7 @@ struct Surface {
 
   bool covers(double x_m, double y_m) const;
 };
+TP100_FIELDS(Surface, name, place, length_m, width_m, friction_factor, slip_offset)
 
 struct Terrain {
   std::vector<Ramp> ramps;

@@ -52,14 +52,13 @@ std::optional<wire::Hello> listen(const link::Port& port, Clock::time_point dead
 }  // namespace
 
 HelloReply reply_of(const wire::Hello& hello) {
-  const auto& firmware = hello.firmware;
+  const std::string firmware = "firmware " + firmware_text(hello) + ", protocol ";
   if (link::is_ours(hello))
-    return {true, text::format("%s, firmware %u.%u.%u, protocol %u", board_name(hello.board),
-                               firmware[0], firmware[1], firmware[2], hello.protocol)};
-  return {false, text::format("firmware %u.%u.%u, protocol %u schema %08x, but tp100d uses "
-                              "protocol %u schema %08x; flash the board with %s",
-                              firmware[0], firmware[1], firmware[2], hello.protocol, hello.schema,
-                              wire::kProtocolVersion, wire::kSchemaHash, flash_command().c_str())};
+    return {true, board_name(hello.board) + (", " + firmware) + std::to_string(hello.protocol)};
+  return {false, firmware + text::format("%u schema %08x, but tp100d uses protocol %u schema %08x; "
+                                         "flash the board with %s",
+                                         hello.protocol, hello.schema, wire::kProtocolVersion,
+                                         wire::kSchemaHash, flash_command().c_str())};
 }
 
 int run_hello(const HelloOptions& options) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/fields.h"
 #include "core/sample.h"
 #include "link/camera_message.h"
 
@@ -26,6 +27,8 @@ struct CameraCounters {
   std::uint64_t dropped = 0;
   std::uint32_t streams = 0;  ///< senders so far, restarts included
 };
+TP100_FIELDS(CameraCounters, received, accepted, malformed, late, early, foreign, missing, dropped,
+             streams)
 
 /// Difference between two monotonic clocks: receiver's minus sender's. Every datagram shows that
 /// difference plus its transit time; the smallest value of the last seconds is from the datagram

@@ -108,17 +108,15 @@ std::vector<Event> describe_run(const RunChange& event) {
          .fix = "to start again, put it back at the course's start, or go on from there on the "
                 "page"});
   if (event.to != RunState::kAborted) return out;
-  FaultMask faults = event.faults;
-  while (const auto fault = first_fault(faults)) {
-    const FaultText& text = describe(*fault);
+  each_fault(event.faults, [&](Fault fault) {
+    const FaultText& text = describe(fault);
     out.push_back({.at_ns = event.at_ns,
                    .kind = "fault",
                    .level = Level::kError,
                    .text = std::string(text.name),
                    .cause = std::string(text.cause),
                    .fix = std::string(text.fix)});
-    faults &= ~fault_bit(*fault);
-  }
+  });
   return out;
 }
 
@@ -247,22 +245,16 @@ std::string state_line(SessionState session, RunState run, const std::string& co
   return line;
 }
 
-std::string firmware_text(const wire::Hello& hello) {
-  return std::to_string(hello.firmware[0]) + "." + std::to_string(hello.firmware[1]) + "." +
-         std::to_string(hello.firmware[2]);
-}
-
 std::string version_mismatch(const wire::Hello& hello) {
   return "wrong version: " + versions(hello) + "; flash the board with " + flash_command();
 }
 
 std::string fault_names(FaultMask faults) {
   std::string names;
-  while (const auto fault = first_fault(faults)) {
+  each_fault(faults, [&](Fault fault) {
     names += names.empty() ? "" : ", ";
-    names += describe(*fault).name;
-    faults &= ~fault_bit(*fault);
-  }
+    names += describe(fault).name;
+  });
   return names.empty() ? "none" : names;
 }
 

@@ -19,9 +19,6 @@ bool acknowledges_stop(const link::SessionEvent& event);
 std::string state_line(SessionState session, RunState run, const std::string& course,
                        const std::string& page);
 
-/// "0.1.0".
-std::string firmware_text(const wire::Hello& hello);
-
 /// The robot's and the daemon's versions and what to do, for a hello of another version.
 std::string version_mismatch(const wire::Hello& hello);
 

@@ -4,7 +4,9 @@
 #include <utility>
 
 #include "core/arithmetic.h"
+#include "core/board.h"
 #include "core/error.h"
+#include "core/fields.h"
 #include "live/live_events.h"
 #include "text/atomic_file.h"
 #include "text/format.h"
@@ -32,26 +34,13 @@ Json pose(const Pose& pose) {
   return {{"x_m", pose.x_m}, {"y_m", pose.y_m}, {"yaw_rad", pose.yaw_rad}};
 }
 
-Json link_figures(const LinkCounters& link) {
-  Json json;
-  visit_fields([&](auto name, std::uint64_t count) { json[name] = count; }, link);
-  return json;
-}
-
-Json intake_figures(const link::CameraCounters& intake) {
-  return {
-      {"received", intake.received}, {"accepted", intake.accepted}, {"malformed", intake.malformed},
-      {"late", intake.late},         {"early", intake.early},       {"foreign", intake.foreign},
-      {"missing", intake.missing},   {"dropped", intake.dropped},   {"streams", intake.streams}};
-}
-
 Json camera_figures(const CameraFigures& camera, const FilterFigures& fused) {
-  Json json = intake_figures(camera.detections);
+  Json json = object_of<Json>(camera.detections);
   json.update({{"used", fused.camera_used},
                {"rejected", fused.camera_rejected},
                {"recoveries", fused.recoveries},
                {"nis_mean", fused.nis_mean},
-               {"images", intake_figures(camera.images)}});
+               {"images", object_of<Json>(camera.images)}});
   return json;
 }
 
@@ -65,44 +54,16 @@ Json recording_figures(const messages::RecordingFigures& recording, double cpu_s
 Json world_figures(const WorldFigures& world) {
   Json json = {{"kind", world.udp ? "udp" : "files"}};
   if (world.udp) {
-    const worlds::PeerCounters& udp = *world.udp;
-    json["udp"] = {{"hellos", udp.hellos},
-                   {"poses", udp.poses},
-                   {"answered", udp.answered},
-                   {"received", udp.received},
-                   {"accepted", udp.accepted},
-                   {"malformed", udp.malformed},
-                   {"wrong_version", udp.wrong_version},
-                   {"foreign", udp.foreign},
-                   {"strangers", world.strangers},
-                   {"reordered", udp.reordered},
-                   {"back_in_time", udp.back_in_time},
-                   {"unknown_ack", udp.unknown_ack},
-                   {"missing", udp.missing},
-                   {"unknown_surface", udp.unknown_surface},
-                   {"dropped", udp.dropped},
-                   {"sessions", udp.sessions},
-                   {"losses", udp.losses},
-                   {"round_trip_ms", udp.round_trip_ms},
-                   {"mean_round_trip_ms", udp.mean_round_trip_ms},
-                   {"max_round_trip_ms", udp.max_round_trip_ms}};
+    json["udp"] = object_of<Json>(*world.udp);
+    json["udp"]["strangers"] = world.strangers;
   }
-  if (world.files) {
-    json["files"] = {{"written", world.files->written},
-                     {"write_errors", world.files->write_errors},
-                     {"read", world.files->read},
-                     {"rejected", world.files->rejected},
-                     {"dropped", world.files->dropped}};
-  }
+  if (world.files) json["files"] = object_of<Json>(*world.files);
   return json;
 }
 
 Json fault_list(FaultMask faults) {
   Json names = Json::array();
-  while (const auto fault = first_fault(faults)) {
-    names.push_back(describe(*fault).name);
-    faults &= ~fault_bit(*fault);
-  }
+  each_fault(faults, [&](Fault fault) { names.push_back(describe(fault).name); });
   return names;
 }
 
@@ -123,12 +84,10 @@ std::string stats_json(const DaemonFigures& figures) {
       {"faults", fault_list(figures.faults)},
       {"session", to_string(status.session)},
       {"run", to_string(snapshot.run_state)},
-      {"firmware", std::to_string(status.hello.firmware[0]) + "." +
-                       std::to_string(status.hello.firmware[1]) + "." +
-                       std::to_string(status.hello.firmware[2])},
+      {"firmware", firmware_text(status.hello)},
       {"progress_m", snapshot.progress_m},
       {"battery_v", snapshot.sample.battery_v},
-      {"link", link_figures(status.counters)},
+      {"link", object_of<Json>(status.counters)},
       {"clock",
        {{"valid", status.clock.valid},
         {"drift_ppm", status.clock.drift * 1e6},

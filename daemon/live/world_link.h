@@ -8,6 +8,7 @@
 #include <string>
 
 #include "config/world_settings.h"
+#include "core/fields.h"
 #include "messages/event_queue.h"
 #include "messages/sink.h"
 #include "worlds/peer.h"
@@ -26,6 +27,7 @@ struct WorldFileCounters {
   std::uint64_t rejected = 0;  ///< changed, but incomplete, not numeric or out of range
   std::uint64_t dropped = 0;   ///< valid, but the step's queue was full
 };
+TP100_FIELDS(WorldFileCounters, written, write_errors, read, rejected, dropped)
 
 /// Figures of a run; those of the interface that is not in use are absent.
 struct WorldFigures {

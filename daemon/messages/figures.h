@@ -12,6 +12,7 @@
 #include "core/enum_names.h"
 #include "core/estimates.h"
 #include "core/faults.h"
+#include "core/fields.h"
 #include "core/histogram.h"
 #include "core/link_state.h"
 #include "core/run_state.h"
@@ -156,15 +157,18 @@ struct RecordingFigures {
   std::uint64_t bytes = 0, dropped = 0;
   std::string warning;
 };
+TP100_FIELDS(RecordingFigures, available, active, run, file, elapsed_s, bytes, dropped, warning)
 
 /// One viewer.
 struct ClientFigures {
   std::uint32_t id = 0;
   std::string address, agent;
-  std::size_t subscriptions = 0, queued = 0;
+  std::size_t subscriptions = 0;
   std::uint64_t sent = 0, dropped = 0;
+  std::size_t queued = 0;
   double connected_s = 0.0;
 };
+TP100_FIELDS(ClientFigures, id, address, agent, subscriptions, sent, dropped, queued, connected_s)
 struct ClientsFigures {
   std::vector<ClientFigures> clients;
   std::uint64_t dropped_total = 0, refused_total = 0, closed_total = 0;

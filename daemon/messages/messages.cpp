@@ -25,14 +25,8 @@ constexpr std::array<EnumName<course::PathSegment::Kind>, 3> kKindNames = {{
     {course::PathSegment::Kind::kPivot, "pivot"},
 }};
 
-template <class Values>
-void write_fields(text::JsonWriter& json, const Values& values) {
-  visit_fields([&](auto name, double value) { json.field(name, value); }, values);
-}
-
 void write_motion(text::JsonWriter& json, const Estimate& estimate) {
-  write_fields(json, estimate.pose);
-  write_fields(json, estimate.twist);
+  json.fields(estimate.pose).fields(estimate.twist);
   json.field("sd_x_m", std::sqrt(estimate.covariance.xx))
       .field("sd_y_m", std::sqrt(estimate.covariance.yy))
       .field("sd_yaw_rad", std::sqrt(estimate.covariance.yaw_yaw));
@@ -55,33 +49,11 @@ void write_tracks(text::JsonWriter& json, const StepRecord& record) {
         .field("right_commanded_mps", snapshot.commanded_right_mps);
 }
 
-void write_place(text::JsonWriter& json, const course::Place& place) {
-  json.field("x_m", place.x_m).field("y_m", place.y_m).field("heading_rad", place.heading_rad);
-}
-
 void write_terrain(text::JsonWriter& json, const course::Terrain& terrain) {
-  json.objects("ramps", terrain.ramps, [&](const course::Ramp& ramp) {
-    write_place(json, ramp.place);
-    json.field("height_m", ramp.height_m)
-        .field("up_rad", ramp.up_rad)
-        .field("top_m", ramp.top_m)
-        .field("down_rad", ramp.down_rad)
-        .field("width_m", ramp.width_m);
-  });
-  json.objects("blocks", terrain.blocks, [&](const course::Block& block) {
-    write_place(json, block.place);
-    json.field("height_m", block.height_m)
-        .field("depth_m", block.depth_m)
-        .field("width_m", block.width_m);
-  });
-  json.objects("surfaces", terrain.surfaces, [&](const course::Surface& surface) {
-    json.field("name", surface.name);
-    write_place(json, surface.place);
-    json.field("length_m", surface.length_m)
-        .field("width_m", surface.width_m)
-        .field("friction_factor", surface.friction_factor)
-        .field("slip_offset", surface.slip_offset);
-  });
+  const auto write = [&](const auto& piece) { json.fields(piece); };
+  json.objects("ramps", terrain.ramps, write);
+  json.objects("blocks", terrain.blocks, write);
+  json.objects("surfaces", terrain.surfaces, write);
 }
 
 void write_path(text::JsonWriter& json, const course::Path* path) {
@@ -116,9 +88,7 @@ void write_robot(text::JsonWriter& json, const course::Robot& robot) {
 }
 
 void write_corners(text::JsonWriter& json, const course::Polygon& polygon) {
-  json.objects("corners", polygon, [&](const course::Vertex& corner) {
-    json.field("x_m", corner.x_m).field("y_m", corner.y_m);
-  });
+  json.objects("corners", polygon, [&](const course::Vertex& corner) { json.fields(corner); });
 }
 
 }  // namespace
@@ -156,10 +126,10 @@ std::string Messages::estimate(const StepRecord& record, const std::optional<Tru
         write_motion(json, snapshot.estimates[source]);
         if (source == PoseSource::kFused) write_filter(json, snapshot.filter);
       });
-    json.object("world", [&] { write_fields(json, snapshot.world); });
+    json.object("world", [&] { json.fields(snapshot.world); });
     if (truth)
       json.object("truth", [&] {
-        write_fields(json, truth->pose);
+        json.fields(truth->pose);
         json.field("age_us", (record.now_ns - truth->at_ns) / kNsPerUs);
       });
     if (path() != nullptr) {
@@ -263,12 +233,8 @@ std::string Messages::course() const {
     });
     write_path(json, path());
     write_terrain(json, course.terrain);
-    json.objects("disturbances", course.disturbances, [&](const course::Disturbance& one) {
-      json.field("at_m", one.at_m)
-          .field("sideways_m", one.sideways_m)
-          .field("yaw_rad", one.yaw_rad)
-          .field("duration_s", one.duration_s);
-    });
+    json.objects("disturbances", course.disturbances,
+                 [&](const course::Disturbance& one) { json.fields(one); });
     if (run_context_.course != nullptr)
       json.object("fence", [&] {
         json.field("min_x_m", course.fence.min_x_m)

@@ -72,9 +72,7 @@ std::string link_message(double t_s, const LinkFigures& link) {
           .field("uncertainty_us", link.clock.uncertainty_us);
     });
     write_durations(json, "sample_age_us", link.sample_age);
-    json.object("counters", [&] {
-      visit_fields([&](auto name, std::uint64_t count) { json.field(name, count); }, link.counters);
-    });
+    json.object("counters", [&] { json.fields(link.counters); });
   });
 }
 
@@ -144,30 +142,13 @@ std::string state_message(HostNs now, const PublishClock& clock, const StateFigu
 }
 
 std::string recording_message(const RecordingFigures& recording) {
-  return text::json_object([&](text::JsonWriter& json) {
-    json.field("available", recording.available)
-        .field("active", recording.active)
-        .field("run", recording.run)
-        .field("file", recording.file)
-        .field("elapsed_s", recording.elapsed_s)
-        .field("bytes", recording.bytes)
-        .field("dropped", recording.dropped)
-        .field("warning", recording.warning);
-  });
+  return text::json_object([&](text::JsonWriter& json) { json.fields(recording); });
 }
 
 std::string clients_message(const ClientsFigures& clients) {
   return text::json_object([&](text::JsonWriter& json) {
-    json.objects("clients", clients.clients, [&](const ClientFigures& client) {
-      json.field("id", client.id)
-          .field("address", client.address)
-          .field("agent", client.agent)
-          .field("subscriptions", client.subscriptions)
-          .field("sent", client.sent)
-          .field("dropped", client.dropped)
-          .field("queued", client.queued)
-          .field("connected_s", client.connected_s);
-    });
+    json.objects("clients", clients.clients,
+                 [&](const ClientFigures& client) { json.fields(client); });
     json.field("dropped_total", clients.dropped_total)
         .field("refused_total", clients.refused_total)
         .field("closed_total", clients.closed_total)

@@ -25,7 +25,7 @@ const std::string& with_folder(const std::string& path) {
 std::string truth_text(const messages::PublishClock& clock, const messages::Truth& truth) {
   return text::json_object([&](text::JsonWriter& json) {
     json.field("t_s", clock.t_s(truth.at_ns)).field("host_ns", truth.at_ns);
-    visit_fields([&](auto name, double value) { json.field(name, value); }, truth.pose);
+    json.fields(truth.pose);
   });
 }
 

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "core/fields.h"
 #include "course/course.h"
 #include "course/path.h"
 #include "report/run_result.h"
@@ -49,6 +50,8 @@ struct DisturbanceResponse {
   double overshoot_m = 0.0;
   double shortcut_m = 0.0;  ///< length of path that was skipped; 0: none
 };
+TP100_FIELDS(DisturbanceResponse, begin_s, detection_s, peak_cross_track_m, peak_yaw_error_rad,
+             settling_s, overshoot_m, shortcut_m)
 
 /// A pose against the truth: eq 8 point by point, and mean squared errors per axis.
 struct PoseErrors {
@@ -61,6 +64,8 @@ struct PoseErrors {
   double mse_yaw_rad2 = 0.0;
   double max_yaw_error_rad = 0.0;
 };
+TP100_FIELDS(PoseErrors, max_position_error_m, mean_position_error_m, rms_position_error_m,
+             final_position_error_m, mse_x_m2, mse_y_m2, mse_yaw_rad2, max_yaw_error_rad)
 
 /// The true path against the reference.
 struct TrackingErrors {

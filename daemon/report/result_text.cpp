@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/arithmetic.h"
+#include "core/fields.h"
 #include "text/format.h"
 
 namespace tp100::report {
@@ -11,34 +12,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json json_of(const PoseErrors& errors) {
-  return {{"max_position_error_m", errors.max_position_error_m},
-          {"mean_position_error_m", errors.mean_position_error_m},
-          {"rms_position_error_m", errors.rms_position_error_m},
-          {"final_position_error_m", errors.final_position_error_m},
-          {"mse_x_m2", errors.mse_x_m2},
-          {"mse_y_m2", errors.mse_y_m2},
-          {"mse_yaw_rad2", errors.mse_yaw_rad2},
-          {"max_yaw_error_rad", errors.max_yaw_error_rad}};
-}
-
-Json json_of(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
-
-Json json_of(const DisturbanceResponse& recovery) {
-  return {{"begin_s", recovery.begin_s},
-          {"detection_s", json_of(recovery.detection_s)},
-          {"peak_cross_track_m", recovery.peak_cross_track_m},
-          {"peak_yaw_error_rad", recovery.peak_yaw_error_rad},
-          {"settling_s", json_of(recovery.settling_s)},
-          {"overshoot_m", recovery.overshoot_m},
-          {"shortcut_m", recovery.shortcut_m}};
-}
-
 Json json_of(const TrackingErrors& errors) {
   Json recovery = Json::array(), details = Json::array();
   for (const DisturbanceResponse& one : errors.recovery) {
-    recovery.push_back(json_of(one.settling_s));
-    details.push_back(json_of(one));
+    details.push_back(object_of<Json>(one));
+    recovery.push_back(details.back()["settling_s"]);
   }
   return {{"max_cross_track_m", errors.max_cross_track_m},
           {"rms_cross_track_m", errors.rms_cross_track_m},
@@ -58,12 +36,6 @@ Json json_of(const CameraFigures& camera) {
           {"nis_expected", {expected - band, expected + band}}};
 }
 
-Json json_of(const LinkCounters& link) {
-  Json json;
-  visit_fields([&](auto name, std::uint64_t count) { json[name] = count; }, link);
-  return json;
-}
-
 Json json_of(const RunResult& run, const RunFigures& figures) {
   Json json = {{"course", run.course}, {"board", run.board}, {"robot", run.robot},
                {"setup", run.setup},   {"seed", run.seed},   {"completed", run.completed}};
@@ -77,19 +49,19 @@ Json json_of(const RunResult& run, const RunFigures& figures) {
     const std::optional<PoseErrors>& errors = figures.estimates[source];
     Json& of_source = json[to_string(source)];
     if (!errors || run.points.empty()) continue;
-    of_source = json_of(*errors);
+    of_source = object_of<Json>(*errors);
     if (const std::optional<Coverage>& within = figures.within_2_sd[source])
       of_source["within_2_sd"] = {{"position", within->position}, {"yaw", within->yaw}};
   }
   json["baselines"] = Json::object();
   for (std::size_t i = 0; i < model::kBaselines.size(); ++i)
     if (figures.baselines[i])
-      json["baselines"][model::kBaselines[i].key] = json_of(*figures.baselines[i]);
+      json["baselines"][model::kBaselines[i].key] = object_of<Json>(*figures.baselines[i]);
   json["tracking"] = json_of(figures.tracking);
   if (run.points.empty())
     for (const char* name : {"baselines", "tracking"}) json[name] = nullptr;
   if (run.has_camera) json["camera"] = json_of(run.camera);
-  json["link"] = json_of(run.link);
+  json["link"] = object_of<Json>(run.link);
   json["loop"] = Json::object();
   for (const auto& [name, value] : run.loop) json["loop"][name] = value;
   return json;

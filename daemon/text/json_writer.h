@@ -111,6 +111,21 @@ class JsonWriter {
   JsonWriter& field(std::string_view name, const std::optional<T>& content) {
     return content ? field(name, *content) : *this;
   }
+  /// The fields of a structure that has a list of them (core/fields.h); those of a structure within
+  /// it stand in its place.
+  template <class Values>
+  JsonWriter& fields(const Values& values) {
+    visit_fields(
+        [this](std::string_view name, const auto& value) {
+          if constexpr (requires { visit_fields([](auto, const auto&) {}, value); }) {
+            fields(value);
+          } else {
+            field(name, value);
+          }
+        },
+        values);
+    return *this;
+  }
 
  private:
   JsonWriter& begin(char bracket) {

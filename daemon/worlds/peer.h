@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/fields.h"
 #include "core/sample.h"
 #include "core/step_record.h"
 #include "worlds/message.h"
@@ -45,6 +46,9 @@ struct PeerCounters {
   double mean_round_trip_ms = 0.0;    ///< smoothed over about a hundred replies
   double max_round_trip_ms = 0.0;
 };
+TP100_FIELDS(PeerCounters, hellos, poses, answered, received, accepted, malformed, wrong_version,
+             foreign, reordered, back_in_time, unknown_ack, missing, unknown_surface, dropped,
+             sessions, losses, round_trip_ms, mean_round_trip_ms, max_round_trip_ms)
 
 class Peer {
  public:
