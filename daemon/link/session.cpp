@@ -93,10 +93,13 @@ void Session::receive(std::span<const std::uint8_t> bytes, HostNs now) {
 }
 
 template <class Message>
-bool Session::read(Message& message) {
-  if (wire::read_payload(reader_.payload(), reader_.size(), message)) return true;
-  ++counters_.wrong_size;
-  return false;
+void Session::read(void (Session::*take)(const Message&, HostNs), HostNs now) {
+  Message message;
+  if (!wire::read_payload(reader_.payload(), reader_.size(), message)) {
+    ++counters_.wrong_size;
+    return;
+  }
+  (this->*take)(message, now);
 }
 
 void Session::on_frame(HostNs now) {
@@ -110,31 +113,16 @@ void Session::on_frame(HostNs now) {
   switch (type) {
     case Type::kHello:
       return on_hello(now);
-    case Type::kSample: {
-      wire::Sample sample;
-      if (read(sample)) on_sample(sample, now);
-      return;
-    }
-    case Type::kAcknowledge: {
-      wire::Acknowledge acknowledge;
-      if (read(acknowledge)) on_acknowledge(acknowledge, now);
-      return;
-    }
-    case Type::kSyncReply: {
-      wire::SyncReply reply;
-      if (read(reply)) on_sync_reply(reply, now);
-      return;
-    }
-    case Type::kFaultReport: {
-      wire::FaultReport report;
-      if (read(report)) on_fault(report, now);
-      return;
-    }
-    case Type::kLog: {
-      wire::Log log;
-      if (read(log)) on_log(log, now);
-      return;
-    }
+    case Type::kSample:
+      return read(&Session::on_sample, now);
+    case Type::kAcknowledge:
+      return read(&Session::on_acknowledge, now);
+    case Type::kSyncReply:
+      return read(&Session::on_sync_reply, now);
+    case Type::kFaultReport:
+      return read(&Session::on_fault, now);
+    case Type::kLog:
+      return read(&Session::on_log, now);
     default:
       ++counters_.unknown_type;
   }

@@ -106,7 +106,7 @@ class Session {
   void on_fault(const wire::FaultReport& report, HostNs now);
   void on_log(const wire::Log& log, HostNs now);
   template <class Message>
-  bool read(Message& message);
+  void read(void (Session::*take)(const Message&, HostNs), HostNs now);
 
   void ask_hello(HostNs now);
   void begin_session(HostNs now);
