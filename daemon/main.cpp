@@ -12,15 +12,10 @@
 namespace tp100::app {
 namespace {
 
+using text::option;
+
 /// Action to run after parsing the command line. Returns the exit status.
 using Action = std::function<int()>;
-
-/// An option whose value --help calls `type`.
-template <class T>
-CLI::Option* option(CLI::App* command, const char* name, T& value, const char* type,
-                    const char* help) {
-  return command->add_option(name, value, help)->type_name(type);
-}
 
 void add_run(CLI::App& app, Action& action) {
   static RunOptions options;

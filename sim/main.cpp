@@ -13,50 +13,42 @@
 namespace {
 
 using namespace tp100::sim;
+using tp100::text::option;
 
 void add_seed(CLI::App& app, Options& options) {
-  app.add_option("--seed", options.seed, "Seed of this run's noise, 0 or more")
+  option(&app, "--seed", options.seed, "NUMBER", "Seed of this run's noise, 0 or more")
       ->check(why_no_seed)
-      ->type_name("NUMBER")
       ->capture_default_str();
 }
 
 void add_body(CLI::App& app, std::string& body) {
-  app.add_option(
-         "--body", body,
+  option(&app, "--body", body, "BODY",
          "Contact of the tracks. ode: rigid bodies; shear: shear stress that builds up along "
-         "the track, on level ground only (default: the robot file's contact_law)")
-      ->type_name("BODY");
+         "the track, on level ground only (default: the robot file's contact_law)");
 }
 
 void add_floor(CLI::App& app, std::string& floor) {
-  app.add_option(
-         "--floor", floor,
+  option(&app, "--floor", floor, "FLOOR",
          "even, or uneven: friction and slip over the floor, tension of the tracks, payload and "
          "battery are sampled from the seed as the robot file's [emulated.variation] "
-         "describes (default: the robot file's floor)")
-      ->type_name("FLOOR");
+         "describes (default: the robot file's floor)");
 }
 
 void add_common(CLI::App& app, Options& options) {
-  app.add_option("--board", options.board, "What runs the firmware: native or avr")
-      ->type_name("BOARD")
+  option(&app, "--board", options.board, "BOARD", "What runs the firmware: native or avr")
       ->capture_default_str();
   add_body(app, options.body);
   add_floor(app, options.floor);
-  app.add_option("--robot", options.robot, "Name in config/robots or file (default: end-loaded)")
-      ->type_name("ROBOT");
-  app.add_option("--setup", options.setup, "stand, flat or terrain (default: flat)")
-      ->type_name("SETUP");
+  option(&app, "--robot", options.robot, "ROBOT",
+         "Name in config/robots or file (default: end-loaded)");
+  option(&app, "--setup", options.setup, "SETUP", "stand, flat or terrain (default: flat)");
   add_seed(app, options);
 }
 
 void add_faults(CLI::App& app, std::vector<std::string>& faults) {
-  app.add_option(
-         "--fault", faults,
+  option(&app, "--fault", faults, "FAULT",
          "NAME[:NUMBER][:WORD][@T[+D]]: from T s after the port was opened, for D s; may be "
          "repeated; tp100-sim faults lists them")
-      ->type_name("FAULT")
       ->allow_extra_args(false);
 }
 
@@ -68,37 +60,26 @@ void add_course_command(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("course", "Drive a course in virtual time and score it");
   command->add_option("COURSE", course.course, "Name in config/courses or file")->required();
   add_common(*command, course.options);
-  command
-      ->add_option("--config", course.options.config,
-                   "Configuration of the daemon's part (default: as config/tp100.toml)")
-      ->type_name("FILE");
+  option(command, "--config", course.options.config, "FILE",
+         "Configuration of the daemon's part (default: as config/tp100.toml)");
   command
       ->add_flag("--camera{overhead}", course.camera,
                  "Add an overhead camera; =CAMERA: name in config/cameras or file; =FILE.tum: "
                  "poses that tp100-camera --tum found in images of the same drive, with times in "
                  "seconds since its beginning")
       ->type_name("CAMERA");
-  command
-      ->add_option(
-          "--world", course.world,
-          "An external world: udp:PORT or udp:ADDRESS:PORT; every pose waits for its answer "
-          "(default: the course's ramps and blocks)")
-      ->type_name("WORLD");
+  option(command, "--world", course.world, "WORLD",
+         "An external world: udp:PORT or udp:ADDRESS:PORT; every pose waits for its answer "
+         "(default: the course's ramps and blocks)");
   add_faults(*command, course.faults);
-  command->add_option("--runs", course.runs, "Runs with this and the following seeds")
+  option(command, "--runs", course.runs, "NUMBER", "Runs with this and the following seeds")
       ->check(CLI::Range(1, 1000000))
-      ->type_name("NUMBER")
       ->capture_default_str();
-  command
-      ->add_option(
-          "--out", course.out,
-          "Folder for the files of each run: figures (JSON), poses and samples (CSV; in both "
-          "t_s is 0 where the run begins)")
-      ->type_name("FOLDER");
-  command
-      ->add_option("--record", course.record,
-                   "Folder for recordings; each run gets its own folder in it")
-      ->type_name("FOLDER");
+  option(command, "--out", course.out, "FOLDER",
+         "Folder for the files of each run: figures (JSON), poses and samples (CSV; in both "
+         "t_s is 0 where the run begins)");
+  option(command, "--record", course.record, "FOLDER",
+         "Folder for recordings; each run gets its own folder in it");
   command
       ->add_flag("--ros2{lo}", course.ros2,
                  "Publish all ROS 2 topics, /clock and /ground_truth, at most in real time; "
@@ -113,30 +94,24 @@ void add_robot_command(CLI::App& app, Action& action) {
   static RobotCommand robot;
   CLI::App* command = app.add_subcommand("robot", "A robot on a pseudo-terminal, in real time");
   add_common(*command, robot.options);
-  command->add_option("--link", robot.link, "Symbolic link to make to the port")->type_name("PATH");
+  option(command, "--link", robot.link, "PATH", "Symbolic link to make to the port");
   add_faults(*command, robot.faults);
   command->add_flag("--blank", robot.blank, "Only the bootloader is on the avr board: flash it");
-  command
-      ->add_option("--course", robot.course,
-                   "Course that sets the start pose and the disturbances (default: none)")
-      ->type_name("COURSE");
+  option(command, "--course", robot.course, "COURSE",
+         "Course that sets the start pose and the disturbances (default: none)");
   command
       ->add_flag("--camera{overhead}", robot.camera,
                  "Add an overhead camera; =CAMERA: name in config/cameras or file")
       ->type_name("CAMERA");
-  command
-      ->add_option("--camera-to", robot.camera_to,
-                   "Where its detections go, udp:PORT or udp:HOST:PORT (default: udp:47100)")
-      ->type_name("ADDRESS");
+  option(command, "--camera-to", robot.camera_to, "ADDRESS",
+         "Where its detections go, udp:PORT or udp:HOST:PORT (default: udp:47100)");
   command
       ->add_flag(
           "--ros2{lo}", robot.ros2,
           "Publish the true pose on ROS 2's topic /ground_truth; =INTERFACE: network interface")
       ->type_name("INTERFACE");
-  command
-      ->add_option("--stats", robot.stats,
-                   "Write figures to FILE at the end: samples, longest pause of this machine")
-      ->type_name("FILE");
+  option(command, "--stats", robot.stats, "FILE",
+         "Write figures to FILE at the end: samples, longest pause of this machine");
   command->footer("Example: tp100-sim robot --link /tmp/tp100");
   command->callback([&action] { action = [] { return run_robot(robot); }; });
 }
@@ -145,23 +120,17 @@ void add_calibrate_command(CLI::App& app, Action& action) {
   static CalibrateCommand calibrate;
   CLI::App* command = app.add_subcommand(
       "calibrate", "Drive the calibration courses and boards; record them for tp100d identify");
-  command->add_option("--board", calibrate.options.board, "native or avr")
-      ->type_name("BOARD")
+  option(command, "--board", calibrate.options.board, "BOARD", "native or avr")
       ->capture_default_str();
   add_body(*command, calibrate.options.body);
   add_floor(*command, calibrate.options.floor);
-  command
-      ->add_option("--robot", calibrate.options.robot,
-                   "Name in config/robots or file (default: end-loaded)")
-      ->type_name("ROBOT");
+  option(command, "--robot", calibrate.options.robot, "ROBOT",
+         "Name in config/robots or file (default: end-loaded)");
   add_seed(*command, calibrate.options);
-  command->add_option("--repeats", calibrate.repeats, "Drives of each kind and direction")
+  option(command, "--repeats", calibrate.repeats, "NUMBER", "Drives of each kind and direction")
       ->check(CLI::Range(1, 100))
-      ->type_name("NUMBER")
       ->capture_default_str();
-  command->add_option("--out", calibrate.out, "Folder for the recordings (CSV)")
-      ->type_name("FOLDER")
-      ->required();
+  option(command, "--out", calibrate.out, "FOLDER", "Folder for the recordings (CSV)")->required();
   command->footer("Example: tp100-sim calibrate --robot worn --out drives");
   command->callback([&action] { action = [] { return run_calibrate(calibrate); }; });
 }
@@ -170,16 +139,12 @@ void add_demo_command(CLI::App& app, Action& action) {
   static DemoCommand demo;
   CLI::App* command =
       app.add_subcommand("demo", "Start tp100d and tp100-sim robot and watch them drive");
-  command->add_option("--course", demo.course, "Name in config/courses or file")
-      ->type_name("COURSE")
+  option(command, "--course", demo.course, "COURSE", "Name in config/courses or file")
       ->capture_default_str();
-  command->add_option("--board", demo.options.board, "What runs the firmware: native or avr")
-      ->type_name("BOARD")
+  option(command, "--board", demo.options.board, "BOARD", "What runs the firmware: native or avr")
       ->capture_default_str();
-  command
-      ->add_option("--robot", demo.options.robot,
-                   "Name in config/robots or file (default: end-loaded)")
-      ->type_name("ROBOT");
+  option(command, "--robot", demo.options.robot, "ROBOT",
+         "Name in config/robots or file (default: end-loaded)");
   add_seed(*command, demo.options);
   command->add_flag("--headless", demo.headless,
                     "Open no page; end after the run and print the result table");
@@ -214,26 +179,18 @@ void add_campaign_command(CLI::App& app, Action& action) {
       ->add_option("SPEC", campaign.spec,
                    "Campaign file; config/campaigns/course-3.toml explains the format")
       ->required();
-  command->add_option("--out", campaign.out, "Folder of the campaign")
-      ->type_name("FOLDER")
-      ->required();
+  option(command, "--out", campaign.out, "FOLDER", "Folder of the campaign")->required();
   // By a function, because CLI11 leaves an optional unset for an empty text.
   command
       ->add_option_function<std::string>(
           "--index", [](const std::string& runs) { campaign.index = runs; },
           "Only these runs, as 3, 3-7 or 3,5-7,12 (default: all)")
       ->type_name("RUNS");
-  command
-      ->add_option(
-          "--record", campaign.record,
-          "Folder for recordings; each run gets its own folder in it, even if it was done before")
-      ->type_name("FOLDER");
-  command
-      ->add_option(
-          "--todo", campaign.todo,
-          "Drive nothing; print the missing runs in the form of --index, at most N runs a line")
-      ->check(CLI::Range(1, 1000000))
-      ->type_name("N");
+  option(command, "--record", campaign.record, "FOLDER",
+         "Folder for recordings; each run gets its own folder in it, even if it was done before");
+  option(command, "--todo", campaign.todo, "N",
+         "Drive nothing; print the missing runs in the form of --index, at most N runs a line")
+      ->check(CLI::Range(1, 1000000));
   command->footer("Example: tp100-sim campaign config/campaigns/course-3.toml --out course-3");
   command->callback([&action] { action = [] { return run_campaign(campaign); }; });
 }

@@ -10,6 +10,13 @@
 
 namespace tp100::text {
 
+/// An option whose value --help calls `type`.
+template <class T>
+CLI::Option* option(CLI::App* command, const char* name, T& value, const char* type,
+                    const char* help) {
+  return command->add_option(name, value, help)->type_name(type);
+}
+
 /// Parses the command line and returns the exit status of `action`, which the callback of the
 /// chosen subcommand sets; without one, that of --help and --version, or 2 after an error of use.
 inline int run_command_line(CLI::App& app, int argc, char** argv,
