@@ -1,7 +1,6 @@
 #include "server/sockets.h"
 
 #include <pthread.h>
-#include <time.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -143,9 +142,7 @@ void Sockets::accept_next(bool failed) {
 // With its priority it would otherwise take a processor from the worker and the supervisor,
 // whatever makes it compute.
 void Sockets::rest() {
-  timespec used{};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
-  const HostNs used_ns = used.tv_sec * kNsPerS + used.tv_nsec, now = monotonic_now();
+  const HostNs used_ns = thread_cpu_ns(), now = monotonic_now();
   const HostNs earned_ns = (now - std::exchange(at_ns_, now)) / kShareDivisor;
   const HostNs spent_ns = used_ns - std::exchange(used_ns_, used_ns);
   credit_ns_ = std::min(kMostCreditNs, credit_ns_ + earned_ns - spent_ns);
