@@ -1,5 +1,6 @@
 #include "live/event_log.h"
 
+#include <pthread.h>
 #include <spdlog/async_logger.h>
 #include <spdlog/details/thread_pool.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
@@ -46,7 +47,8 @@ class Watched : public Sink {
 struct EventLog::Writer {
   std::atomic<bool> waits{false};
   std::shared_ptr<spdlog::details::thread_pool> pool =
-      std::make_shared<spdlog::details::thread_pool>(kWaiting, 1);
+      std::make_shared<spdlog::details::thread_pool>(
+          kWaiting, 1, [] { ::pthread_setname_np(::pthread_self(), "log"); });
   // spdlog's asynchronous logger must be owned by a shared_ptr.
   std::shared_ptr<spdlog::async_logger> logger = std::make_shared<spdlog::async_logger>(
       "tp100d", std::make_shared<Watched<spdlog::sinks::stderr_color_sink_mt>>(waits), pool,

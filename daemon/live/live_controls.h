@@ -62,12 +62,12 @@ class LiveControls : public server::Controls {
   messages::RecordingFigures recording() override;
   StartConsent start_consent() override;  // any thread
 
-  // The supervisor's thread:
+  // The main thread:
   /// Reports the session with the robot on the port in use, or the last one.
   void set_session(const SessionReport& report, const std::string& path, bool pseudo_terminal);
   /// A line about the search for the port.
   void note_port(const std::string& line);
-  /// Sets the facts that the supervisor knows; the cycle knows whether a run has begun.
+  /// Sets the facts that the daemon knows; the cycle knows whether a run has begun.
   void set_start(const StartFacts& facts);
   /// Starts a run by the consent of the program's option, see option_consent(). False: it does not,
   /// and an event says why.

@@ -40,7 +40,7 @@ struct RequestDropped {
   ConsentLoss loss = ConsentLoss::kNone;
   StartRefusal waited_for = StartRefusal::kNone;  ///< while its consent grew too old
 };
-/// Something that happened, for log and supervisor.
+/// Something that happened, for log and daemon.
 using LiveEvent = std::variant<SessionReport, RunChange, RequestDropped>;
 
 /// Current state, published about ten times a second.

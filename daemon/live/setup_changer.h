@@ -78,7 +78,7 @@ class SetupChanger {
   std::string json_;                       // its answer
   server::Answer answer_;                  // set: a change is under way
   std::unique_ptr<SetupRequest> request_;  // is the loop's
-  record::Worker disk_;                    // declared last: its jobs use the others
+  record::Worker disk_{"set-up"};          // declared last: its jobs use the others
 };
 
 }  // namespace tp100::live

@@ -18,7 +18,7 @@ class io_context;
 
 namespace tp100::live {
 
-/// Used by the supervisor's thread only.
+/// Used by the main thread only.
 class Terminal {
  public:
   struct Reach {

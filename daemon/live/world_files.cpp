@@ -1,6 +1,7 @@
 #include "live/world_files.h"
 
 #include <fcntl.h>
+#include <pthread.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -160,6 +161,7 @@ WorldFiles::WorldFiles(const config::WorldRun& run, config::GiveWorld give,
   if (const std::string why = replace_file(settings.encoder_file, "\n"); !why.empty())
     throw SetupError("world.encoder_file " + why);
   state_->thread = std::thread([state = state_.get()] { state->live(); });
+  ::pthread_setname_np(state_->thread.native_handle(), "world files");
 }
 
 WorldFiles::~WorldFiles() {

@@ -1,5 +1,6 @@
 #include "loop/fixed_rate_loop.h"
 
+#include <pthread.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -40,6 +41,7 @@ FixedRateLoop::~FixedRateLoop() {
 void FixedRateLoop::start() {
   try {
     thread_ = std::thread([this] {
+      ::pthread_setname_np(::pthread_self(), "loop");
       privileges_ = apply_to_this_thread(settings_.thread);
       ready_.store(true, std::memory_order_release);
       run();

@@ -1,5 +1,7 @@
 #include "record/recorder.h"
 
+#include <pthread.h>
+
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
@@ -42,6 +44,7 @@ struct Recorder::State {
       : queue(kQueueBytes, settings.blocking), recent(settings.look_back_ns) {
     if (settings.history) history.emplace(*settings.history);
     thread = std::thread([this] { run(); });
+    ::pthread_setname_np(thread.native_handle(), "recorder");
   }
 
   /// An entry of the queue; `fill` appends its content.

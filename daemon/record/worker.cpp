@@ -1,5 +1,7 @@
 #include "record/worker.h"
 
+#include <pthread.h>
+
 #include <exception>
 #include <filesystem>
 #include <new>
@@ -33,7 +35,9 @@ std::string thrown() {
 
 }  // namespace
 
-Worker::Worker(std::size_t most) : most_(most), thread_([this] { run(); }) {}
+Worker::Worker(const char* name, std::size_t most) : most_(most), thread_([this] { run(); }) {
+  ::pthread_setname_np(thread_.native_handle(), name);
+}
 
 Worker::~Worker() {
   {

@@ -24,8 +24,9 @@ class Worker {
   /// What is answered if too many jobs wait.
   static constexpr const char* kBusy = "the disk does not answer; try again later";
 
-  /// At most `most` jobs may wait besides the running one.
-  explicit Worker(std::size_t most = 64);
+  /// `name`: of the thread, 15 characters at most. At most `most` jobs may wait besides the running
+  /// one.
+  explicit Worker(const char* name, std::size_t most = 64);
   /// Runs the waiting jobs, however long the disk takes.
   ~Worker();
   Worker(const Worker&) = delete;

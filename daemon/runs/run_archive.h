@@ -73,7 +73,7 @@ class RunArchive {
   std::uint64_t changes_ = 0, listed_ = 0;  // made here; known to the list
   ReportProcess process_;
   // Declared last: their jobs use the others.
-  record::Worker disk_, reports_;
+  record::Worker disk_{"archive"}, reports_{"reports"};
 };
 
 }  // namespace tp100::runs

@@ -32,7 +32,7 @@ class SelfTest : public messages::Sink {
   /// doctor and wheels_up_watch.
   std::vector<server::ServiceRow> services();
 
-  // The supervisor's thread:
+  // The main thread:
   void on_event(const link::SessionEvent& event, const wire::Hello& hello, const OpenPort& port);
   /// A line about the search for the port.
   void note_port(const std::string& line);
@@ -63,8 +63,8 @@ class SelfTest : public messages::Sink {
   double battery_cutoff_v_ = 0.0;
   std::string note_;
   std::vector<loop::Privilege> privileges_;
-  Answer answer_;        // set: an examination is under way
-  record::Worker disk_;  // declared last: its jobs use the others
+  Answer answer_;                     // set: an examination is under way
+  record::Worker disk_{"self-test"};  // declared last: its jobs use the others
 };
 
 }  // namespace tp100::selftest

@@ -73,9 +73,9 @@ class WheelsUpCheck : public doctor::Operator {
   std::optional<doctor::Question> question_{};
   unsigned question_number_ = 0;
   std::optional<std::string> answer_{};
-  std::string result_;    // JSON; empty: not ended
-  std::string lost_;      // why its viewer no longer watches
-  record::Worker check_;  // declared last: its jobs use the others
+  std::string result_;                    // JSON; empty: not ended
+  std::string lost_;                      // why its viewer no longer watches
+  record::Worker check_{"tracks check"};  // declared last: its jobs use the others
 };
 
 }  // namespace tp100::selftest

@@ -139,7 +139,7 @@ void Sockets::accept_next(bool failed) {
   });
 }
 
-// With its priority it would otherwise take a processor from the worker and the supervisor,
+// With its priority it would otherwise take a processor from the worker and the main thread,
 // whatever makes it compute.
 void Sockets::rest() {
   const HostNs used_ns = thread_cpu_ns(), now = monotonic_now();

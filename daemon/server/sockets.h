@@ -73,7 +73,7 @@ class Sockets {
   boost::asio::ip::tcp::acceptor acceptor_{context_};
   boost::asio::steady_timer timer_{context_};
   boost::asio::steady_timer pause_{context_};
-  record::Worker disk_{kMaxConnections};  // its jobs post to the context
+  record::Worker disk_{"page files", kMaxConnections};  // its jobs post to the context
   std::thread thread_;
 };
 

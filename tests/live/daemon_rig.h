@@ -145,7 +145,7 @@ class DaemonRig {
   virtual void said(const std::string&) {}
   virtual void happened(const LiveEvent&) {}
 
-  /// What the supervisor and the server do after a step.
+  /// What the daemon and the server do after a step.
   void take_results() {
     record_ = *cycle_.front_record();
     if (const auto made = setup_.take(record_)) {

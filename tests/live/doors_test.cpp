@@ -292,7 +292,7 @@ class Doors : public DaemonRig {
     terminal_saw_ = controls_.stop_count();
     terminal_looked_ns_ = now_;
   }
-  // What the supervisor does.
+  // What the daemon does.
   void happened(const LiveEvent& event) override {
     if (const auto* report = std::get_if<SessionReport>(&event)) {
       const auto* changed = link::as<link::StateChanged>(report->event);

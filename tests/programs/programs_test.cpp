@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <sstream>
 #include <thread>
 #include <utility>
@@ -61,6 +62,27 @@ TEST_F(Programs, DriveACourseInRealTimeAndBothEndCleanly) {
   for (const char* name :
        {"reconnects", "lateness_us", "compute_us", "write_us", "sample_wire_us", "sample_wait_us"})
     EXPECT_THAT(read_bytes(stats()), HasSubstr("\"" + std::string(name) + "\""));
+}
+
+// Who looks for the thread that waits, or takes a processor, finds it on the page.
+TEST_F(Programs, ThreadsAreThoseOfThePage) {
+  drive({"--record", folder_.file("runs")});
+  std::set<std::string> running, listed;
+  const std::string tasks = "/proc/" + std::to_string(bridge_->pid()) + "/task";
+  for (const auto& task : std::filesystem::directory_iterator(tasks)) {
+    std::string name = read_bytes(task.path() / "comm");
+    name.pop_back();
+    running.insert(name);
+  }
+  std::istringstream page(read_bytes(source_path("daemon/ARCHITECTURE.md")));
+  std::string line;
+  while (std::getline(page, line) && line != "## Threads") {
+  }
+  while (std::getline(page, line) && !line.starts_with("## "))
+    if (line.starts_with("| `")) listed.insert(line.substr(3, line.find('`', 3) - 3));
+  for (const char* only_if_configured : {"world files", "ros2"})
+    EXPECT_EQ(listed.erase(only_if_configured), 1U) << only_if_configured;
+  EXPECT_EQ(running, listed);
 }
 
 TEST_F(Programs, IdentifyDrivesAsksForWhatNoCameraSawAndWritesARobot) {

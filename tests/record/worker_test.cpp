@@ -28,7 +28,7 @@ TEST(DiskWorker, RefusesMoreThanItHoldsAndNeverWaits) {
   std::promise<void> disk, began;
   std::vector<int> ran;
   {
-    Worker worker(2);
+    Worker worker("test", 2);
     EXPECT_TRUE(worker.post(
         [&] {
           began.set_value();
@@ -48,7 +48,7 @@ TEST(DiskWorker, RefusesMoreThanItHoldsAndNeverWaits) {
 /// Why a job failed that calls `action`.
 std::string why_not(const std::function<void()>& action) {
   std::string why;
-  Worker worker;
+  Worker worker("test");
   worker.ask([&](const std::string& told, const std::string&) { why = told; },
              [&] {
                action();
@@ -76,7 +76,7 @@ TEST(DiskWorker, WhateverAJobThrowsIsItsAnswer) {
 }
 
 TEST(DiskWorker, AnErrorOfAnAnswerEndsNothing) {
-  Worker worker;
+  Worker worker("test");
   int answered = 0;
   const auto answer = [&](const std::string&, const std::string&) {
     ++answered;
@@ -92,7 +92,7 @@ TEST(DiskWorker, ARequestThatFindsTooManyOthersIsAnswered) {
   std::promise<void> disk;
   std::vector<std::string> whys;
   {
-    Worker worker(1);
+    Worker worker("test", 1);
     worker.post([&] { disk.get_future().wait(); }, kNever);
     const auto answer = [&](const std::string& why, const std::string&) { whys.push_back(why); };
     // One of these begins at once if the first has not been taken up yet.

@@ -1,0 +1,439 @@
+#include "live/daemon.h"
+
+#include <algorithm>
+#include <cstdlib>
+// Asio 1.74 uses std::exchange without including it.
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/signal_set.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <chrono>
+#include <csignal>
+#include <memory>
+#include <utility>
+
+#include "core/board.h"
+#include "core/clock.h"
+#include "core/error.h"
+#include "live/connector.h"
+#include "live/daemon_parts.h"
+#include "live/event_log.h"
+#include "live/first_session.h"
+#include "live/link_monitor.h"
+#include "live/live_events.h"
+#include "live/recording_policies.h"
+#include "live/service_notice.h"
+#include "live/stats_file.h"
+#include "live/terminal.h"
+#include "live/udp_ports.h"
+#include "live/world_link.h"
+
+namespace tp100::live {
+namespace {
+namespace asio = boost::asio;
+
+constexpr std::chrono::milliseconds kTick{10}, kWorldTick{2};  // poses go to a world at a tick
+constexpr HostNs kStatsPeriodNs = kNsPerS;
+// Faults after which the robot may recover: without --go the daemon waits for a new start.
+constexpr FaultMask kRecoverable = fault_bit(Fault::link_lost) | fault_bit(Fault::robot_rebooted) |
+                                   fault_bit(Fault::stop_requested) | fault_bit(Fault::world_lost);
+
+class Daemon {
+ public:
+  Daemon(const config::LoadedRun& run, const DaemonOptions& options);
+  /// See run_daemon().
+  int run();
+  /// The run never began: its recording contains nothing useful.
+  void discard() { parts_.recording.discard(); }
+
+ private:
+  ConnectorSettings connector_settings();
+  void tick();
+  void schedule_tick();
+  void take_events();
+  void take_status(HostNs now);
+  void take_records();
+  void change_setup(SetupChanger::Made made);
+  void drain_events();
+  void on_session_state(SessionState state);
+  void on_session(const SessionReport& report);
+  void on_run_state(const RunChange& change);
+  void run_ended(int exit_status, const std::string& result);
+  void begin_serving();
+  void notify_manager();
+  void serve(const SessionReport& report);
+  void end(int exit_status, const std::string& result);
+  void take_figures();
+  void await_signals();
+  void name(const config::RunSetup& run);
+  void finish_files();
+
+  const DaemonOptions options_;
+  DaemonParts parts_;
+  EventLog log_;
+  const ServiceSettings service_ = service_settings();
+  ServiceNotice notice_{service_};
+  asio::io_context context_;
+  Connector connector_;
+  FirstSession first_session_;
+  RunRecordings run_recordings_;
+  StatsFile stats_;
+  LinkMonitor link_monitor_;
+  std::optional<CameraPort> camera_;
+  const config::WorldRun world_run_;
+  std::unique_ptr<WorldLink> world_;  // null: internal
+  std::vector<messages::Sink*> sinks_;
+  asio::steady_timer timer_{context_};
+  asio::signal_set signals_{context_};
+  DaemonFigures figures_;
+  std::optional<Terminal> terminal_;  // from the loop's start on
+  std::vector<loop::Privilege> privileges_;
+  RunState run_state_ = RunState::kIdle;
+  SessionState session_ = SessionState::kClosed;
+  HostNs began_ns_ = 0;
+  HostNs next_stats_ns_ = 0;
+  bool ending_ = false;
+  int status_ = 1;
+  int stay_status_ = 0;  // exit status of the last run, with --stay
+};
+
+Daemon::Daemon(const config::LoadedRun& run, const DaemonOptions& options)
+    : options_(options),
+      parts_(run, options),
+      connector_(connector_settings(), parts_.loop,
+                 [this](const std::string& line) {
+                   log_.info(line);
+                   parts_.controls.note_port(line);
+                 }),
+      first_session_(connector_, connector_settings(), run.setup.robot.name),
+      run_recordings_(parts_.recording, parts_.events,
+                      options.stay && parts_.recording.figures().available),
+      stats_(options.stats_path, parts_.disk, parts_.events),
+      world_run_(config::world_run(run.setup)) {
+  const config::Configuration& configuration = parts_.configuration;
+  if (!configuration.camera.listen.empty())
+    camera_.emplace(
+        context_, configuration.camera,
+        [this](const CameraSample& seen) { return parts_.cycle.camera(seen); },
+        [this](HostNs at, std::string jpeg) { parts_.server.take_image(at, std::move(jpeg)); });
+  world_ = open_world(
+      context_, world_run_,
+      [this](const WorldSample& received) { return parts_.cycle.world(received); }, parts_.events);
+  sinks_ = {&parts_.self_test};
+  sinks_.insert(sinks_.end(), options.sinks.begin(), options.sinks.end());
+  sinks_.insert(sinks_.end(),
+                {&link_monitor_, &parts_.recording, &parts_.black_box, &parts_.server});
+  if (world_ != nullptr) sinks_.push_back(world_.get());
+  name(run.setup);
+  figures_.result = "running";
+  figures_.page = parts_.server.url();
+  // With --stay each run gets a recording of its own.
+  if (!configuration.record.directory.empty() && !options.stay) parts_.recording.begin();
+}
+
+ConnectorSettings Daemon::connector_settings() {
+  const auto& link = parts_.configuration.link;
+  return {.port = link.port,
+          .options = {.baud = link.baud, .hang_up = link.hang_up},
+          .wait = options_.wait,
+          .handover = &parts_.self_test.wheels_up().handover()};
+}
+
+int Daemon::run() {
+  privileges_ = parts_.process.privileges();
+  began_ns_ = monotonic_now();
+  await_signals();
+  parts_.loop.start();
+  privileges_.insert(privileges_.end(), parts_.loop.privileges().begin(),
+                     parts_.loop.privileges().end());
+  const auto say = [this](const std::string& line, bool warning) { log_.say(line, warning); };
+  const auto pressed = [this] { parts_.server.stop_pressed("keyboard"); };
+  terminal_.emplace(&context_, Terminal::Reach{parts_.controls, say, pressed, figures_.course});
+  try {
+    tick();
+    log_.privileges(privileges_);
+    begin_serving();
+    context_.run();
+  } catch (...) {
+    // The port must outlive the loop that uses it.
+    parts_.loop.request_stop();
+    parts_.loop.join();
+    throw;
+  }
+  parts_.loop.join();
+  take_records();
+  take_events();
+  take_status(monotonic_now());
+  finish_files();
+  return status_;
+}
+
+void Daemon::await_signals() {
+  // A log reader that goes away must not end a run without a disarm.
+  std::signal(SIGPIPE, SIG_IGN);
+  // Reaching the file size limit is an error like any other.
+  std::signal(SIGXFSZ, SIG_IGN);
+  signals_.add(SIGINT);
+  signals_.add(SIGTERM);
+  // The terminal was closed; under nohup the signal is already ignored.
+  struct sigaction hang_up {};
+  if (::sigaction(SIGHUP, nullptr, &hang_up) == 0 && hang_up.sa_handler == SIG_DFL)
+    signals_.add(SIGHUP);
+  signals_.async_wait([this](const boost::system::error_code& error, int signal) {
+    if (error) return;
+    log_.info(signal == SIGINT ? "SIGINT" : signal == SIGHUP ? "SIGHUP" : "SIGTERM");
+    end(options_.stay && !under_way(run_state_) ? stay_status_ : 1, "interrupted");
+  });
+}
+
+void Daemon::name(const config::RunSetup& run) {
+  figures_.course = run.course == nullptr ? "" : run.course->name;
+  figures_.robot = run.robot.name;
+  figures_.setup = bridge::to_string(run.parameters.setup);
+}
+
+// The robot is disarmed: now waiting for disks is allowed, for a limited time.
+void Daemon::finish_files() {
+  LastWait wait(notice_, parts_.loop.statistics().cycles.load());
+  // The recording must include the last messages.
+  parts_.server.flush();
+  parts_.black_box.finish();
+  const bool recorded = wait([&](auto by) { return parts_.recording.finish(by); });
+  figures_.duration_s = to_s(monotonic_now() - began_ns_);
+  take_figures();
+  const bool written = wait([&](auto by) { return parts_.disk.idle_by(by); });
+  const bool answered = wait([&](auto by) { return world_ == nullptr || world_->ended_by(by); });
+  drain_events();
+  std::string lost;
+  if (!recorded)
+    lost += figures_.recording.active ? ", the end of " + figures_.recording.file : ", a black box";
+  if (!written) lost += ", the last figures of --stats";
+  if (!answered) lost += ", the last text of world.encoder_file";
+  if (!lost.empty()) {
+    status_ = std::max(status_, 1);
+    log_.warn("a disk has not responded for 5 s; lost: " + lost.substr(2) +
+              "; check the disks; tp100d recover repairs recordings");
+  }
+  log_.summary(summary_text(figures_));
+  const bool examined = wait([&](auto by) { return parts_.controls.examined_by(by); });
+  const bool all = recorded && written && answered && examined;
+  const bool read = log_.flush();
+  if (all && read && !parts_.server.waits_for_disk()) return;
+  // The threads that wait for the disk, or for a reader of the log, cannot be joined.
+  std::_Exit(status_);
+}
+
+void Daemon::begin_serving() {
+  parts_.controls.set_privileges(privileges_);
+  parts_.server.start();
+  if (!parts_.server.note().empty()) log_.warn(parts_.server.note());
+  if (!figures_.page.empty()) log_.info("page: " + figures_.page);
+  if (const std::string why = notice_.ready(); !why.empty()) log_.warn(why);
+  notify_manager();
+}
+
+void Daemon::notify_manager() {
+  notice_.status(state_line(session_, run_state_, figures_.course, figures_.page));
+}
+
+void Daemon::serve(const SessionReport& report) {
+  if (acknowledges_stop(report.event)) parts_.server.stop_answered(report.event.at_ns);
+  const bool identified = report.hello.boot_nonce != 0;
+  const bool emulator = identified && is_emulator(connector_.pseudo_terminal(), report.hello.board);
+  parts_.controls.set_session(report, connector_.path(), connector_.pseudo_terminal());
+  parts_.controls.set_start({.emulator = emulator,
+                             .go = options_.go,
+                             .service = !service_.socket.empty(),
+                             .ran_before = options_.ran_before});
+}
+
+void Daemon::schedule_tick() {
+  const bool udp_world = world_run_.parameters.kind == bridge::WorldKind::kUdp;
+  timer_.expires_after(udp_world ? kWorldTick : kTick);
+  timer_.async_wait([this](const boost::system::error_code& error) {
+    if (!error) tick();
+  });
+}
+
+void Daemon::tick() {
+  const HostNs now = monotonic_now();
+  take_records();
+  parts_.setup.tick();
+  take_events();
+  drain_events();
+  first_session_.check(now);
+  connector_.tick(now);
+  take_status(now);
+  log_.tick(now);
+  notice_.alive(parts_.loop.statistics().cycles.load(), now);
+  run_recordings_.tick(now);
+  if (options_.duration_s && to_s(now - began_ns_) >= *options_.duration_s) end(1, "duration");
+  if (ending_ && parts_.loop.ended()) {
+    if (camera_) camera_->stop();
+    if (world_ != nullptr) world_->stop();
+    signals_.cancel();
+    return;
+  }
+  if (now >= next_stats_ns_) {
+    next_stats_ns_ = now + kStatsPeriodNs;
+    parts_.process.keep();
+    figures_.duration_s = to_s(now - began_ns_);
+    take_figures();
+  }
+  schedule_tick();
+}
+
+void Daemon::take_events() {
+  LiveEvent event;
+  while (parts_.cycle.take_event(event)) {
+    const SessionReport* report = std::get_if<SessionReport>(&event);
+    const RunChange* change = std::get_if<RunChange>(&event);
+    // An event that ends the program is reported once, as the error.
+    if (report != nullptr) first_session_.on_event(*report);
+    // Before the event is published, so that the recording includes it.
+    if (change != nullptr) run_recordings_.on_run_state(change->to, change->at_ns);
+    const std::vector<messages::Event> events = describe_event(event);
+    log_.event(event, events);
+    for (const messages::Event& one : events) parts_.server.take(one);
+    if (report != nullptr) on_session(*report);
+    if (change != nullptr) on_run_state(*change);
+    if (std::holds_alternative<RequestDropped>(event)) terminal_->ask(monotonic_now());
+  }
+}
+
+void Daemon::on_session(const SessionReport& report) {
+  serve(report);
+  if (link::as<link::HelloReceived>(report.event) != nullptr) {
+    connector_.robot_found();
+  } else if (const auto* changed = link::as<link::StateChanged>(report.event)) {
+    on_session_state(changed->to);
+  }
+}
+
+void Daemon::take_status(HostNs now) {
+  if (!parts_.cycle.take_status(figures_.status)) return;
+  log_.status(figures_.status, parts_.loop.statistics().overruns.load(), now);
+}
+
+void Daemon::take_records() {
+  while (const StepRecord* record = parts_.cycle.front_record()) {
+    if (auto made = parts_.setup.take(*record)) change_setup(std::move(*made));
+    for (messages::Sink* sink : sinks_) sink->take(*record);
+    parts_.cycle.release_record();
+  }
+}
+
+// Runs before anything else receives the first step with the change.
+void Daemon::change_setup(SetupChanger::Made made) {
+  const messages::Event event{.at_ns = monotonic_now(), .kind = "setup", .text = made.text};
+  if (made.run != nullptr) {
+    const config::RunSetup& run = made.run->setup;
+    name(run);
+    const bool goes_on = parts_.recording.number() != 0 && !options_.stay;
+    parts_.black_box.finish();
+    parts_.recording.change_setup(made.run, made.step);
+    parts_.server.change_setup(made.run_context, std::move(made.for_viewers),
+                               parameter_list(run.configuration, run.robot));
+    for (messages::Sink* sink : sinks_) sink->take_setup(made.run_context, event.at_ns);
+    if (parts_.ros2) parts_.ros2->change_setup(made.run_context, std::move(made.for_nodes));
+    if (goes_on) parts_.recording.start({}, [](const std::string&) {});
+    first_session_.expect(figures_.robot);
+    terminal_->follow(figures_.course);
+    terminal_->ask(event.at_ns);
+    notify_manager();
+  }
+  log_.write({event});
+  parts_.server.take(event);
+  parts_.setup.finish();
+}
+
+void Daemon::on_session_state(SessionState next) {
+  session_ = next;
+  first_session_.on_state(next, monotonic_now());
+  terminal_->follow(next);
+  notify_manager();
+  figures_.port = connector_.path();
+  if (next != SessionState::kReady) return;
+  connector_.session_ready();
+  if (figures_.course.empty() || ending_) return;
+  if (parts_.controls.start_consent() != StartConsent::kNone ||
+      !parts_.controls.start_by_itself(connector_.came_later(), began_ns_, monotonic_now()))
+    terminal_->ask(monotonic_now());
+}
+
+void Daemon::on_run_state(const RunChange& change) {
+  const bool by_hand = change.from == RunState::kDriving;
+  run_state_ = change.to;
+  terminal_->follow(change.to);
+  notify_manager();
+  if (change.to == RunState::kFinished) return run_ended(0, "completed");
+  // A run requested by an option does not wait for another start.
+  if (change.refused != StartRefusal::kNone && options_.go) return run_ended(1, "refused");
+  if (change.to == RunState::kAborted) {
+    figures_.faults = change.faults | (change.from == change.to ? figures_.faults : 0);
+    if (ending_ && status_ == 0) {
+      // The completed run has failed after all.
+      status_ = 1;
+      figures_.result = "aborted";
+    }
+    // After driving by hand, keep the daemon running.
+    const bool recoverable = by_hand || (figures_.faults & kRecoverable) != 0;
+    const bool waits =
+        recoverable && !options_.go && (figures_.faults & fault_bit(Fault::moves_unasked)) == 0;
+    if (!by_hand) stay_status_ = 1;
+    if (!waits) return run_ended(1, "aborted");
+  }
+  if (!ending_) terminal_->ask(monotonic_now());
+}
+
+void Daemon::run_ended(int exit_status, const std::string& result) {
+  if (!options_.stay) return end(exit_status, result);
+  stay_status_ = exit_status;
+  figures_.result = result;
+  log_.info(result);
+  terminal_->ask(monotonic_now());
+}
+
+void Daemon::end(int exit_status, const std::string& result) {
+  if (std::exchange(ending_, true)) return;
+  first_session_.stop();
+  parts_.controls.end();
+  terminal_->stop();
+  notice_.stopping();
+  status_ = exit_status;
+  figures_.result = result;
+  connector_.stop();
+  parts_.loop.request_stop();
+}
+
+void Daemon::take_figures() {
+  if (camera_) figures_.camera = camera_->figures();
+  if (world_ != nullptr) figures_.world = world_->figures();
+  const auto was = std::exchange(figures_.recording, parts_.recording.figures());
+  figures_.recording_cpu_s = parts_.recording.cpu_s();
+  log_.recording(was, figures_.recording);
+  figures_.loop = parts_.controls.loop();
+  stats_.write(figures_);
+}
+
+void Daemon::drain_events() {
+  if (camera_) link_monitor_.take(camera_->figures().detections);
+  for (messages::Event& event : link_monitor_.drain_events()) parts_.events.post(std::move(event));
+  for (const auto& [event, log_only] : parts_.events.drain()) {
+    log_.write({event});
+    if (!log_only) parts_.server.take(event);
+  }
+}
+
+}  // namespace
+
+int run_daemon(const config::LoadedRun& run, const DaemonOptions& options) {
+  Daemon daemon(run, options);
+  try {
+    return daemon.run();
+  } catch (const SetupError&) {
+    daemon.discard();
+    throw;
+  }
+}
+
+}  // namespace tp100::live

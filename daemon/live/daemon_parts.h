@@ -1,0 +1,51 @@
+#pragma once
+// What `tp100d run` consists of, besides what only its main thread uses: built from files and
+// options, in this order, and destroyed in the reverse one.
+
+#include <memory>
+#include <optional>
+
+#include "config/run_setup.h"
+#include "live/daemon.h"
+#include "live/live_controls.h"
+#include "live/live_cycle.h"
+#include "live/live_recording.h"
+#include "live/recording_policies.h"
+#include "live/ros2_node.h"
+#include "live/setup_changer.h"
+#include "loop/fixed_rate_loop.h"
+#include "loop/real_time.h"
+#include "messages/event_queue.h"
+#include "messages/messages.h"
+#include "record/worker.h"
+#include "runs/run_archive.h"
+#include "selftest/self_test.h"
+#include "server/server.h"
+
+namespace tp100::live {
+
+struct DaemonParts {
+  /// Starts threads, but neither the loop's nor the server's. Throws SetupError.
+  DaemonParts(const config::LoadedRun& run, const DaemonOptions& options);
+
+  const config::Configuration configuration;
+  LiveCycle cycle;
+  const messages::PublishClock clock;
+  /// Made before memory is locked and by a thread whose ordinary scheduling its own ones inherit;
+  /// null: switched off.
+  const std::unique_ptr<ros2::Participant> participant;
+  const loop::RealTimeProcess process;
+  loop::FixedRateLoop loop;
+  messages::EventQueue events;  ///< logged and published by the main thread
+  LiveRecording recording;
+  record::Worker disk{"figures"};  ///< writes --stats
+  BlackBox black_box;
+  SetupChanger setup;
+  runs::RunArchive runs;
+  selftest::SelfTest self_test;
+  LiveControls controls;
+  server::Server server;
+  std::optional<Ros2Node> ros2;  ///< with a participant
+};
+
+}  // namespace tp100::live
