@@ -64,10 +64,10 @@ server::ServerSettings server_settings(const config::LoadedRun& run, DaemonParts
   out.max_clients = static_cast<std::size_t>(settings.max_clients);
   out.name = text::one_line(stem.empty() ? run.setup.robot.name : stem);
   out.robots = server::robot_pages(settings.robots);
-  out.runs_folder = parts.configuration.record.directory;
-  out.runs = [&parts] { return parts.runs.json(); };
-  out.page = web::find;
-  out.setup = [&parts](std::string_view path) { return setup_content(parts.setup, path); };
+  out.content.runs_folder = parts.configuration.record.directory;
+  out.content.runs = [&parts] { return parts.runs.json(); };
+  out.content.page = web::find;
+  out.content.setup = [&parts](std::string_view path) { return setup_content(parts.setup, path); };
   out.services = parts.controls.services();
   out.real_time = parts.configuration.loop.priority > 0;
   out.listener = [&parts](messages::Channel channel, std::uint64_t unix_ns, std::string_view json) {

@@ -71,15 +71,12 @@ struct Server::State {
   State(ServerSettings s, const messages::Messages& messages,
         std::vector<messages::ParameterText> parameters, Controls& c)
       : robots(s.robots),
+        sources(std::move(s.content)),
         broker(messages::channel_texts(), std::move(s.listener)),
         publisher(broker, messages, c),
         session(random_name()),
         handler(broker, publisher, c, std::move(parameters), std::move(s.services), session,
                 s.name) {
-    sources.page = std::move(s.page);
-    sources.runs_folder = s.runs_folder;
-    sources.runs = std::move(s.runs);
-    sources.setup = std::move(s.setup);
     sources.health = [this] { return health(); };
     sources.robots = [this](std::string_view host) {
       return robots_json(sockets->own(), local_daemons(), robots, host);
@@ -101,11 +98,11 @@ struct Server::State {
   std::string health() const;
 
   const std::vector<std::string> robots;
+  HttpSources sources;
   Broker broker;
   Publisher publisher;
   const std::string session;
   RequestHandler handler;
-  HttpSources sources;
   Inbox inbox;
   StepRecord record{};
   std::atomic<bool> woken{false};

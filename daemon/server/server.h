@@ -31,13 +31,10 @@ struct ServerSettings {
   std::string name{};                        ///< of the robot, for people
   std::vector<std::string>
       robots{};                      ///< pages of other robots, besides those found on this machine
-  std::string runs_folder;           ///< empty: none
-  RunList runs;                      ///< empty: none
-  SetupContent setup;                ///< empty: none
+  HttpSources content{};             ///< the server itself adds health, robots and history
   std::vector<ServiceRow> services;  ///< besides those of motion
-  Page page;
-  bool real_time = false;  ///< the sockets' thread has loop::kBelowTheLoop, if permitted
-  Listener listener;       ///< called from the constructor and the worker's thread; must not block
+  bool real_time = false;            ///< the sockets' thread has loop::kBelowTheLoop, if permitted
+  Listener listener;  ///< called from the constructor and the worker's thread; must not block
 };
 
 class Server : public messages::Sink {

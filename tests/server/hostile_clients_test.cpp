@@ -135,7 +135,7 @@ TEST_F(ServerTest, StrangersCannotTakeThePlacesOfThisMachine) {
 }
 
 TEST_F(ServerTest, APageOfAnotherSiteCannotLoadWhatItMayNotSee) {
-  settings_.runs = [] { return std::string("{}"); };
+  settings_.content.runs = [] { return std::string("{}"); };
   start();
   for (const char* target : {"/", "/healthz", "/api/runs"}) {
     EXPECT_THAT(head_of(target, kHost), HasSubstr("200 OK"))

@@ -33,7 +33,7 @@ class ServerTest : public ::testing::Test {
  protected:
   ServerTest() {
     settings_.listen = "127.0.0.1:0";
-    settings_.page = [](std::string_view path) { return path == "/" ? &kPage : nullptr; };
+    settings_.content.page = [](std::string_view path) { return path == "/" ? &kPage : nullptr; };
   }
   void start() {
     const messages::PublishClock clock{monotonic_now(), 1'700'000'000 * kNsPerS};

@@ -172,8 +172,8 @@ TEST_F(ServerTest, WhoReadsTooMuchIsToldToWait) {
 
 TEST_F(ServerTest, StopComesThroughBesideManyWhoReadRuns) {
   test::TemporaryFolder folder;
-  settings_.runs_folder = folder.path();
-  settings_.runs = [path = std::string(folder.path())] {
+  settings_.content.runs_folder = folder.path();
+  settings_.content.runs = [path = std::string(folder.path())] {
     return "{\"files\":" + std::to_string(runs::list_runs(path).size()) + "}";
   };
   for (int i = 0; i < 200; ++i) {
