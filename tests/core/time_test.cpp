@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::int64_t kMax = std::int64_t{1} << 61;
 
-TEST(Seconds, WhatNoClockHasEndsAtTheLimit) {
+TEST(Seconds, NoNumberOfSecondsFromAFileOrMessageOverflowsATime) {
   EXPECT_EQ(from_s(1.5), 1'500'000'000);
   EXPECT_EQ(from_s(1e300), kMax);
   EXPECT_EQ(from_s(-1e300), -kMax);
