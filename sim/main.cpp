@@ -153,22 +153,9 @@ void add_demo_command(CLI::App& app, Action& action) {
 }
 
 void add_faults_command(CLI::App& app, Action& action) {
-  static FaultsCommand faults;
   CLI::App* command = app.add_subcommand("faults", "List what --fault can do to a robot");
-  command->add_flag(
-      "--drive", faults.drive,
-      "Drive with each fault in virtual time; print expected and seen behaviour as a table");
-  command->add_flag(
-      "--encoders", faults.encoders,
-      "Let encoders fail at every speed and place, with three robots; print the worst "
-      "cases until the motors are off as a table");
-  command->add_flag("--firmware-alone", faults.firmware_alone,
-                    "With --encoders: without the daemon's own checks");
-  command->add_option("--board", faults.board, "native or avr")
-      ->type_name("BOARD")
-      ->capture_default_str();
-  command->footer("Example: tp100-sim faults --drive");
-  command->callback([&action] { action = [] { return run_faults(faults); }; });
+  command->footer("Example: tp100-sim faults");
+  command->callback([&action] { action = run_faults; });
 }
 
 void add_campaign_command(CLI::App& app, Action& action) {

@@ -42,18 +42,10 @@ struct CalibrateCommand {
 /// Writes the recordings of calibration_drives() and slope_drives(). Returns 0. Throws SetupError.
 int run_calibrate(const CalibrateCommand& command);
 
-// tp100-sim faults: the list of faults for --fault, and their effects.
+// tp100-sim faults.
 
-struct FaultsCommand {
-  bool drive = false;           ///< drive with each fault, print expected beside observed
-  bool encoders = false;        ///< sweep encoder failures over speeds, positions and robots
-  bool firmware_alone = false;  ///< do that sweep without the daemon's own checks
-  std::string board = "native";
-};
-
-/// Prints the list, or the table of drives. Returns 1 if a drive did not end as expected, else 0.
-/// Throws SetupError.
-int run_faults(const FaultsCommand& command);
+/// Prints the list of faults for --fault. Returns 0.
+int run_faults();
 
 // Drives on slopes.
 

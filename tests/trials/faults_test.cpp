@@ -13,10 +13,10 @@
 #include <sstream>
 
 #include "course/bundled_files.h"
+#include "encoder_study.h"
+#include "fault_study.h"
 #include "live/link_monitor.h"
 #include "live/live_events.h"
-#include "sim/trials/encoder_study.h"
-#include "sim/trials/fault_study.h"
 #include "support/paths.h"
 
 namespace tp100::sim {
@@ -146,8 +146,7 @@ std::string told(const EncoderTrial& trial, const EncoderOutcome& outcome) {
 
 class EncoderTest : public ::testing::TestWithParam<EncoderFailure> {};
 
-// Each speed is tested with one robot in turn; `tp100-sim faults --encoders` tests all robots and
-// more failures.
+// Each speed is tested with one robot in turn; EncoderSweep has all robots and more failures.
 TEST_P(EncoderTest, TheMotorsAreOffBeforeTheRobotIsFarFromWhereItShouldBe) {
   EncoderStudy study;
   std::vector<EncoderOutcome> row;
@@ -166,6 +165,22 @@ TEST_P(EncoderTest, TheMotorsAreOffBeforeTheRobotIsFarFromWhereItShouldBe) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Sweep, EncoderTest, ::testing::ValuesIn(failures_on_the_page()),
+                         [](const auto& param) { return as_name(std::string(param.param.fault)); });
+
+class EncoderSweep : public EncoderTest {};
+
+TEST_P(EncoderSweep, TheMotorsAreOffInTimeWithEveryRobot) {
+  EncoderStudy study;
+  for (const double speed_mps : encoder_speeds())
+    for (const EncoderTrial& trial :
+         encoder_trials(GetParam(), speed_mps, BoardKind::kNative, true)) {
+      const EncoderOutcome outcome = study.drive(trial);
+      EXPECT_TRUE(outcome.good()) << told(trial, outcome);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Nightly, EncoderSweep,
+                         ::testing::ValuesIn(encoder_failures().begin(), encoder_failures().end()),
                          [](const auto& param) { return as_name(std::string(param.param.fault)); });
 
 #ifdef TP100_HAS_IMAGE

@@ -1,4 +1,4 @@
-#include "sim/trials/encoder_study.h"
+#include "encoder_study.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "sim/trials/fault_study.h"
+#include "fault_study.h"
 
 #include <algorithm>
 #include <array>
