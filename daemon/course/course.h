@@ -101,6 +101,14 @@ struct Course {
 /// Pure: reads no file itself.
 Course parse_course(const std::string& text, const std::string& file);
 
+/// A course that may not be driven as long as it has an error.
+struct Draft {
+  Course course;      ///< its path and disturbances may lie anywhere
+  std::string error;  ///< empty: none
+};
+/// Same, but throws only if pieces cannot be read; whether they fit together is told by `error`.
+Draft parse_draft(const std::string& text, const std::string& file);
+
 /// The course mirrored along its x axis: left is right, everything else is the same. Its name gets
 /// "-mirrored". Pure.
 Course mirrored(const Course& course);

@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 #include "core/arithmetic.h"
+#include "core/error.h"
 #include "course/course.h"
 #include "course/path.h"
 #include "text/toml_document.h"
@@ -147,26 +149,44 @@ Fence fence_of(text::TomlTable& root) {
   return fence;
 }
 
-Disturbance disturbance_of(text::TomlTable table, double length_m, double after_m) {
+Disturbance disturbance_of(text::TomlTable table) {
   Disturbance disturbance{};
   disturbance.at_m = table.required_number("at_m", {0.0, 1e5});
   disturbance.sideways_m = table.number("sideways_m", 0.0, {-0.3, 0.3});
   disturbance.yaw_rad = table.number("yaw_deg", 0.0, {-90.0, 90.0}) * kRadPerDeg;
   disturbance.duration_s = table.number("duration_s", 0.3, {0.05, 5.0});
-  if (disturbance.at_m > length_m)
-    table.fail("at_m", "'at_m' is " + text::number_text(disturbance.at_m) +
-                           ", but the path is only " + text::number_text(length_m) + " m long");
-  if (disturbance.at_m < after_m)
-    table.fail("at_m", "disturbances must be listed in the order of 'at_m'");
   return disturbance;
+}
+
+/// Throws SetupError if pieces that can be read, each for itself, do not fit together.
+void require_sound(const text::TomlTable& root, const std::vector<text::TomlTable>& disturbances,
+                   const Course& course) {
+  const Path path(course);
+  double after_m = 0.0;
+  for (std::size_t i = 0; i < disturbances.size(); ++i) {
+    const double at_m = course.disturbances[i].at_m;
+    if (at_m > path.length_m())
+      disturbances[i].fail("at_m", "'at_m' is " + text::number_text(at_m) +
+                                       ", but the path is only " +
+                                       text::number_text(path.length_m()) + " m long");
+    if (at_m < after_m)
+      disturbances[i].fail("at_m", "disturbances must be listed in the order of 'at_m'");
+    after_m = at_m;
+  }
+  root.finish();
+  if (const auto outside = first_point_outside(path, course.fence))
+    root.fail("fence",
+              text::format("the path leaves the fence at (%.3f, %.3f) m, %.3f m from its start",
+                           outside->x_m, outside->y_m, outside->s_m));
 }
 
 }  // namespace
 
-Course parse_course(const std::string& text, const std::string& file) {
+Draft parse_draft(const std::string& text, const std::string& file) {
   const text::TomlDocument document(text, file);
   text::TomlTable root = document.root();
-  Course course;
+  Draft draft;
+  Course& course = draft.course;
   course.name = std::filesystem::path(file).stem().string();
   course.description = root.text("description", "");
   course.speed_mps = root.number("speed_mps", course.speed_mps, {0.01, 0.3});
@@ -197,17 +217,20 @@ Course parse_course(const std::string& text, const std::string& file) {
                        length_m, kLongestPathM));
   }
 
-  const Path path(course);
   for (const text::TomlTable& disturbance : disturbances)
-    course.disturbances.push_back(
-        disturbance_of(disturbance, path.length_m(),
-                       course.disturbances.empty() ? 0.0 : course.disturbances.back().at_m));
-  root.finish();
-  if (const auto outside = first_point_outside(path, course.fence))
-    root.fail("fence",
-              text::format("the path leaves the fence at (%.3f, %.3f) m, %.3f m from its start",
-                           outside->x_m, outside->y_m, outside->s_m));
-  return course;
+    course.disturbances.push_back(disturbance_of(disturbance));
+  try {
+    require_sound(root, disturbances, course);
+  } catch (const SetupError& error) {
+    draft.error = error.what();
+  }
+  return draft;
+}
+
+Course parse_course(const std::string& text, const std::string& file) {
+  Draft draft = parse_draft(text, file);
+  if (!draft.error.empty()) throw SetupError(draft.error);
+  return std::move(draft.course);
 }
 
 }  // namespace tp100::course

@@ -200,7 +200,8 @@ std::vector<server::ServiceRow> file_services(SetupChanger& changer) {
   constexpr const char* kDraft = R"({"kind":"","name":"","text":""})";
   constexpr const char* kNew = R"({"kind":"","name":"","text":"","replace":true})";
   constexpr const char* kChecked =
-      R"({"error":"","line":1,"column":1,"why_not":"","length_m":1.5,"duration_s":1.5})";
+      R"({"error":"","line":1,"column":1,"why_not":"","length_m":1.5,"duration_s":1.5,)"
+      R"("course":{}})";
   return {{Service::kFileSave, "file_save", kNew, kName, on_disk(save_file)},
           {Service::kFileDelete, "file_delete", kFile, kName, on_disk(delete_file)},
           {Service::kFileCheck, "file_check", kDraft, kChecked, on_disk(check_file)}};

@@ -1,9 +1,11 @@
 #include "live/setup_list.h"
 
 #include <algorithm>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <regex>
+#include <utility>
 
 #include "bridge/step.h"
 #include "core/error.h"
@@ -13,6 +15,7 @@
 #include "identify/identify.h"
 #include "messages/messages.h"
 #include "terrain/climbable.h"
+#include "terrain/world.h"
 
 namespace tp100::live {
 namespace {
@@ -30,9 +33,12 @@ std::vector<course::PathPoint> outline(const course::Path& path) {
   return out;
 }
 
-Json piece(const course::Place& place, double length_m, double width_m, double height_m) {
-  return {{"x_m", place.x_m},     {"y_m", place.y_m},   {"heading_rad", place.heading_rad},
-          {"length_m", length_m}, {"width_m", width_m}, {"height_m", height_m}};
+Json piece(const course::Place& place, double length_m, double width_m) {
+  return {{"x_m", place.x_m},
+          {"y_m", place.y_m},
+          {"heading_rad", place.heading_rad},
+          {"length_m", length_m},
+          {"width_m", width_m}};
 }
 
 Json course_json(const course::Course& course) {
@@ -50,15 +56,15 @@ Json course_json(const course::Course& course) {
                  {"max_x_m", fence.max_x_m},
                  {"min_y_m", fence.min_y_m},
                  {"max_y_m", fence.max_y_m}}}};
-  for (const char* list : {"outline", "ramps", "blocks", "surfaces"}) json[list] = Json::array();
+  for (const char* list : {"outline", "obstacles", "surfaces"}) json[list] = Json::array();
   for (const course::PathPoint& point : outline(path))
     json["outline"].push_back({{"x_m", point.x_m}, {"y_m", point.y_m}});
-  for (const course::Ramp& ramp : course.terrain.ramps)
-    json["ramps"].push_back(piece(ramp.place, ramp.length_m(), ramp.width_m, ramp.height_m));
-  for (const course::Block& block : course.terrain.blocks)
-    json["blocks"].push_back(piece(block.place, block.depth_m, block.width_m, block.height_m));
+  for (const terrain::Outline& each : terrain::outlines_of(course.terrain)) {
+    json["obstacles"].push_back(piece(each.place, each.length_m(), 2.0 * each.half_width_m));
+    json["obstacles"].back()["kind"] = to_string(each.obstacle);
+  }
   for (const course::Surface& surface : course.terrain.surfaces)
-    json["surfaces"].push_back(piece(surface.place, surface.length_m, surface.width_m, 0.0));
+    json["surfaces"].push_back(piece(surface.place, surface.length_m, surface.width_m));
   return json;
 }
 
@@ -113,6 +119,14 @@ Json entry_json(const config::SetupFiles& files, const config::LoadedRun& run, B
   return json;
 }
 
+/// As the channel /course has it.
+std::string course_text(course::Course course, const course::Robot& robot) {
+  messages::RunContext context;
+  context.course = std::make_shared<const course::Course>(std::move(course));
+  context.robot = robot;
+  return messages::Messages(std::move(context), {}).course();
+}
+
 std::string text_of(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
@@ -145,23 +159,27 @@ std::string setup_list(const config::SetupFiles& files, const config::LoadedRun&
 std::string checked_file(const config::LoadedRun& run, Bundled kind, const course::TextFile& file) {
   const bool is_course = kind == Bundled::kCourses;
   Json json = {{"error", ""}, {"why_not", ""}};
+  std::string drawn;
   try {
     if (is_course) {
-      const course::Path path(course::parse_course(file.text, file.path));
-      json["length_m"] = path.length_m();
+      course::Draft draft = course::parse_draft(file.text, file.path);
+      json["length_m"] = course::Path(draft.course).length_m();
+      drawn = course_text(std::move(draft.course), run.setup.robot);
+      if (!draft.error.empty()) throw SetupError(draft.error);
     } else {
       course::parse_robot(file.text, file.path);
     }
+    try {
+      set_fit(json, with_file(run, kind, file).setup, is_course);
+    } catch (const SetupError& misfit) {
+      json["why_not"] = misfit.what();
+    }
   } catch (const SetupError& error) {
     json["error"] = set_place(json, error.what(), file.path);
-    return text_of(json);
   }
-  try {
-    set_fit(json, with_file(run, kind, file).setup, is_course);
-  } catch (const SetupError& misfit) {
-    json["why_not"] = misfit.what();
-  }
-  return text_of(json);
+  std::string text = text_of(json);
+  if (!drawn.empty()) text.replace(text.size() - 1, 1, ",\"course\":" + drawn + "}");
+  return text;
 }
 
 }  // namespace tp100::live

@@ -19,8 +19,8 @@ void require_fit(const config::RunSetup& run);
 std::string setup_list(const config::SetupFiles& files, const config::LoadedRun& run);
 
 /// Checks a file that may be only a draft; the result is JSON (CHANNELS.md, file_check): its first
-/// error with its place, else whether it fits the rest of `run`, and a course's length and time.
-/// Reads nothing.
+/// error with its place, else whether it fits the rest of `run`, and a course's length, time and
+/// geometry, also of one with an error as long as its pieces can be read. Reads nothing.
 std::string checked_file(const config::LoadedRun& run, course::Bundled kind,
                          const course::TextFile& file);
 

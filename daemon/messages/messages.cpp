@@ -7,6 +7,7 @@
 
 #include "core/enum_names.h"
 #include "core/faults.h"
+#include "terrain/world.h"
 #include "text/json_writer.h"
 
 namespace tp100::messages {
@@ -50,29 +51,71 @@ void write_tracks(text::JsonWriter& json, const StepRecord& record) {
 }
 
 void write_terrain(text::JsonWriter& json, const course::Terrain& terrain) {
-  const auto write = [&](const auto& piece) { json.fields(piece); };
-  json.objects("ramps", terrain.ramps, write);
-  json.objects("blocks", terrain.blocks, write);
-  json.objects("surfaces", terrain.surfaces, write);
+  json.objects("obstacles", terrain::outlines_of(terrain), [&](const terrain::Outline& outline) {
+    json.field("kind", to_string(outline.obstacle)).fields(outline.place);
+    json.field("width_m", 2.0 * outline.half_width_m);
+    json.objects("profile", outline.points, [&](const terrain::Outline::Point& point) {
+      json.field("along_m", point.along_m).field("height_m", point.height_m);
+    });
+  });
+  json.objects("surfaces", terrain.surfaces,
+               [&](const course::Surface& surface) { json.fields(surface); });
 }
 
-void write_path(text::JsonWriter& json, const course::Path* path) {
-  const auto points = path == nullptr ? std::vector<course::PathPoint>{} : path_points(*path);
-  json.objects("path", points, [&](const course::PathPoint& point) {
-    json.field("x_m", point.x_m)
-        .field("y_m", point.y_m)
-        .field("yaw_rad", point.yaw_rad)
-        .field("s_m", point.s_m);
+course::PathPoint between(const course::PathPoint& a, const course::PathPoint& b, double share) {
+  const auto mean = [share](double from, double to) { return from + share * (to - from); };
+  return {mean(a.s_m, b.s_m), mean(a.x_m, b.x_m), mean(a.y_m, b.y_m), mean(a.yaw_rad, b.yaw_rad)};
+}
+
+struct GroundPoint {
+  course::PathPoint at{};
+  double z_m = 0.0;
+};
+
+/// The path's points on the ground; where it is not level, with more points between them.
+std::vector<GroundPoint> ground_points(const course::Path& path, const terrain::World& world) {
+  constexpr std::size_t kParts = 4;
+  const std::vector<course::PathPoint> points = path_points(path);
+  const std::size_t parts = points.size() <= kMaxPathPoints / kParts ? kParts : 1;
+  const auto on_ground = [&](const course::PathPoint& at) {
+    return GroundPoint{at, world.height_m(at.x_m, at.y_m)};
+  };
+  std::vector<GroundPoint> ground = {on_ground(points.front())};
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const GroundPoint next = on_ground(points[i]);
+    std::vector<GroundPoint> finer;
+    bool level = next.z_m == ground.back().z_m;
+    for (std::size_t k = 1; k < parts && !world.flat(); ++k) {
+      const double share = static_cast<double>(k) / static_cast<double>(parts);
+      finer.push_back(on_ground(between(points[i - 1], points[i], share)));
+      level = level && finer.back().z_m == next.z_m;
+    }
+    if (!level) ground.insert(ground.end(), finer.begin(), finer.end());
+    ground.push_back(next);
+  }
+  return ground;
+}
+
+void write_floor_pose(text::JsonWriter& json, double x_m, double y_m, double yaw_rad) {
+  json.field("x_m", x_m).field("y_m", y_m).field("yaw_rad", yaw_rad);
+}
+
+void write_path(text::JsonWriter& json, const course::Path* path, const terrain::World& world) {
+  const auto points = path == nullptr ? std::vector<GroundPoint>{} : ground_points(*path, world);
+  json.objects("path", points, [&](const GroundPoint& point) {
+    write_floor_pose(json, point.at.x_m, point.at.y_m, point.at.yaw_rad);
+    json.field("z_m", point.z_m).field("s_m", point.at.s_m);
   });
   static const std::vector<course::PathSegment> kNone;
   json.objects("segments", path == nullptr ? kNone : path->segments(),
                [&](const course::PathSegment& segment) {
-                 const double k = segment.begin.curvature_1pm;
+                 const course::PathPoint &begin = segment.begin, &end = segment.end;
                  json.field("kind", name_in(kKindNames, segment.kind))
-                     .field("from_m", segment.begin.s_m)
-                     .field("to_m", segment.end.s_m)
-                     .field("angle_rad", segment.end.yaw_rad - segment.begin.yaw_rad)
-                     .field("radius_m", k == 0.0 ? 0.0 : 1.0 / std::abs(k));
+                     .field("from_m", begin.s_m)
+                     .field("to_m", end.s_m);
+                 json.object("begin",
+                             [&] { write_floor_pose(json, begin.x_m, begin.y_m, begin.yaw_rad); });
+                 json.object("end", [&] { write_floor_pose(json, end.x_m, end.y_m, end.yaw_rad); });
                });
 }
 
@@ -227,11 +270,9 @@ std::string Messages::course() const {
         .field("speed_mps", course.speed_mps)
         .field("length_m", path() == nullptr ? 0.0 : path()->length_m());
     json.object("start", [&] {
-      json.field("x_m", course.start.x_m)
-          .field("y_m", course.start.y_m)
-          .field("yaw_rad", course.start.yaw_rad);
+      write_floor_pose(json, course.start.x_m, course.start.y_m, course.start.yaw_rad);
     });
-    write_path(json, path());
+    write_path(json, path(), terrain::World(course.terrain, run_context_.robot.shape));
     write_terrain(json, course.terrain);
     json.objects("disturbances", course.disturbances,
                  [&](const course::Disturbance& one) { json.fields(one); });

@@ -1,7 +1,10 @@
 #include <algorithm>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "messages/foxglove.h"
+#include "terrain/world.h"
 
 namespace tp100::messages {
 namespace {
@@ -43,15 +46,18 @@ class Triangles {
   std::vector<Point> points_;
 };
 
-std::string ramp_triangles(const course::Ramp& ramp) {
-  const double half = ramp.length_m() / 2.0, side = ramp.width_m / 2.0, h = ramp.height_m;
-  const double x0 = -half, x1 = x0 + ramp.up_length_m(), x2 = x1 + ramp.top_m, x3 = half;
+std::string obstacle_triangles(const terrain::Outline& outline) {
+  const auto at = [&](std::size_t i, double side) {
+    const terrain::Outline::Point& point = outline.points[i];
+    return Point{point.along_m, side * outline.half_width_m, point.height_m};
+  };
   Triangles out;
-  out.quad({x0, -side, 0}, {x1, -side, h}, {x1, side, h}, {x0, side, 0});
-  out.quad({x1, -side, h}, {x2, -side, h}, {x2, side, h}, {x1, side, h});
-  out.quad({x2, -side, h}, {x3, -side, 0}, {x3, side, 0}, {x2, side, h});
-  for (const double y : {-side, side}) out.quad({x0, y, 0}, {x3, y, 0}, {x2, y, h}, {x1, y, h});
-  return out.json(pose_of(ramp.place, 0.0), kRampColour);
+  for (std::size_t i = 0; i + 1 < outline.points.size(); ++i)
+    out.quad(at(i, -1), at(i + 1, -1), at(i + 1, 1), at(i, 1));
+  for (const double side : {-1.0, 1.0})
+    out.quad(at(0, side), at(3, side), at(2, side), at(1, side));
+  return out.json(pose_of(outline.place, 0.0),
+                  outline.obstacle == ObstacleClass::kBlock ? kBlockColour : kRampColour);
 }
 
 void write_course(text::JsonWriter& json, const Messages& messages, std::uint64_t at) {
@@ -72,18 +78,13 @@ void write_course(text::JsonWriter& json, const Messages& messages, std::uint64_
   for (const course::Polygon& area : course.fence.keep_out)
     write_border("course/keep_out/" + std::to_string(number++), area);
 
-  number = 0;
-  for (const course::Ramp& ramp : course.terrain.ramps)
+  std::map<std::string, std::size_t> numbers;
+  for (const terrain::Outline& outline : terrain::outlines_of(course.terrain)) {
+    const std::string id = std::string("course/") + to_string(outline.obstacle) + "/";
     write_entity(
-        json, {.id = "course/ramp/" + std::to_string(number++), .triangles = ramp_triangles(ramp)},
+        json, {.id = id + std::to_string(numbers[id]++), .triangles = obstacle_triangles(outline)},
         at);
-  number = 0;
-  for (const course::Block& block : course.terrain.blocks)
-    write_entity(json,
-                 {.id = "course/block/" + std::to_string(number++),
-                  .cubes = cube(pose_of(block.place, block.height_m / 2.0),
-                                {block.depth_m, block.width_m, block.height_m}, kBlockColour)},
-                 at);
+  }
   number = 0;
   for (const course::Surface& surface : course.terrain.surfaces)
     write_entity(json,

@@ -94,7 +94,8 @@ constexpr std::size_t kMaxProfiles = 8;
 
 Outline outline_of(const course::Ramp& ramp) {
   const double half = ramp.length_m() / 2.0;
-  return {ramp.place,
+  return {ObstacleClass::kRamp,
+          ramp.place,
           {{{-half, 0.0},
             {-half + ramp.up_length_m(), ramp.height_m},
             {half - ramp.down_length_m(), ramp.height_m},
@@ -105,10 +106,18 @@ Outline outline_of(const course::Ramp& ramp) {
 
 Outline outline_of(const course::Block& block) {
   const double half = block.depth_m / 2.0;
-  return {block.place,
+  return {ObstacleClass::kBlock,
+          block.place,
           {{{-half, 0.0}, {-half, block.height_m}, {half, block.height_m}, {half, 0.0}}},
           block.width_m / 2.0,
           magnitude(half, block.width_m / 2.0)};
+}
+
+std::vector<Outline> outlines_of(const course::Terrain& terrain) {
+  std::vector<Outline> outlines;
+  for (const course::Ramp& ramp : terrain.ramps) outlines.push_back(outline_of(ramp));
+  for (const course::Block& block : terrain.blocks) outlines.push_back(outline_of(block));
+  return outlines;
 }
 
 Profile::Profile(const Outline& outline, double x_m, double y_m, double cos_yaw, double sin_yaw) {
@@ -203,12 +212,7 @@ void Profile::lift(const Places& places, ObstacleClass what, std::span<double> w
 }
 
 World::World(const course::Terrain& terrain, const course::ShapeValues& shape)
-    : terrain_(terrain), shape_(shape) {
-  for (const course::Ramp& ramp : terrain_.ramps)
-    pieces_.push_back({outline_of(ramp), ObstacleClass::kRamp});
-  for (const course::Block& block : terrain_.blocks)
-    pieces_.push_back({outline_of(block), ObstacleClass::kBlock});
-}
+    : terrain_(terrain), shape_(shape), pieces_(outlines_of(terrain)) {}
 
 bool World::near(const Outline& outline, double x_m, double y_m) const {
   const double reach = outline.radius_m + shape_.axle_spacing_m + shape_.wheel_radius_m;
@@ -226,9 +230,9 @@ World::Support World::support(double x_m, double y_m, double cos_yaw, double sin
   };
   std::array<std::optional<Under>, kMaxProfiles> under;
   std::size_t count = 0;
-  for (const Piece& piece : pieces_) {
-    if (count == kMaxProfiles || !near(piece.outline, x_m, y_m)) continue;
-    const Profile profile(piece.outline, x_m, y_m, cos_yaw, sin_yaw);
+  for (const Outline& piece : pieces_) {
+    if (count == kMaxProfiles || !near(piece, x_m, y_m)) continue;
+    const Profile profile(piece, x_m, y_m, cos_yaw, sin_yaw);
     if (!profile.empty()) under[count++].emplace(Under{profile, piece.obstacle});
   }
   Support result{0.0, 0.0, ObstacleClass::kNone};
@@ -275,7 +279,7 @@ ContactPose World::at(const Pose& pose) const {
   if (!std::isfinite(pose.x_m + pose.y_m + pose.yaw_rad + pose.pitch_rad)) return contact_pose;
   contact_pose.surface = terrain_.surface_at(pose.x_m, pose.y_m);
   if (std::none_of(pieces_.begin(), pieces_.end(),
-                   [&](const Piece& piece) { return near(piece.outline, pose.x_m, pose.y_m); }))
+                   [&](const Outline& piece) { return near(piece, pose.x_m, pose.y_m); }))
     return contact_pose;
   const double c = std::cos(pose.yaw_rad);
   const double s = std::sin(pose.yaw_rad);
@@ -292,9 +296,10 @@ ContactPose World::at(const Pose& pose) const {
 
 double World::height_m(double x_m, double y_m) const {
   double height = 0.0;
-  for (const Piece& piece : pieces_) {
-    const course::Place& place = piece.outline.place;
-    const Profile profile(piece.outline, x_m, y_m, std::cos(place.heading_rad),
+  for (const Outline& piece : pieces_) {
+    if (!near(piece, x_m, y_m)) continue;
+    const course::Place& place = piece.place;
+    const Profile profile(piece, x_m, y_m, std::cos(place.heading_rad),
                           std::sin(place.heading_rad));
     if (!profile.empty()) height = std::max(height, profile.height_m(0.0));
   }
@@ -307,7 +312,7 @@ std::optional<BlockAhead> World::next_block(const Pose& pose, double within_m) c
   const double c = std::cos(pose.yaw_rad);
   const double s = std::sin(pose.yaw_rad);
   for (std::size_t i = 0; i < terrain_.blocks.size(); ++i) {
-    const Profile profile(pieces_[terrain_.ramps.size() + i].outline, pose.x_m, pose.y_m, c, s);
+    const Profile profile(pieces_[terrain_.ramps.size() + i], pose.x_m, pose.y_m, c, s);
     if (profile.empty() || profile.end_m() < rear || profile.begin_m() > within_m) continue;
     if (!next || profile.begin_m() < next->distance_m)
       next = {&terrain_.blocks[i], profile.begin_m(), profile.end_m() - profile.begin_m()};

@@ -2,6 +2,7 @@
 // The virtual world: attitude and height of the robot on the course's ramps and blocks. Statics
 // only: getting onto a block and falling off it is left to the step climb model.
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -15,18 +16,25 @@
 
 namespace tp100::terrain {
 
-/// Outline of a piece from above, in its own frame: heights at places along its heading.
+/// Shape of an obstacle of any kind, in its own frame: heights at places along its heading.
 struct Outline {
   struct Point {
     double along_m, height_m;
   };
+  ObstacleClass obstacle{};
   course::Place place{};
-  std::array<Point, 4> points{};
+  std::array<Point, 4>
+      points{};  ///< ascending; the first and the last lie equally far from the place
   double half_width_m = 0.0;
   double radius_m = 0.0;  ///< of a circle around the footprint
+
+  double length_m() const { return points.back().along_m - points.front().along_m; }
+  double height_m() const { return std::max(points[1].height_m, points[2].height_m); }
 };
 Outline outline_of(const course::Ramp& ramp);
 Outline outline_of(const course::Block& block);
+/// Of all obstacles: of each kind in the course's order, ramps before blocks.
+std::vector<Outline> outlines_of(const course::Terrain& terrain);
 
 /// The cut through an outline: a polyline over the distance along the plane. No allocation.
 class Profile {
@@ -109,10 +117,6 @@ class World {
   bool flat() const { return pieces_.empty(); }
 
  private:
-  struct Piece {
-    Outline outline;
-    ObstacleClass obstacle;
-  };
   struct Support {
     double slope_rad;
     double height_m;  // of the reference point
@@ -123,7 +127,7 @@ class World {
 
   course::Terrain terrain_;
   course::ShapeValues shape_;
-  std::vector<Piece> pieces_;
+  std::vector<Outline> pieces_;
 };
 
 }  // namespace tp100::terrain

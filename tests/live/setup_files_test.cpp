@@ -132,8 +132,8 @@ TEST_F(SetupListTest, SaysOfACourseWhatIsToBeShown) {
   EXPECT_EQ(course["why_not"], "");
   EXPECT_NEAR(course["length_m"], 4.0566, 1e-4);
   EXPECT_NEAR(course["duration_s"], 41.5, 0.1);
-  EXPECT_EQ(course["ramps"].size(), 1u);
-  EXPECT_EQ(course["blocks"].size(), 1u);
+  EXPECT_EQ(course["obstacles"].size(), 2u);
+  EXPECT_EQ(course["obstacles"][0]["kind"], "ramp");
   EXPECT_LE(course["outline"].size(), kMaxOutline);
   EXPECT_EQ(entry(all["robots"], "worn")["in_force"], false);
   EXPECT_EQ(entry(all["courses"], "calibrate-spin-left")["length_m"], 0.0);
@@ -172,7 +172,29 @@ TEST(CheckedFile, NamesTheFirstErrorWithItsPlaceOrTheLengthAndTime) {
   const Json right = check(kLine);
   EXPECT_EQ(right["error"], "");
   EXPECT_NEAR(right["length_m"], 0.3, 1e-9);
+  EXPECT_EQ(right["course"]["segments"][0]["end"]["x_m"], right["length_m"]);
   EXPECT_NE(check("a = [")["error"], "");
+}
+
+// Whoever draws a course sees it also while its path leaves the fence.
+TEST(CheckedFile, DrawsACourseWhosePiecesDoNotFitTogether) {
+  const config::LoadedRun run;
+  const auto check = [&](const std::string& text) {
+    return Json::parse(checked_file(run, Bundled::kCourses, {"mine.toml", text}));
+  };
+  std::string far = kLine;
+  far.replace(far.find("0.3"), 3, "9.5");
+  for (const auto& [text, error] :
+       {std::pair<std::string, const char*>{far, "leaves the fence"},
+        {std::string(kLine) + "[[disturbance]]\nat_m = 5.0\n", "only 0.3 m long"},
+        {std::string(kLine) + "speed = 1\n", "unknown key"}}) {
+    const Json drawn = check(text);
+    EXPECT_THAT(std::string(drawn["error"]), HasSubstr(error));
+    EXPECT_EQ(drawn["course"]["segments"].size(), 1u) << error;
+    EXPECT_GT(drawn["course"]["path"].size(), 10u) << error;
+  }
+  far.replace(far.find("9.5"), 3, "999");
+  EXPECT_FALSE(check(far).contains("course"));
 }
 
 }  // namespace

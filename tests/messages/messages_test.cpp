@@ -119,16 +119,45 @@ TEST_F(MessagesTest, ThePathOfAnyCourseIsDenseAndHasFewPoints) {
 TEST_F(MessagesTest, ACourseTellsItsGeometry) {
   const Json json = Json::parse(messages_.course());
   EXPECT_EQ(json["name"], "example");
-  EXPECT_EQ(json["ramps"][0]["y_m"], 2.0);
-  EXPECT_EQ(json["ramps"][0]["heading_rad"], kPi / 2);
-  EXPECT_EQ(json["blocks"][0]["depth_m"], 0.1);
+  const Json &ramp = json["obstacles"][0], &block = json["obstacles"][1];
+  EXPECT_EQ(ramp["kind"], "ramp");
+  EXPECT_EQ(ramp["y_m"], 2.0);
+  EXPECT_EQ(ramp["heading_rad"], kPi / 2);
+  EXPECT_NEAR(
+      ramp["profile"][1]["along_m"].get<double>() - ramp["profile"][0]["along_m"].get<double>(),
+      0.1 / std::tan(0.5), 1e-12);
+  EXPECT_EQ(ramp["profile"][2]["height_m"], 0.1);
+  EXPECT_EQ(block["kind"], "block");
+  EXPECT_EQ(block["width_m"], 0.4);
+  EXPECT_EQ(block["profile"][3], Json({{"along_m", 0.05}, {"height_m", 0.0}}));
   EXPECT_EQ(json["surfaces"][0]["name"], "ice");
   EXPECT_EQ(json["fence"]["max_y_m"], 4.0);
   EXPECT_EQ(json["segments"][1]["kind"], "pivot");
-  EXPECT_DOUBLE_EQ(json["segments"][2]["radius_m"].get<double>(), 0.5);
+  EXPECT_EQ(json["segments"][1]["begin"], Json({{"x_m", 1.0}, {"y_m", 0.0}, {"yaw_rad", 0.0}}));
+  EXPECT_EQ(json["segments"][1]["end"], Json({{"x_m", 1.0}, {"y_m", 0.0}, {"yaw_rad", kPi / 2}}));
+  EXPECT_EQ(json["segments"][2]["begin"], json["segments"][1]["end"]);
+  EXPECT_EQ(json["segments"][2]["to_m"], 1.5);
   const Json none = Json::parse(Messages(RunContext{}, example_clock()).course());
   EXPECT_TRUE(none["path"].empty());
   EXPECT_FALSE(none.contains("fence"));
+}
+
+// The block lies across the first line, from 0.45 to 0.55 m.
+TEST_F(MessagesTest, ThePathOfACourseLiesOnTheGround) {
+  double low_m = 0.0, high_m = 1.0;  // the last place on the floor before the block, and behind it
+  const Json json = Json::parse(messages_.course());
+  for (const Json& point : json["path"]) {
+    const double s_m = point["s_m"], z_m = point["z_m"];
+    if (s_m > 0.4501 && s_m < 0.5499) {
+      EXPECT_EQ(z_m, 0.03) << s_m;
+    } else if (s_m < 0.4499 || s_m > 0.5501) {
+      EXPECT_EQ(z_m, 0.0) << s_m;
+      if (s_m < 0.5) low_m = std::max(low_m, s_m);
+      if (s_m > 0.5) high_m = std::min(high_m, s_m);
+    }
+  }
+  EXPECT_GT(low_m, 0.4445);
+  EXPECT_LT(high_m, 0.5555);
 }
 
 TEST_F(MessagesTest, TransformsMoveTheRobotInTheCoursesWorld) {

@@ -54,11 +54,13 @@ TEST(Scene, ARampRisesAndFallsAtItsAngles) {
 }
 
 TEST(Scene, ABlockStandsOnTheFloor) {
-  const Json cube = entity("course/block/0")["cubes"][0];
-  EXPECT_DOUBLE_EQ(cube["pose"]["position"]["z"].get<double>(),
-                   cube["size"]["z"].get<double>() / 2);
-  EXPECT_EQ(cube["size"]["x"], 0.1);
-  EXPECT_EQ(cube["size"]["y"], 0.4);
+  const Json list = entity("course/block/0")["triangles"][0];
+  EXPECT_EQ(list["pose"]["position"]["z"], 0.0);
+  for (const Json& point : list["points"]) {
+    EXPECT_EQ(std::abs(point["x"].get<double>()), 0.05);
+    EXPECT_EQ(std::abs(point["y"].get<double>()), 0.2);
+    EXPECT_TRUE(point["z"] == 0.0 || point["z"] == 0.03) << point;
+  }
 }
 
 TEST(Scene, TheRobotMovesWithItsFrameAndIsAllThatThereIsWithoutACourse) {

@@ -4,9 +4,6 @@ import { parseTOML, type AST } from 'toml-eslint-parser';
 
 export type Value = number | string | boolean | Value[];
 
-/** Tables that may occur several times in a file. */
-export type PieceTable = 'segment' | 'ramp' | 'block' | 'surface' | 'disturbance' | 'keep_out';
-
 /** A table: its values by key, and their positions in the text. */
 export interface Piece {
   readonly table: string;
@@ -32,7 +29,7 @@ export class CourseText {
   }
 
   /** All tables of that name, in the file's order. */
-  all(table: PieceTable): readonly Piece[] {
+  all(table: string): readonly Piece[] {
     return this.pieces_.get(table) ?? [];
   }
 
@@ -57,7 +54,7 @@ export class CourseText {
   }
 
   /** The text with one more table, before the one of its name at `index`, or after the last one. */
-  added(table: PieceTable, values: Readonly<Record<string, Value>>, index = this.all(table).length): string {
+  added(table: string, values: Readonly<Record<string, Value>>, index = this.all(table).length): string {
     const last = this.all(table).at(-1);
     if (last !== undefined && last.range === undefined) throw inOneLine(last);
     const before = this.all(table)[index]?.range ?? (last === undefined ? this.one('fence').range : undefined);
@@ -90,6 +87,7 @@ export class CourseText {
     const values: Record<string, Value> = {};
     const ranges: Record<string, readonly [number, number]> = {};
     const inner: [table: string, body: readonly AST.TOMLKeyValue[]][] = [];
+    const dotted = new Map<string, AST.TOMLKeyValue[]>();
     for (const each of body) {
       const key = each.key.keys.map((part) => (part.type === 'TOMLBare' ? part.name : part.value));
       const within = table === '' ? (key[0] ?? '') : table;
@@ -98,7 +96,7 @@ export class CourseText {
         for (const element of list) if (element.type === 'TOMLInlineTable') inner.push([within, element.body]);
       } else if (table === '' && key.length === 2) {
         // start.x_m = 1
-        inner.push([within, [{ ...each, key: { ...each.key, keys: each.key.keys.slice(1) } }]]);
+        dotted.set(within, [...(dotted.get(within) ?? []), { ...each, key: { ...each.key, keys: each.key.keys.slice(1) } }]);
       } else {
         const value = valueOf(each.value);
         if (value === undefined) continue;
@@ -107,7 +105,7 @@ export class CourseText {
       }
     }
     this.add(table, values, ranges, range);
-    for (const [name, entries] of inner) this.take(name, entries);
+    for (const [name, entries] of [...inner, ...dotted]) this.take(name, entries);
   }
 
   private add(table: string, values: Record<string, Value>, ranges: Piece['ranges'], range: Piece['range']): void {

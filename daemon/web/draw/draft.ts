@@ -1,11 +1,19 @@
-// A course file that is being drawn: what the map shows of it, the handles by which it is changed, and new pieces.
+// A course file that is being drawn: the handles by which it is changed, and new pieces. Where they lie on the path, the
+// daemon tells: `drawn` is what it last answered about the file.
 import type { Point2 } from '../scene/geometry.ts';
-import type { Area, Course, Place, PathPoint, RobotShape } from '../state/messages.ts';
-import type { CourseText, Piece, PieceTable, Value } from './course_text.ts';
-import { along, arcTo, frames, kRad, lineTo, nearest, number, pointAt, points, startOf, type Frame } from './path.ts';
+import type { Course, FloorPose } from '../state/messages.ts';
+import type { CourseText, Piece, Value } from './course_text.ts';
+import { kEnds, kRad, kSegmentTools, nearest, pointAt } from './path.ts';
 
-/** What can be added with a press on the map. */
-export type Tool = 'line' | 'arc' | 'pivot' | 'ramp' | 'block' | 'surface' | 'disturbance' | 'keep_out';
+/** What can be added with a press on the map, with the words for it. */
+export const kTools: Record<string, string> = {
+  ...kSegmentTools,
+  ramp: 'Ramp',
+  block: 'Block',
+  surface: 'Surface',
+  disturbance: 'Disturbance',
+  keep_out: 'Keep-out',
+};
 
 export interface Selected {
   table: string;
@@ -42,7 +50,7 @@ max_y_m = 0.8
 `;
 
 /** Values of a new piece, and defaults of the keys that a piece may omit. */
-export const kValues: Record<PieceTable, Record<string, Value>> = {
+export const kValues: Partial<Record<string, Record<string, Value>>> = {
   segment: {},
   ramp: { x_m: 0, y_m: 0, heading_deg: 0, height_m: 0.05, up_deg: 15, top_m: 0.2, down_deg: 15, width_m: 0.4 },
   block: { x_m: 0, y_m: 0, heading_deg: 0, height_m: 0.02, depth_m: 0.1, width_m: 0.4 },
@@ -53,12 +61,20 @@ export const kValues: Record<PieceTable, Record<string, Value>> = {
 
 export function find(text: CourseText, { table, index }: Selected): Piece | undefined {
   if (table === 'start' || table === 'fence' || table === '') return text.one(table);
-  return text.all(table as PieceTable)[index];
+  return text.all(table)[index];
 }
 
-function place(piece: Piece): Place {
-  return { x_m: number(piece, 'x_m'), y_m: number(piece, 'y_m'), heading_rad: number(piece, 'heading_deg') * kRad };
+function number(piece: Piece, key: string, otherwise = 0): number {
+  const value = piece.values[key];
+  return typeof value === 'number' && Number.isFinite(value) ? value : otherwise;
 }
+
+/** Its place and direction; a piece of terrain has a heading, the start a yaw. */
+const poseOf = (piece: Piece, direction = 'heading_deg'): FloorPose => ({
+  x_m: number(piece, 'x_m'),
+  y_m: number(piece, 'y_m'),
+  yaw_rad: number(piece, direction) * kRad,
+});
 
 /** Corners as written; undefined if there are none that can be drawn. */
 export function corners(piece: Piece): Point2[] | undefined {
@@ -84,87 +100,52 @@ export function fenceCorners(fence: Piece): Point2[] | undefined {
   ];
 }
 
-const area = (list: readonly Point2[] = []): Area => ({ corners: list.map(({ x, y }) => ({ x_m: x, y_m: y })) });
-
-/** Some lengths of a piece. */
-function lengths<K extends string>(piece: Piece, ...keys: readonly K[]): Record<K, number> {
-  return Object.fromEntries(keys.map((key) => [key, number(piece, key)])) as Record<K, number>;
+/** All handles of the draft, in the order of the file; those of segments that the daemon has not drawn yet are missing. */
+export function handles(text: CourseText, drawn: Course): Handle[] {
+  return [...pathHandles(text, drawn), ...placedHandles(text), ...disturbanceHandles(text, drawn), ...cornerHandles(text)];
 }
 
-/** The draft as the map draws a course. */
-export function draftCourse(text: CourseText, name: string, robot: RobotShape): Course {
-  const path = pathOf(text);
-  return {
-    name,
-    description: '',
-    length_m: path.at(-1)?.s_m ?? 0,
-    path,
-    ramps: text.all('ramp').map((ramp) => ({
-      ...place(ramp),
-      ...lengths(ramp, 'height_m', 'top_m', 'width_m'),
-      up_rad: number(ramp, 'up_deg', 15) * kRad,
-      down_rad: number(ramp, 'down_deg', 15) * kRad,
-    })),
-    blocks: text.all('block').map((block) => ({ ...place(block), ...lengths(block, 'height_m', 'depth_m', 'width_m') })),
-    surfaces: text.all('surface').map((surface) => ({ ...place(surface), ...lengths(surface, 'length_m', 'width_m') })),
-    disturbances: [],
-    fence: area(fenceCorners(text.one('fence'))),
-    keep_out: text.all('keep_out').map((piece) => area(corners(piece))),
-    robot,
-  };
-}
-
-/** All handles of the draft, in the order of the file. */
-export function handles(text: CourseText): Handle[] {
-  return [...pathHandles(text), ...placedHandles(text), ...disturbanceHandles(text), ...cornerHandles(text)];
-}
-
-function pathHandles(text: CourseText): Handle[] {
-  const piece = text.one('start');
-  const start = startOf(piece);
-  const segments = text.all('segment');
-  const begins = frames(start, segments);
-  const all = [
-    handle('start', 'Start', piece, start, ({ x, y }) => text.with(piece, { x_m: x, y_m: y })),
-    turn('start-turn', 'Direction of the start', piece, start, start.yaw_rad, (yaw_rad) => text.with(piece, { yaw_deg: yaw_rad / kRad })),
-  ];
-  segments.forEach((segment, i) => {
-    const from = begins[i] ?? start;
+function pathHandles(text: CourseText, drawn: Course): Handle[] {
+  const start = text.one('start');
+  const all = movable('start', 'Start', 'Direction of the start', start, 'yaw_deg', text);
+  text.all('segment').forEach((segment, i) => {
+    const lies = drawn.segments[i];
+    const type = String(segment.values.type);
+    const ends = kEnds[type];
+    if (lies === undefined || ends === undefined) return;
     const id = `segment-${i}`;
-    const label = `End of ${String(segment.values.type)} ${i + 1}`;
-    if (segment.values.type === 'line') {
-      all.push(handle(id, label, segment, along(from, segment), (to) => text.with(segment, { length_m: lineTo(from, to) })));
-    } else if (segment.values.type === 'arc') {
-      all.push(handle(id, label, segment, along(from, segment), (to) => text.with(segment, { ...arcTo(from, to) })));
-    } else if (segment.values.type === 'pivot') {
-      const drag = (yaw_rad: number): string => text.with(segment, { angle_deg: turned(yaw_rad - from.yaw_rad) });
-      all.push(turn(id, label, segment, from, along(from, segment).yaw_rad, drag));
-    }
+    const label = `End of ${type} ${i + 1}`;
+    const drag = (to: Point2): string => text.with(segment, ends(lies.begin, to));
+    const turns = lies.from_m === lies.to_m;
+    all.push({ ...handle(id, label, segment, turns ? ahead(lies.end) : pointOf(lies.end), drag), turns });
   });
   return all;
 }
 
-function placedHandles(text: CourseText): Handle[] {
-  return (['ramp', 'block', 'surface'] as const).flatMap((table) =>
-    text.all(table).flatMap((piece) => {
-      const { x_m: x, y_m: y, heading_rad } = place(piece);
-      const id = `${table}-${piece.index}`;
-      const label = `${table} ${piece.index + 1}`;
-      return [
-        handle(id, label, piece, { x, y }, (to) => text.with(piece, { x_m: to.x, y_m: to.y })),
-        turn(`${id}-turn`, `Direction of ${label}`, piece, { x, y }, heading_rad, (to) => text.with(piece, { heading_deg: to / kRad })),
-      ];
-    }),
-  );
+/** The handles of a piece with a place and a direction. */
+function movable(id: string, label: string, turnLabel: string, piece: Piece, direction: string, text: CourseText): Handle[] {
+  const pose = poseOf(piece, direction);
+  const turn = (to: Point2): string => text.with(piece, { [direction]: Math.atan2(to.y - pose.y_m, to.x - pose.x_m) / kRad });
+  return [
+    handle(id, label, piece, pointOf(pose), (to) => text.with(piece, { x_m: to.x, y_m: to.y })),
+    { ...handle(`${id}-turn`, turnLabel, piece, ahead(pose), turn), turns: true },
+  ];
 }
 
-function disturbanceHandles(text: CourseText): Handle[] {
-  const path = pathOf(text);
+function placedHandles(text: CourseText): Handle[] {
+  const tables = Object.keys(kValues).filter((table) => kValues[table]?.x_m !== undefined);
+  return tables.flatMap((table) => text.all(table)).flatMap((piece) => {
+    const label = `${piece.table} ${piece.index + 1}`;
+    return movable(`${piece.table}-${piece.index}`, label, `Direction of ${label}`, piece, 'heading_deg', text);
+  });
+}
+
+function disturbanceHandles(text: CourseText, { path }: Course): Handle[] {
   return text.all('disturbance').flatMap((piece) => {
-    const at = pointAt(path, number(piece, 'at_m'));
-    if (at === undefined) return [];
+    const on = pointAt(path, number(piece, 'at_m'));
+    if (on === undefined) return [];
     const drag = (to: Point2): string => text.with(piece, { at_m: nearest(path, to)?.s_m ?? 0 });
-    return [handle(`disturbance-${piece.index}`, `disturbance ${piece.index + 1}`, piece, { x: at.x_m, y: at.y_m }, drag)];
+    return [handle(`disturbance-${piece.index}`, `disturbance ${piece.index + 1}`, piece, pointOf(on), drag)];
   });
 }
 
@@ -194,44 +175,29 @@ function handle(id: string, label: string, piece: Piece, { x, y }: Point2, drag:
   return { id, label, turns: false, at: { x, y }, piece: { table: piece.table, index: piece.index }, drag };
 }
 
-function turn(id: string, label: string, piece: Piece, centre: Point2, yaw_rad: number, drag: (yaw_rad: number) => string): Handle {
-  const at = { x: centre.x + kTurn_m * Math.cos(yaw_rad), y: centre.y + kTurn_m * Math.sin(yaw_rad) };
-  return { ...handle(id, label, piece, at, (to) => drag(Math.atan2(to.y - centre.y, to.x - centre.x))), turns: true };
-}
+const pointOf = ({ x_m, y_m }: FloorPose): Point2 => ({ x: x_m, y: y_m });
 
-/** The angle of a turn in degrees, to the nearer side; at least one degree. */
-function turned(angle_rad: number): number {
-  const angle = angle_rad - 2 * Math.PI * Math.round(angle_rad / (2 * Math.PI));
-  return Math.max(Math.abs(angle / kRad), 1) * (angle < 0 ? -1 : 1);
-}
-
-export function pathOf(text: CourseText): PathPoint[] {
-  return points(startOf(text.one('start')), text.all('segment'));
-}
+/** Where the handle of a direction lies. */
+const ahead = ({ x_m, y_m, yaw_rad }: FloorPose, far_m = kTurn_m): Point2 => ({ x: x_m + far_m * Math.cos(yaw_rad), y: y_m + far_m * Math.sin(yaw_rad) });
 
 /** A point a little beyond the end of the path, for pieces that are added without a press on the map. */
-export function beyond(text: CourseText): Point2 {
-  const end = endOf(text);
-  return { x: end.x + 0.3 * Math.cos(end.yaw_rad), y: end.y + 0.3 * Math.sin(end.yaw_rad) };
-}
+export const beyond = (text: CourseText, drawn: Course): Point2 => ahead(endOf(text, drawn), 0.3);
 
-function endOf(text: CourseText): Frame {
-  const start = startOf(text.one('start'));
-  return frames(start, text.all('segment')).at(-1) ?? start;
+function endOf(text: CourseText, drawn: Course): FloorPose {
+  const end = text.all('segment').length === 0 ? undefined : drawn.segments.at(-1)?.end;
+  return end ?? poseOf(text.one('start'), 'yaw_deg');
 }
 
 /** The text with a new piece at a point, and that piece. */
-export function added(text: CourseText, tool: Tool, at: Point2): { text: string; piece: Selected } {
-  const from = endOf(text);
-  const put = (table: PieceTable, values: Record<string, Value>, index = text.all(table).length): { text: string; piece: Selected } => ({
+export function added(text: CourseText, drawn: Course, tool: string, at: Point2): { text: string; piece: Selected } {
+  const put = (table: string, values: Record<string, Value>, index = text.all(table).length): { text: string; piece: Selected } => ({
     text: text.added(table, values, index),
     piece: { table, index },
   });
-  if (tool === 'line') return put('segment', { type: 'line', length_m: lineTo(from, at) });
-  if (tool === 'arc') return put('segment', { type: 'arc', ...arcTo(from, at) });
-  if (tool === 'pivot') return put('segment', { type: 'pivot', angle_deg: turned(Math.atan2(at.y - from.y, at.x - from.x) - from.yaw_rad) });
+  const ends = kEnds[tool];
+  if (ends !== undefined) return put('segment', { type: tool, ...ends(endOf(text, drawn), at) });
   if (tool === 'keep_out') return put(tool, { corners_m: [[-1, -1], [1, -1], [1, 1], [-1, 1]].map(([u = 0, v = 0]) => [at.x + 0.1 * u, at.y + 0.1 * v]) });
-  const on = nearest(pathOf(text), at);
+  const on = nearest(drawn.path, at);
   if (tool === 'disturbance') {
     const at_m = on?.s_m ?? 0;
     // Disturbances are listed in the order of the path.

@@ -1,29 +1,28 @@
-// The editor of a course: its points over the map, its values and its text in the drawer; the daemon checks changes.
+// The editor of a course: its points over the map, its values and its text in the drawer. The daemon checks each change
+// and says where everything lies; what it said of the text before stays on the map until it answers.
 import { button, h, Message, setAttribute, setClass, setText } from '../panel/dom.ts';
 import type { Viewport } from '../panel/viewport.ts';
 import type { Bounds, Point2 } from '../scene/geometry.ts';
-import { kDefaultShape } from '../scene/robot_model.ts';
-import type { RobotShape } from '../state/messages.ts';
+import type { Course } from '../state/messages.ts';
 import { nameOf, type CourseCheck } from '../state/setup.ts';
 import { CourseText, type Piece, type Value } from './course_text.ts';
-import { added, beyond, draftCourse, find, handles, kEmptyCourse, withCorner, withoutCorner, type Handle, type Selected, type Tool } from './draft.ts';
+import { added, beyond, find, handles, kEmptyCourse, kTools, withCorner, withoutCorner, type Handle, type Selected } from './draft.ts';
 import { fields } from './fields.ts';
 import { History } from './history.ts';
 import { frameOf, zoomed } from './framing.ts';
+import { kEnds } from './path.ts';
 import { DrawStage } from './stage.ts';
 import { reason, type Call } from '../state/service.ts';
 
-const kCheckAfter_ms = 150;
-const kTools: [tool: Tool, title: string][] = [
-  ['line', 'Line'],
-  ['arc', 'Arc'],
-  ['pivot', 'Turn'],
-  ['ramp', 'Ramp'],
-  ['block', 'Block'],
-  ['surface', 'Surface'],
-  ['disturbance', 'Disturbance'],
-  ['keep_out', 'Keep-out'],
-];
+/** The daemon charges requests by the length of their answers: longer courses are asked about less often. */
+const kPointsPerMs = 20;
+const kRetry_ms = 1000;
+
+/** A handle whose move was the last change, and where to. */
+interface Moved {
+  id: string;
+  at: Point2;
+}
 
 export class CourseEditor {
   readonly element = h('div', { class: 'draw', hidden: '' });
@@ -48,33 +47,37 @@ export class CourseEditor {
       void this.save(false);
     }),
   );
-  private readonly tools = new Map<Tool, HTMLButtonElement>();
+  private readonly tools = new Map<string, HTMLButtonElement>();
   private readonly history = new History();
   private course = new CourseText('');
   private handles_: Handle[] = [];
   private selected: Selected | undefined;
   private corner: number | undefined;
-  private tool: Tool | undefined;
+  private tool: string | undefined;
   private frame: Bounds | undefined;
-  private changed = false;
+  /** The daemon's last drawing of the course, the text that it last answered about, and what waits for its next answer. */
+  private drawn: Course | undefined;
+  private answered: string | undefined;
+  private waiting: (() => void)[] = [];
+  private moved: Moved | undefined;
   private opened = '';
   private saved = '';
   private shownFields = '';
-  private checkAt_ms = Infinity;
-  private checking = false;
+  /** Counts what is opened and closed: answers about another file are late. */
+  private session = 0;
+  private asking = false;
   private chooses = false;
 
   constructor(
     /** The map under the draft. */
     private readonly map: Pick<Viewport, 'draft' | 'pixel' | 'world'>,
     private readonly call: Call,
-    private readonly robot: () => RobotShape | undefined,
     /** Called when drawing begins or ends. */
     private readonly opens: (on: boolean) => void,
   ) {
     this.stage = new DrawStage((at) => map.pixel(at), (at) => map.world(at), {
       select: (handle) => { this.select(handle); },
-      move: (handle, to, over) => { this.edit(() => handle.drag(rounded(to)), over); },
+      move: (handle, to, over) => { this.move(handle.id, rounded(to), over); },
       press: (at) => { this.press(at); },
       remove: (handle) => { this.select(handle); this.remove(); },
       zoom: (factor) => { this.zoom(factor); },
@@ -92,13 +95,15 @@ export class CourseEditor {
     this.saved = text;
     this.name.value = name;
     this.element.hidden = false;
-    this.selected = this.corner = undefined;
+    this.selected = this.corner = this.drawn = this.answered = this.frame = undefined;
+    this.session++;
+    this.handles_ = [];
+    this.waiting = [];
     this.pick(undefined);
     this.say('');
     this.history.restart(text);
     this.course = new CourseText('');
     this.take(text);
-    this.fit();
     this.stage.show(true);
     this.opens(true);
   }
@@ -112,19 +117,15 @@ export class CourseEditor {
 
   close(): void {
     this.element.hidden = true;
-    this.checkAt_ms = Infinity;
+    this.session++;
     this.stage.show(false);
     this.map.draft(undefined, undefined);
     this.opens(false);
   }
 
-  /** Draws changes, and has them checked by the daemon once nothing has changed for a moment. */
-  tick(now_ms: number, mayChange: boolean): void {
+  /** Shows the state of the controls, and the handles where the map is now. */
+  tick(mayChange: boolean): void {
     if (!this.active) return;
-    if (this.changed) {
-      this.changed = false;
-      this.map.draft(draftCourse(this.course, this.name.value, this.robot() ?? kDefaultShape), this.frame);
-    }
     this.stage.draw(this.handles_, this.selected);
     this.undoButton.disabled = !this.history.can(-1);
     this.redoButton.disabled = !this.history.can(1);
@@ -138,15 +139,14 @@ export class CourseEditor {
       this.shownFields = shown;
       this.fieldsBox.replaceChildren(...[this.course.one(''), piece].filter((each) => each !== undefined).map((each) => this.fieldsOf(each)));
     }
-    if (now_ms >= this.checkAt_ms && !this.checking) void this.check();
   }
 
   private build(): void {
     const bar = h('div', { class: 'draw-bar', role: 'toolbar', 'aria-label': 'Draw' });
-    for (const [tool, title] of kTools) {
+    for (const [tool, title] of Object.entries(kTools)) {
       const element = deed(`draw-${tool}`, title, (event) => {
         // Pressed by key: the piece is added beyond the end of the path.
-        if (event.detail === 0) this.add(tool, beyond(this.course));
+        if (event.detail === 0) this.add(tool);
         else this.pick(this.tool === tool ? undefined : tool);
       });
       setAttribute(element, 'aria-pressed', 'false');
@@ -176,7 +176,7 @@ export class CourseEditor {
     this.take(key === 'y' || event.shiftKey ? this.history.go(1) : this.history.go(-1));
   }
 
-  private pick(tool: Tool | undefined): void {
+  private pick(tool: string | undefined): void {
     this.tool = tool;
     for (const [each, element] of this.tools) setAttribute(element, 'aria-pressed', String(each === tool));
     setClass(this.stage.element, 'adds', tool !== undefined);
@@ -185,13 +185,34 @@ export class CourseEditor {
   private press(at: Point2): void {
     if (this.tool === undefined) return;
     this.add(this.tool, at);
-    // Path tools stay selected for the next point; other tools add one piece.
-    if (this.tool !== 'line' && this.tool !== 'arc') this.pick(undefined);
+    // Tools that lengthen the path stay selected for the next point; others add one piece.
+    if (!(this.tool in kEnds) || this.tool === 'pivot') this.pick(undefined);
   }
 
-  private add(tool: Tool, at: Point2): void {
+  /** The daemon's drawing of the text as it is now, unless its answer is still awaited. */
+  private get current(): Course | undefined {
+    return this.answered === this.text.value ? this.drawn : undefined;
+  }
+
+  private move(id: string, to: Point2, over: boolean): void {
+    // Where a segment begins does not depend on its own end, but on those before it.
+    if (id !== this.moved?.id && this.current === undefined) {
+      this.waiting.push(() => { this.move(id, to, over); });
+      return;
+    }
+    const handle = this.handles_.find((each) => each.id === id);
+    if (handle !== undefined) this.edit(() => handle.drag(to), over, { id, at: to });
+  }
+
+  /** Adds a piece at a point, or beyond the end of the path. */
+  private add(tool: string, at?: Point2): void {
+    const drawn = this.current;
+    if (drawn === undefined) {
+      this.waiting.push(() => { this.add(tool, at); });
+      return;
+    }
     this.edit(() => {
-      const next = added(this.course, tool, rounded(at));
+      const next = added(this.course, drawn, tool, rounded(at ?? beyond(this.course, drawn)));
       this.selected = next.piece;
       this.corner = undefined;
       return next.text;
@@ -223,38 +244,46 @@ export class CourseEditor {
   }
 
   /** Changes the text; `over`: the change is complete and becomes one step of undo. */
-  private edit(change: () => string, over: boolean): void {
+  private edit(change: () => string, over: boolean, moved?: Moved): void {
     try {
-      this.take(change());
+      this.take(change(), true, moved);
       if (over) this.history.add(this.course.text);
     } catch (error: unknown) {
       this.say(reason(error), true);
     }
   }
 
-  private take(text: string, show = true): void {
+  private take(text: string, show = true, moved?: Moved): void {
+    this.moved = moved;
     if (show && this.text.value !== text) this.text.value = text;
-    this.checkAt_ms = performance.now() + kCheckAfter_ms;
     try {
       this.course = new CourseText(text);
     } catch {
-      // The daemon reports the error; the map keeps the last text that could be read.
-      return;
+      // The daemon reports the error; the handles remain those of the last text that could be read.
     }
-    this.handles_ = handles(this.course);
-    this.changed = true;
-    // At once, because the next key may come before the next frame.
+    this.ask();
+    this.place();
+  }
+
+  /** Places the handles at once, because the next key may come before the next frame. */
+  private place(): void {
+    if (this.drawn === undefined) return;
+    const moved = this.current === undefined ? this.moved : undefined;
+    this.handles_ = handles(this.course, this.drawn).map((each) => (each.id === moved?.id ? { ...each, at: moved.at } : each));
     if (this.active) this.stage.draw(this.handles_, this.selected);
   }
 
   private fit(): void {
-    this.frame = frameOf(draftCourse(this.course, '', kDefaultShape));
-    this.changed = true;
+    if (this.drawn !== undefined) this.show(frameOf(this.drawn));
   }
 
   private zoom(factor: number): void {
-    if (this.frame !== undefined) this.frame = zoomed(this.frame, factor);
-    this.changed = true;
+    if (this.frame !== undefined) this.show(zoomed(this.frame, factor));
+  }
+
+  private show(frame: Bounds): void {
+    this.frame = frame;
+    this.map.draft(this.drawn, frame);
   }
 
   private fieldsOf(piece: Piece): HTMLElement {
@@ -265,21 +294,42 @@ export class CourseEditor {
     });
   }
 
-  private async check(): Promise<void> {
-    this.checking = true;
-    this.checkAt_ms = Infinity;
+  /** Has the text drawn and checked; while an answer is awaited, the newest text is asked about next. */
+  private ask(): void {
+    if (this.active && !this.asking && this.answered !== this.text.value) void this.check(this.text.value);
+  }
+
+  private async check(text: string): Promise<void> {
+    this.asking = true;
+    const session = this.session;
+    let pause_ms = kRetry_ms;
     try {
-      const answer = (await this.call('file_check', { kind: 'course', name: nameOf(this.name.value) || 'course', text: this.text.value })) as CourseCheck;
-      const place = answer.line === undefined ? '' : `line ${answer.line}, column ${answer.column ?? 1}: `;
-      const figures = `${answer.length_m?.toFixed(2) ?? ''} m, about ${answer.duration_s?.toFixed(0) ?? '?'} s`;
-      if (answer.error !== '') this.say(place + answer.error, true);
-      else if (answer.why_not !== '') this.say(`${answer.length_m?.toFixed(2) ?? ''} m; ${answer.why_not}`, true);
-      else this.say(figures);
+      const answer = (await this.call('file_check', { kind: 'course', name: nameOf(this.name.value) || 'course', text })) as CourseCheck;
+      pause_ms = ((answer.course?.path.length ?? 0) + (answer.course?.segments.length ?? 0)) / kPointsPerMs;
+      if (session === this.session) this.answer(text, answer);
     } catch (error: unknown) {
-      this.say(reason(error), true);
-    } finally {
-      this.checking = false;
+      this.waiting = [];
+      this.say(`The daemon draws the course, and does not answer: ${reason(error)}`, true);
     }
+    setTimeout(() => {
+      this.asking = false;
+      this.ask();
+    }, pause_ms);
+  }
+
+  private answer(text: string, { course, ...check }: CourseCheck): void {
+    this.answered = text;
+    if (course !== undefined) {
+      this.drawn = course;
+      this.show(this.frame ?? frameOf(course));
+    }
+    this.place();
+    const place = check.line === undefined ? '' : `line ${check.line}, column ${check.column ?? 1}: `;
+    const length = `${check.length_m?.toFixed(2) ?? ''} m`;
+    if (check.error !== '') this.say(place + check.error, true);
+    else if (check.why_not !== '') this.say(`${length}; ${check.why_not}`, true);
+    else this.say(`${length}, about ${check.duration_s?.toFixed(0) ?? '?'} s`);
+    if (text === this.text.value) for (const change of this.waiting.splice(0)) change();
   }
 
   private async save(replace: boolean): Promise<void> {

@@ -1,7 +1,7 @@
 // Input fields for the values of the selected piece.
 import { h } from '../panel/dom.ts';
 import { kValues } from './draft.ts';
-import type { Piece, PieceTable, Value } from './course_text.ts';
+import type { Piece, Value } from './course_text.ts';
 
 /** Keys that a table may have beside those that are written. */
 const kOf: Record<string, Record<string, Value>> = {
@@ -16,7 +16,7 @@ export function fields(piece: Piece, set: (key: string, value: Value) => void): 
   const many = piece.table in kValues;
   const title = `${kTitles[piece.table] ?? piece.table}${many ? ` ${piece.index + 1}` : ''}`;
   const form = h('div', { class: 'draw-fields', role: 'group', 'aria-label': title }, h('h3', {}, title));
-  const known = kOf[piece.table as PieceTable] ?? {};
+  const known = kOf[piece.table] ?? {};
   for (const key of new Set([...Object.keys(piece.values), ...Object.keys(known)])) {
     const value = piece.values[key] ?? known[key];
     if (value === undefined || Array.isArray(value) || typeof value === 'boolean' || key === 'type') continue;

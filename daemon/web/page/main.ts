@@ -220,7 +220,7 @@ const signals = new SignalPanel(past);
 const links = new LinkTable();
 const doctor = new DoctorPanel(call, consent);
 const identify = new IdentifyPanel(call, consent);
-const editor = new CourseEditor(viewport, call, () => live.get('/course')?.robot, drawCourse);
+const editor = new CourseEditor(viewport, call, drawCourse);
 const courses = new CourseList(call, drawPlace, editor);
 const coursesPage = h('div', {}, courses.element, editor.element);
 const placing = new PlaceDrawing(
@@ -345,7 +345,7 @@ function view(now_ms: number): void {
   player?.tick(dt_s);
   viewport.draw(shown, dt_s);
   cameraImage.show(shown, began_unix_s());
-  editor.tick(now_ms, courses.changeable);
+  editor.tick(courses.changeable);
 }
 
 function chips(now_ms: number): void {

@@ -48,7 +48,7 @@ function thumbnail(course: CourseEntry): SVGSVGElement {
   if (outline.length === 0) return image;
   const pieces = (list: Footprint[] | undefined): { x: number; y: number }[][] =>
     (list ?? []).map((piece) => footprint(piece, piece.length_m, piece.width_m));
-  const obstacles = [...pieces(course.ramps), ...pieces(course.blocks)];
+  const obstacles = pieces(course.obstacles);
   const line = outline.map(({ x_m, y_m }) => ({ x: x_m, y: y_m }));
   const all = [...line, ...obstacles.flat()];
   const [xs, ys] = [all.map(({ x }) => x), all.map(({ y }) => y)];

@@ -2,6 +2,7 @@
 import { clock, fixed } from '../state/format.ts';
 import type { Course, Place } from '../state/messages.ts';
 import type { Store } from '../state/store.ts';
+import { heightOf, lengthOf } from '../scene/geometry.ts';
 import { h, setClass, setText } from './dom.ts';
 
 export class Timeline {
@@ -48,11 +49,9 @@ export class Timeline {
       element.style.width = `${((100 * (to_m - from_m)) / course.length_m).toFixed(2)}%`;
       this.marks.append(element);
     };
-    for (const [kind, pieces] of [['ramp', course.ramps], ['block', course.blocks]] as const) {
-      for (const piece of pieces) {
-        const stretch = along(course, piece, 'top_m' in piece ? piece.top_m + 0.3 : piece.depth_m);
-        if (stretch) mark(stretch[0], stretch[1], kind, `${kind}, ${fixed(1000 * piece.height_m, 0)} mm high`);
-      }
+    for (const piece of course.obstacles ?? []) {
+      const stretch = along(course, piece, lengthOf(piece));
+      if (stretch) mark(stretch[0], stretch[1], piece.kind, `${piece.kind}, ${fixed(1000 * heightOf(piece), 0)} mm high`);
     }
     for (const disturbance of course.disturbances) mark(disturbance.at_m, disturbance.at_m + 0.01, 'disturbance', 'disturbance');
   }

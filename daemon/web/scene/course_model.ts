@@ -14,7 +14,7 @@ import {
   RingGeometry,
 } from 'three';
 import type { Course, Place } from '../state/messages.ts';
-import { bounds, cornersOf, drape, obstaclesOf, rampProfile } from './geometry.ts';
+import { bounds, cornersOf, drape } from './geometry.ts';
 import { colour } from './palette.ts';
 import { Ribbon } from './ribbon.ts';
 import { dispose, solid } from './solid.ts';
@@ -43,9 +43,11 @@ export class CourseModel {
       patch.position.z = 0.0006;
       this.group.add(patch);
     }
-    for (const ramp of obstaclesOf(course)) {
-      const body = solid(rampProfile(ramp), ramp.width_m, colour('obstacle'), colour('obstacle-edge'));
-      lay(body, ramp);
+    for (const obstacle of course.obstacles ?? []) {
+      // Counter-clockwise.
+      const profile = obstacle.profile.map(({ along_m, height_m }) => ({ x: along_m, y: height_m })).reverse();
+      const body = solid(profile, obstacle.width_m, colour('obstacle'), colour('obstacle-edge'));
+      lay(body, obstacle);
       this.group.add(body);
     }
     for (const area of [course.fence, ...(course.keep_out ?? [])]) {
@@ -53,7 +55,7 @@ export class CourseModel {
       if (corners.length > 0) this.group.add(new LineLoop(lineGeometry(corners), new LineBasicMaterial({ color: colour('fence') })));
     }
     if (course.path.length > 1) {
-      const points = drape(course);
+      const points = drape(course.path);
       this.path = new Ribbon(points.length / 3, colour('path'), kPathWidth_m, 0.0015);
       this.path.set(points, kDashPoints);
       this.group.add(this.path.mesh, ring(course.path[0], 0.014, 0.02), ring(course.path.at(-1), 0.02, 0.03));

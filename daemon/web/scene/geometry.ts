@@ -1,28 +1,9 @@
 // Geometry of shapes, without drawing: x forward, y left, z up, metres.
-import type { Area, Course, Place, Ramp } from '../state/messages.ts';
+import type { Area, Course, Obstacle, PathPoint, Place } from '../state/messages.ts';
 
 export interface Point2 {
   x: number;
   y: number;
-}
-
-/** Side view of a ramp along its own x axis, centred on its footprint, counter-clockwise from the near foot: x, z. */
-export function rampProfile(ramp: Ramp): Point2[] {
-  const up = ramp.height_m / Math.tan(ramp.up_rad);
-  const down = ramp.height_m / Math.tan(ramp.down_rad);
-  const half = (up + ramp.top_m + down) / 2;
-  return [
-    { x: -half, y: 0 },
-    { x: half, y: 0 },
-    { x: half - down, y: ramp.height_m },
-    { x: -half + up, y: ramp.height_m },
-  ];
-}
-
-/** All that rises from the floor: the ramps, and the blocks as ramps with upright sides. */
-export function obstaclesOf(course: Course | undefined): Ramp[] {
-  const upright = { up_rad: Math.PI / 2, down_rad: Math.PI / 2 };
-  return [...(course?.ramps ?? []), ...(course?.blocks ?? []).map((block) => ({ ...block, ...upright, top_m: block.depth_m }))];
 }
 
 /** A track from the side: two half circles around the axles, standing on z = 0, counter-clockwise. */
@@ -56,15 +37,6 @@ function around(centre: number, radius: number, angle: number): Point2 & { outwa
   return { x: centre + radius * Math.cos(angle), y: radius + radius * Math.sin(angle), outward_rad: angle };
 }
 
-/** World coordinates in a piece's own frame. */
-export function inside(place: Place, x: number, y: number): Point2 {
-  const cos = Math.cos(place.heading_rad);
-  const sin = Math.sin(place.heading_rad);
-  const dx = x - place.x_m;
-  const dy = y - place.y_m;
-  return { x: cos * dx + sin * dy, y: -sin * dx + cos * dy };
-}
-
 /** Corners of a rectangle around a place, counter-clockwise. */
 export function footprint(place: Place, length: number, width: number): Point2[] {
   const cos = Math.cos(place.heading_rad);
@@ -81,41 +53,27 @@ export function footprint(place: Place, length: number, width: number): Point2[]
   });
 }
 
-export function rampLength(ramp: Ramp): number {
-  return 2 * (rampProfile(ramp)[1]?.x ?? 0);
+export const lengthOf = ({ profile }: Obstacle): number => (profile.at(-1)?.along_m ?? 0) - (profile[0]?.along_m ?? 0);
+export const heightOf = ({ profile }: Obstacle): number => Math.max(0, ...profile.map(({ height_m }) => height_m));
+
+/** The parts of an obstacle, each between two points of its profile, from above. */
+export function partsOf(obstacle: Obstacle): Point2[][] {
+  const { x_m, y_m, heading_rad, width_m, profile } = obstacle;
+  return profile.slice(1).map(({ along_m: to }, i) => {
+    const from = profile[i]?.along_m ?? to;
+    const ahead = (from + to) / 2;
+    return footprint({ x_m: x_m + ahead * Math.cos(heading_rad), y_m: y_m + ahead * Math.sin(heading_rad), heading_rad }, to - from, width_m);
+  });
 }
 
-/** Corners of a ramp's level part. */
-export function rampTop(ramp: Ramp): Point2[] {
-  const ahead = (ramp.height_m / Math.tan(ramp.up_rad) - ramp.height_m / Math.tan(ramp.down_rad)) / 2;
-  const x_m = ramp.x_m + ahead * Math.cos(ramp.heading_rad);
-  const y_m = ramp.y_m + ahead * Math.sin(ramp.heading_rad);
-  return footprint({ x_m, y_m, heading_rad: ramp.heading_rad }, ramp.top_m, ramp.width_m);
-}
-
-/** Height of the obstacles at a place of the floor. */
-export function groundHeight(course: Course, x: number, y: number): number {
-  let height = 0;
-  for (const ramp of obstaclesOf(course)) {
-    const at = inside(ramp, x, y);
-    const half = rampLength(ramp) / 2;
-    if (Math.abs(at.y) > ramp.width_m / 2 || Math.abs(at.x) >= half) continue;
-    const rise = Math.min((at.x + half) * Math.tan(ramp.up_rad), (half - at.x) * Math.tan(ramp.down_rad));
-    height = Math.max(height, Math.min(rise, ramp.height_m));
-  }
-  return height;
-}
-
-/** The path projected onto the ground: x, y, z of points at most `spacing` apart. */
-export function drape(course: Course, spacing = 0.005): Float32Array {
+/** The path on the ground: x, y, z of points at most `spacing` apart. */
+export function drape(path: readonly PathPoint[], spacing = 0.005): Float32Array {
   const points: number[] = [];
-  course.path.forEach((point, i) => {
-    const last = course.path[i - 1];
-    const steps = last === undefined ? 1 : Math.ceil(Math.hypot(point.x_m - last.x_m, point.y_m - last.y_m) / spacing);
+  path.forEach((point, i) => {
+    const last = path[i - 1] ?? point;
+    const steps = Math.max(1, Math.ceil(Math.hypot(point.x_m - last.x_m, point.y_m - last.y_m) / spacing));
     for (let k = 1; k <= steps; k++) {
-      const x = last === undefined ? point.x_m : last.x_m + ((point.x_m - last.x_m) * k) / steps;
-      const y = last === undefined ? point.y_m : last.y_m + ((point.y_m - last.y_m) * k) / steps;
-      points.push(x, y, groundHeight(course, x, y));
+      for (const key of ['x_m', 'y_m', 'z_m'] as const) points.push(last[key] + ((point[key] - last[key]) * k) / steps);
     }
   });
   return new Float32Array(points);
@@ -141,7 +99,7 @@ export function bounds(course: Course | undefined): Bounds {
     box.max_y = Math.max(box.max_y, y);
   };
   for (const point of course?.path ?? []) cover(point.x_m, point.y_m);
-  for (const ramp of obstaclesOf(course)) for (const { x, y } of footprint(ramp, rampLength(ramp), ramp.width_m)) cover(x, y);
+  for (const { x, y } of (course?.obstacles ?? []).flatMap(partsOf).flat()) cover(x, y);
   for (const { x, y } of cornersOf(course?.fence)) cover(x, y);
   if (box.min_x > box.max_x) return { min_x: -1, max_x: 1, min_y: -0.6, max_y: 0.6 };
   return box;

@@ -1,7 +1,7 @@
 // The course and the robot from above on a 2-D canvas: needs no WebGL.
 import type { Course, EstimatedPose, Pose, RobotShape } from '../state/messages.ts';
 import { kEstimates, kUncertain, type EstimateName, type Store } from '../state/store.ts';
-import { bounds, cornersOf, footprint, obstaclesOf, onStadium, rampLength, rampTop, stadiumLength, type Bounds, type Point2 } from './geometry.ts';
+import { bounds, cornersOf, footprint, onStadium, partsOf, stadiumLength, type Bounds, type Point2 } from './geometry.ts';
 import { Moved } from './moved.ts';
 import { colour } from './palette.ts';
 import { kDefaultShape } from './robot_model.ts';
@@ -186,12 +186,10 @@ export class MapView implements View {
     }
     context.strokeStyle = colour('obstacle-edge');
     context.lineWidth = this.ratio;
-    for (const ramp of obstaclesOf(course)) {
-      this.polygon(context, footprint(ramp, rampLength(ramp), ramp.width_m));
+    for (const part of (course.obstacles ?? []).flatMap(partsOf)) {
+      this.polygon(context, part);
       context.fillStyle = colour('obstacle');
       context.fill();
-      context.stroke();
-      this.polygon(context, rampTop(ramp));
       context.stroke();
     }
     context.strokeStyle = colour('fence');

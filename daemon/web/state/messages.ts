@@ -157,18 +157,11 @@ export interface Place {
   heading_rad: number;
 }
 
-export interface Ramp extends Place {
-  height_m: number;
-  up_rad: number;
-  top_m: number;
-  down_rad: number;
+/** What rises from the floor, of any kind: its side view along its own x axis, from its near foot to its far one. */
+export interface Obstacle extends Place {
+  kind: string;
   width_m: number;
-}
-
-export interface Block extends Place {
-  height_m: number;
-  depth_m: number;
-  width_m: number;
+  profile: { along_m: number; height_m: number }[];
 }
 
 /** The rectangle that a piece takes up. */
@@ -178,7 +171,19 @@ export interface Footprint extends Place {
 }
 
 export interface PathPoint extends FloorPose {
+  /** Height of the ground. */
+  z_m: number;
+  /** Distance along the path. */
   s_m: number;
+}
+
+/** A part of the path; of a turn on the spot, both distances are the same. */
+export interface Segment {
+  kind: string;
+  from_m: number;
+  to_m: number;
+  begin: FloorPose;
+  end: FloorPose;
 }
 
 export interface RobotShape {
@@ -201,8 +206,9 @@ export interface Course {
   description: string;
   length_m: number;
   path: PathPoint[];
-  ramps: Ramp[];
-  blocks: Block[];
+  segments: Segment[];
+  /** Missing in older recordings. */
+  obstacles?: Obstacle[];
   surfaces: Footprint[];
   disturbances: { at_m: number }[];
   fence?: Area | null;

@@ -1,5 +1,5 @@
 // The files among which an operator chooses: GET /api/setup.
-import type { FloorPose, Footprint } from './messages.ts';
+import type { Course, FloorPose, Footprint } from './messages.ts';
 
 export type From = 'given' | 'bundled' | 'own';
 
@@ -18,8 +18,7 @@ export interface CourseEntry {
   /** The bounds of its polygon. */
   fence?: { min_x_m: number; max_x_m: number; min_y_m: number; max_y_m: number };
   outline?: { x_m: number; y_m: number }[];
-  ramps?: Footprint[];
-  blocks?: Footprint[];
+  obstacles?: (Footprint & { kind: string })[];
   surfaces?: Footprint[];
 }
 
@@ -52,6 +51,8 @@ export interface CourseCheck {
   why_not: string;
   length_m?: number;
   duration_s?: number;
+  /** Missing if pieces of the file cannot be read. */
+  course?: Course;
 }
 
 export type FileKind = 'course' | 'robot';
@@ -78,12 +79,12 @@ export function nameOf(file: string): string {
 export function facts(course: CourseEntry): string {
   const many = (count: number | undefined, one: string): string[] =>
     count === undefined || count === 0 ? [] : [`${count} ${one}${count === 1 ? '' : 's'}`];
+  const kinds = (course.obstacles ?? []).map(({ kind }) => kind);
   if (course.length_m === undefined) return '';
   return [
     `${course.length_m.toFixed(2)} m`,
     ...(course.duration_s === undefined ? [] : [`${course.duration_s.toFixed(0)} s`]),
-    ...many(course.ramps?.length, 'ramp'),
-    ...many(course.blocks?.length, 'block'),
+    ...[...new Set(kinds)].flatMap((kind) => many(kinds.filter((each) => each === kind).length, kind)),
     ...many(course.surfaces?.length, 'surface'),
     ...many(course.disturbances, 'disturbance'),
   ].join(' \u00b7 ');

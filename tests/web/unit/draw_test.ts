@@ -3,15 +3,12 @@ import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { CourseText, written } from '../../../daemon/web/draw/course_text.ts';
 import { added, handles } from '../../../daemon/web/draw/draft.ts';
-import { along, arcTo, frames, lineTo, startOf } from '../../../daemon/web/draw/path.ts';
+import type { Point2 } from '../../../daemon/web/scene/geometry.ts';
+import type { FloorPose } from '../../../daemon/web/state/messages.ts';
+import { drawn } from './drawn.ts';
 
 const course3 = readFileSync(new URL('../../../config/courses/3.toml', import.meta.url), 'utf8');
 const course2 = readFileSync(new URL('../../../config/courses/2.toml', import.meta.url), 'utf8');
-
-function only<T>([piece]: readonly T[]): T {
-  if (piece === undefined) throw new Error('no such piece');
-  return piece;
-}
 
 /** Lines that only one of the texts has. */
 function difference(a: string, b: string): { lost: string[]; won: string[] } {
@@ -48,39 +45,41 @@ describe('the text of a course', () => {
     expect(() => text.with(text.one('start'), { yaw_deg: 1 })).toThrow('change it in the text');
   });
 
+  it('reads all dotted keys of a table', () => {
+    const text = new CourseText('start.x_m = 1.0\nspeed_mps = 0.1\nstart.y_m = 2.0 # here\nfence.min_x_m = -1.0\n');
+    expect(text.one('start').values).toEqual({ x_m: 1, y_m: 2 });
+    expect(text.one('fence').values).toEqual({ min_x_m: -1 });
+    expect(text.with(text.one('start'), { x_m: 3, y_m: 4 })).toContain('start.x_m = 3.0\nspeed_mps = 0.1\nstart.y_m = 4.0 # here\n');
+  });
+
   it('writes numbers as people do', () => {
     expect(written([[1, 0.1 + 0.2], [-0.0004, 1.23456]])).toBe('[[1.0, 0.3], [0.0, 1.235]]');
   });
 });
 
 describe('a draft', () => {
-  it('ends a line or an arc where its point is dragged to', () => {
-    const from = startOf(new CourseText('[start]\nx_m = 0.2\ny_m = -0.3\nyaw_deg = 30\n').one('start'));
+  it('ends a segment where its point is pressed', () => {
+    const start = '[start]\nx_m = 0.2\ny_m = -0.3\nyaw_deg = 30\n';
+    const press = (tool: string, to: Point2): FloorPose | undefined => {
+      const text = new CourseText(start);
+      return drawn(new CourseText(added(text, drawn(text), tool, to).text)).segments[0]?.end;
+    };
     for (const to of [{ x: 0.9, y: 0.4 }, { x: 0.5, y: -0.9 }, { x: -0.5, y: 0.1 }, { x: 0.2, y: 0.2 }]) {
-      const { radius_m, angle_deg } = arcTo(from, to);
-      const arc = only(new CourseText(`[[segment]]\ntype = "arc"\nradius_m = ${radius_m}\nangle_deg = ${angle_deg}\n`).all('segment'));
-      expect(along(from, arc).x).toBeCloseTo(to.x, 3);
-      expect(along(from, arc).y).toBeCloseTo(to.y, 3);
+      const end = press('arc', to);
+      expect(Math.hypot((end?.x_m ?? 9) - to.x, (end?.y_m ?? 9) - to.y)).toBeLessThan(0.005);
+      const turned = press('pivot', to)?.yaw_rad ?? 9;
+      expect(Math.cos(turned - Math.atan2(to.y + 0.3, to.x - 0.2))).toBeCloseTo(1, 9);
     }
-    expect(lineTo(from, { x: 0.2 + Math.cos(Math.PI / 6), y: -0.3 + Math.sin(Math.PI / 6) })).toBeCloseTo(1, 9);
-    expect(lineTo(from, { x: -9, y: -9 })).toBe(0.01);
-    // The robot at 30 degrees turns to a point that is straight to the left of the course's frame.
-    const pivot = added(new CourseText('[start]\nyaw_deg = 30\n'), 'pivot', { x: 0, y: 1 }).text;
-    expect(only(new CourseText(pivot).all('segment')).values.angle_deg).toBeCloseTo(60, 6);
-  });
-
-  it('has its path where the daemon has it', () => {
-    const text = new CourseText(course3);
-    const end = frames(startOf(text.one('start')), text.all('segment')).at(-1);
-    expect(end?.x).toBeCloseTo(0, 6);
-    expect(end?.y).toBeCloseTo(-0.8, 6);
-    expect(end?.s_m).toBeCloseTo(2.8 + 0.4 * Math.PI, 6);
+    const ahead = { x: 0.2 + Math.cos(Math.PI / 6), y: -0.3 + Math.sin(Math.PI / 6) };
+    expect(press('line', ahead)?.x_m).toBeCloseTo(ahead.x, 3);
+    expect(press('line', ahead)?.y_m).toBeCloseTo(ahead.y, 3);
+    expect(Math.hypot((press('line', { x: -9, y: -9 })?.x_m ?? 9) - 0.2)).toBeCloseTo(0.01 * Math.cos(Math.PI / 6), 6);
   });
 
   it('changes nothing by a point that stays where it is', () => {
     for (const file of [course2, course3]) {
       const text = new CourseText(file);
-      for (const handle of handles(text)) {
+      for (const handle of handles(text, drawn(text))) {
         const dragged = handle.drag(handle.at);
         if (handle.piece.table !== 'start') expect(difference(file, dragged).won, handle.id).toEqual([]);
         expect(() => new CourseText(dragged)).not.toThrow();
@@ -90,7 +89,7 @@ describe('a draft', () => {
 
   it('lists disturbances along the path', () => {
     let text = new CourseText(course3);
-    for (const x of [0.9, 0.3, 0.6]) text = new CourseText(added(text, 'disturbance', { x, y: 0 }).text);
+    for (const x of [0.9, 0.3, 0.6]) text = new CourseText(added(text, drawn(text), 'disturbance', { x, y: 0 }).text);
     const at = text.all('disturbance').map((each) => each.values.at_m);
     expect(at).toEqual([0.3, 0.6, 0.9]);
   });

@@ -1,33 +1,42 @@
 // The shapes of the course that the page draws.
-import { readFileSync } from 'node:fs';
 import { expect, it } from 'vitest';
-import { CourseText } from '../../../daemon/web/draw/course_text.ts';
-import { draftCourse } from '../../../daemon/web/draw/draft.ts';
 import * as geometry from '../../../daemon/web/scene/geometry.ts';
-import type { RobotShape } from '../../../daemon/web/state/messages.ts';
+import type { Course, Obstacle } from '../../../daemon/web/state/messages.ts';
 
-/** 1.4 m ahead, a half circle of 0.4 m to the right, and back over a block of 37 mm and a ramp of 80 mm. */
-const text = readFileSync(new URL('../../../config/courses/3.toml', import.meta.url), 'utf8');
-const course3 = draftCourse(new CourseText(text), '3', {} as RobotShape);
+/** A ramp of 80 mm on the way back, as the daemon gives it. */
+const ramp: Obstacle = {
+  kind: 'ramp', x_m: 0.7, y_m: -0.8, heading_rad: Math.PI, width_m: 0.4,
+  profile: [[-0.5, 0], [-0.2, 0.08], [0.1, 0.08], [0.5, 0]].map(([along_m = 0, height_m = 0]) => ({ along_m, height_m })),
+};
+const point = (x_m: number, z_m: number, s_m: number): Course['path'][number] => ({ x_m, y_m: -0.8, z_m, yaw_rad: Math.PI, s_m });
+const course = {
+  path: [point(1.2, 0, 0), point(0.9, 0.08, 0.3), point(0, 0.08, 1.2)],
+  obstacles: [ramp],
+  fence: { corners: [[-0.05, -1], [1.85, -1], [1.85, 0.1], [-0.05, 0.1]].map(([x_m = 0, y_m = 0]) => ({ x_m, y_m })) },
+} as unknown as Course;
 
-it('the ground follows ramp and step of course 3, and the path lies on it without leaps', () => {
-  const [ramp = { down_rad: NaN } as never] = course3.ramps;
-  const half = geometry.rampLength(ramp) / 2;
-  const places: [x: number, y: number, height: number][] = [[0.7, -0.8, 0.08], [1.2, -0.8, 0.037], [1.2, -0.59, 0], [0, 0, 0], [0.7 + half - 0.01, -0.8, 0.01 * Math.tan(ramp.down_rad)]];
-  for (const [x, y, height] of places) expect(geometry.groundHeight(course3, x, y), `${x}, ${y}`).toBeCloseTo(height, 6);
-  const points = geometry.drape(course3, 0.005);
-  let highest = 0;
+it('the path lies on the ground without leaps', () => {
+  const points = geometry.drape(course.path, 0.005);
   for (let i = 3; i < points.length; i += 3) {
     const step = Math.hypot((points[i] ?? 0) - (points[i - 3] ?? 0), (points[i + 1] ?? 0) - (points[i - 2] ?? 0));
     expect(step).toBeLessThanOrEqual(0.0051);
-    highest = Math.max(highest, points[i + 2] ?? 0);
+    const x = points[i] ?? 0;
+    expect(points[i + 2]).toBeCloseTo(x < 0.9 ? 0.08 : (0.08 * (1.2 - x)) / 0.3, 5);
   }
-  expect(highest).toBeCloseTo(0.08, 3);
+});
+
+it('an obstacle has a part between every two points of its profile, along its heading', () => {
+  expect([geometry.lengthOf(ramp), geometry.heightOf(ramp)]).toEqual([1, 0.08]);
+  const xs = geometry.partsOf(ramp).map((part) => [Math.max(...part.map(({ x }) => x)), Math.min(...part.map(({ x }) => x))]);
+  for (const [i, [from, to]] of [[1.2, 0.9], [0.9, 0.6], [0.6, 0.2]].entries()) {
+    expect(xs[i]?.[0]).toBeCloseTo(from ?? 0, 9);
+    expect(xs[i]?.[1]).toBeCloseTo(to ?? 0, 9);
+  }
 });
 
 it('the bounds cover fence, path and obstacles, and something without a course', () => {
-  expect(geometry.bounds(course3)).toMatchObject({ min_x: -0.05, max_x: 1.85, max_y: 0.1 });
-  expect(geometry.bounds(course3).min_y).toBeCloseTo(-1);
+  expect(geometry.bounds(course)).toMatchObject({ min_x: -0.05, max_x: 1.85, max_y: 0.1 });
+  expect(geometry.bounds(course).min_y).toBeCloseTo(-1);
   const none = geometry.bounds(undefined);
   expect(none.max_x).toBeGreaterThan(none.min_x);
 });
