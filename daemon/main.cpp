@@ -94,10 +94,12 @@ void add_doctor(CLI::App& app, Action& action) {
 
 void add_check(CLI::App& app, Action& action) {
   static std::vector<std::string> files;
+  static bool json = false;
   CLI::App* command = app.add_subcommand("check", "Check configuration, course and robot files");
   option(command, "FILE", files, "FILE", "Files of any of these kinds")->required();
+  command->add_flag("--json", json, "Course files only: also where path, ground and fence lie");
   command->footer("Example: tp100d check config/tp100.toml config/courses/2.toml");
-  command->callback([&action] { action = [] { return run_check(files); }; });
+  command->callback([&action] { action = [] { return run_check(files, json); }; });
 }
 
 void add_replay(CLI::App& app, Action& action) {

@@ -7,11 +7,13 @@
 
 #include "app/commands.h"
 #include "config/configuration.h"
+#include "config/run_setup.h"
 #include "course/bundled_files.h"
 #include "course/camera.h"
 #include "course/course.h"
 #include "course/path.h"
 #include "course/robot_file.h"
+#include "live/setup_list.h"
 #include "terrain/climbable.h"
 #include "text/format.h"
 #include "text/toml_document.h"
@@ -74,6 +76,14 @@ std::string check_configuration(const course::TextFile& file) {
   return text + ", " + text_of(course);
 }
 
+/// As the service file_check answers, of a daemon with the default robot.
+std::string described(const course::TextFile& course) {
+  config::LoadedRun run;
+  run.files.robot = course::read_bundled(course::Bundled::kRobots, config::Configuration{}.robot);
+  run.setup = config::parse_run(run.files);
+  return live::checked_file(run, course::Bundled::kCourses, course);
+}
+
 }  // namespace
 
 FileKind file_kind(const std::string& text, const std::string& file) {
@@ -123,10 +133,16 @@ std::string check_file(const std::string& path) {
   return check_configuration(file);
 }
 
-int run_check(const std::vector<std::string>& files) {
+int run_check(const std::vector<std::string>& files, bool json) {
   int status = 0;
   for (const std::string& path : files) {
     try {
+      if (json) {
+        const course::TextFile file = course::read_text_file(path);
+        std::puts(described(file).c_str());
+        course::parse_course(file.text, file.path);
+        continue;
+      }
       const std::string found = check_file(path);
       std::printf("%s: OK, %s\n", path.c_str(), found.c_str());
     } catch (const SetupError& error) {

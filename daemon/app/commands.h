@@ -70,8 +70,9 @@ FileKind file_kind(const std::string& text, const std::string& file);
 /// that a configuration names.
 std::string check_file(const std::string& path);
 
-/// The command: one line per file, errors on stderr. Exit status 0 if all are valid, else 2.
-int run_check(const std::vector<std::string>& files);
+/// The command: one line per file, errors on stderr; with `json` of course files only, each as
+/// the service file_check answers (CHANNELS.md). Exit status 0 if all are valid, else 2.
+int run_check(const std::vector<std::string>& files, bool json = false);
 
 // `tp100d doctor`: finds what prevents the robot from driving, with one line to fix each.
 

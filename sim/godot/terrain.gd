@@ -39,15 +39,11 @@ func build(course: Dictionary, shape: Dictionary, of_space: RID, visible_too: bo
 	var slab := BoxShape.new()
 	slab.extents = Vector3(20, 0.5, 20)
 	add_shape(slab, Transform(Basis(), Vector3(0, -0.5, 0)), GROUND, {"kind": "floor"})
-	for block in course.get("block", []):
-		add_prism(block, [[0, 0], [0, block.height_m], [block.depth_m, block.height_m], [block.depth_m, 0]], "block")
-	for ramp in course.get("ramp", []):
-		var up: float = ramp.height_m / tan(deg2rad(ramp.up_deg))
-		var down: float = ramp.height_m / tan(deg2rad(ramp.down_deg))
-		add_prism(ramp, [[0, 0], [up, ramp.height_m], [up + ramp.top_m, ramp.height_m], [up + ramp.top_m + down, 0]], "ramp")
+	for obstacle in course.obstacles:
+		add_prism(obstacle)
 	# Of overlapping surfaces, the last one lies on top.
 	var top := 1.0
-	for surface in course.get("surface", []):
+	for surface in course.surfaces:
 		var box := BoxShape.new()
 		box.extents = Vector3(surface.width_m / 2, 0.0005, surface.length_m / 2)
 		var at := transform_of(surface)
@@ -57,7 +53,7 @@ func build(course: Dictionary, shape: Dictionary, of_space: RID, visible_too: bo
 		add_sheet(surface)
 
 static func transform_of(piece: Dictionary) -> Transform:
-	return Transform(Frame.basis(0, 0, deg2rad(piece.get("heading_deg", 0.0))), Frame.to_engine(piece.x_m, piece.y_m, 0))
+	return Transform(Frame.basis(0, 0, piece.heading_rad), Frame.to_engine(piece.x_m, piece.y_m, 0))
 
 func add_shape(shape: Shape, at: Transform, layer: int, about: Dictionary) -> StaticBody:
 	var body := StaticBody.new()
@@ -75,25 +71,26 @@ func add_shape(shape: Shape, at: Transform, layer: int, about: Dictionary) -> St
 	PhysicsServer.body_set_space(body.get_rid(), space)
 	return body
 
-# Adds a prism with the profile [along, height] and the piece's width, centred on its place.
-func add_prism(piece: Dictionary, profile: Array, kind: String) -> void:
-	var middle: float = profile[-1][0] / 2
+# Adds an obstacle of any kind: its side view, over its width.
+func add_prism(piece: Dictionary) -> void:
 	var side: float = piece.width_m / 2
+	var height_m := 0.0
 	var points := PoolVector3Array()
 	for across in [side, -side]:
-		for p in profile:
-			points.append(Frame.to_engine(p[0] - middle, across, p[1]))
+		for p in piece.profile:
+			points.append(Frame.to_engine(p.along_m, across, p.height_m))
+			height_m = max(height_m, p.height_m)
 	var convex := ConvexPolygonShape.new()
 	convex.points = points
 	convex.margin = 0.001
-	add_shape(convex, transform_of(piece), GROUND, {"kind": kind, "height_m": piece.height_m})
+	add_shape(convex, transform_of(piece), GROUND, {"kind": piece.kind, "height_m": height_m})
 	var surface := SurfaceTool.new()
 	surface.begin(Mesh.PRIMITIVE_TRIANGLES)
 	for quad in [[0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [0, 3, 2, 1], [4, 5, 6, 7]]:
 		for i in [0, 1, 2, 0, 2, 3]:
 			surface.add_vertex(points[quad[i]])
 	surface.generate_normals()
-	show_mesh(surface.commit(), transform_of(piece), COLOURS[kind])
+	show_mesh(surface.commit(), transform_of(piece), COLOURS.get(piece.kind, COLOURS.ramp))
 
 # Adds a static obstacle; freeing the node removes it.
 func add_obstacle(at: Transform, size: Vector3, seen: bool) -> StaticBody:

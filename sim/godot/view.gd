@@ -24,7 +24,7 @@ var robot: Spatial
 var ghosts = {}           # the real robot on its flat floor, by the name of the estimate
 var camera = Camera.new()
 var label = Label.new()
-var reference = []        # the course's path, [x, y] in metres
+var reference = []        # the course's path, places in metres
 var driven = {}           # colour name: {points, geometry}
 var middle = Vector3()    # of the fence
 var mode = "chase"
@@ -62,7 +62,7 @@ func build(settings: Dictionary) -> void:
 	camera.fov = 50
 	camera.near = 0.01
 	add_child(camera)
-	trace_course(settings.course)
+	trace(settings.course.path)
 	for colour in [["red", RED, 0.004], ["yellow", YELLOW, 0.003]]:
 		driven[colour[0]] = {"points": [], "geometry": ribbon(colour[1]), "lift": colour[2]}
 	var canvas = CanvasLayer.new()
@@ -92,16 +92,10 @@ func add_lights() -> void:
 func add_floor(fence: Dictionary) -> void:
 	add_child(Floor.new())
 	# The fence as rails.
-	var corners: Array = fence.get("corners_m", [])
-	if corners.empty():
-		corners = [[fence.min_x_m, fence.min_y_m], [fence.max_x_m, fence.min_y_m], [fence.max_x_m, fence.max_y_m], [fence.min_x_m, fence.max_y_m]]
-	var box = Rect2(corners[0][0], corners[0][1], 0, 0)
 	var rails = []
-	for corner in corners + [corners[0]]:
-		box = box.expand(Vector2(corner[0], corner[1]))
-		rails.append([corner[0], corner[1], 0])
-	var centre = box.position + box.size / 2
-	middle = Frame.to_engine(centre.x, centre.y, 0)
+	for corner in fence.corners + [fence.corners[0]]:
+		rails.append([corner.x_m, corner.y_m, 0])
+	middle = Frame.to_engine((fence.min_x_m + fence.max_x_m) / 2, (fence.min_y_m + fence.max_y_m) / 2, 0)
 	draw_ribbon(ribbon(Color(0.35, 0.35, 0.38)), rails, 0.002)
 
 func ribbon(colour: Color) -> ImmediateGeometry:
@@ -129,35 +123,19 @@ func draw_ribbon(geometry: ImmediateGeometry, points: Array, lift_m: float) -> v
 					points[i][2] + lift_m))
 	geometry.end()
 
-func trace_course(course: Dictionary) -> void:
-	var start: Dictionary = course.get("start", {})
-	var x: float = start.get("x_m", 0.0)
-	var y: float = start.get("y_m", 0.0)
-	var yaw = deg2rad(start.get("yaw_deg", 0.0))
-	var points = [[x, y, 0.0]]
-	for segment in course.segment:
-		var turn = deg2rad(segment.get("angle_deg", 0.0))
-		var length: float = segment.get("length_m", 0.0)
-		if segment.type == "arc":
-			length = segment.radius_m * abs(turn)
-		var steps = int(ceil(length / PATH_SPACING_M))
-		for _i in steps:
-			yaw += turn / steps / 2
-			x += length / steps * cos(yaw)
-			y += length / steps * sin(yaw)
-			yaw += turn / steps / 2
-			if points.size() < MOST_POINTS:
-				points.append([x, y, 0.0])
-		if steps == 0:
-			yaw += turn
-	reference = points
+func trace(path: Array) -> void:
+	var points = []
+	for p in path:
+		points.append([p[0], p[1], 0.0])
+		reference.append(Vector2(p[0], p[1]))
 	draw_ribbon(ribbon(BLUE), points, 0.002)
 
 func cross_track_m(x_m: float, y_m: float) -> float:
+	var here = Vector2(x_m, y_m)
 	var best = 1e9
-	for p in reference:
-		best = min(best, Vector2(p[0] - x_m, p[1] - y_m).length_squared())
-	return sqrt(best)
+	for i in range(1, reference.size()):
+		best = min(best, here.distance_to(Geometry.get_closest_point_to_segment_2d(here, reference[i - 1], reference[i])))
+	return best
 
 func extend(colour: String, x_m: float, y_m: float, z_m: float) -> void:
 	var path: Dictionary = driven[colour]

@@ -19,7 +19,7 @@ import threading
 import time
 
 sys.path.append(os.path.join(os.path.dirname(os.path.realpath(__file__)), "../godot"))
-from engine import PATIENCE_S, ROOT, bundled, engine_environment, fail  # also for those that import this file
+from engine import PATIENCE_S, ROOT, bundled, drawn, engine_environment, fail  # also for those that import this file
 
 # The paper's overhead camera without errors: it gives the robot's true pose.
 EXACT_CAMERA = """rate_hz = 100.0
@@ -41,19 +41,8 @@ class Course:
 
     def __init__(self, given):
         self.given, self.name = given, os.path.basename(given).removesuffix(".toml")
-        course = bundled(given, "courses")
-        self.disturbed = "disturbance" in course
-        start = course.get("start", {})
-        x, y, yaw = start.get("x_m", 0.0), start.get("y_m", 0.0), math.radians(start.get("yaw_deg", 0.0))
-        self.path = [(x, y)]
-        for part in course["segment"]:
-            turn = math.radians(part.get("angle_deg", 0.0))
-            length = part.get("length_m", abs(turn) * part.get("radius_m", 0.0))
-            for _ in range(20):
-                yaw += turn / 40.0
-                x, y = x + length / 20.0 * math.cos(yaw), y + length / 20.0 * math.sin(yaw)
-                yaw += turn / 40.0
-                self.path.append((x, y))
+        course = drawn(given)
+        self.disturbed, self.path = bool(course["disturbances"]), course["path"]
 
 
 class NotBegun(Exception):

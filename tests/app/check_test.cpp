@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "../support/temporary_folder.h"
 #include "app/commands.h"
@@ -82,6 +83,19 @@ TEST(Check, TheExitStatusIs2IfAnyFileIsWrong) {
   EXPECT_THAT(out, HasSubstr("2.toml: OK, course 2: 3.0712"));
   EXPECT_THAT(err, StartsWith("/nowhere/x.toml: cannot be opened"));
   EXPECT_EQ(std::count(err.begin(), err.end(), '\n'), 1);
+}
+
+TEST(Check, AsJsonTellsWhereACourseLies) {
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(run_check({source_path("config/courses/3.toml")}, true), 0);
+  const auto json = nlohmann::json::parse(testing::internal::GetCapturedStdout());
+  EXPECT_EQ(json["error"], "");
+  EXPECT_NEAR(json["duration_s"], 41.5, 0.1);
+  EXPECT_NEAR(json["course"]["path"].back()["y_m"], -0.8, 1e-9);
+  EXPECT_EQ(json["course"]["obstacles"].size(), 2U);
+  EXPECT_EQ(run_check({source_path("config/robots/worn.toml")}, true), 2);
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("worn.toml:"));
 }
 
 TEST(Ports, GivesTheLineToCopyForALikelyRobot) {

@@ -50,26 +50,15 @@ class Engine {
                   const Screen* screen = nullptr, int robots = 1,
                   const std::string& robot = "end-loaded")
       : process_(command(course, listen, screen, robots, robot)) {
-    std::size_t at = 0;
-    for (int i = 0; i < robots; ++i) {
-      EXPECT_TRUE(process_.wait_for("listening at 127.0.0.1:")) << process_.output();
-      process_.wait_for("\n");
-      const std::string& text = process_.output();
-      at = text.find("127.0.0.1:", at);
-      if (at == std::string::npos) return;
-      addresses_.push_back(text.substr(at, text.find('\n', at) - at));
-      at += addresses_.back().size();
-    }
+    for (int i = 0; i < robots; ++i) addresses_.push_back(process_.line_after("listening at "));
   }
-  std::string address(std::size_t robot = 0) const {
-    return robot < addresses_.size() ? addresses_[robot] : "127.0.0.1:1";
-  }
+  std::string address(std::size_t robot = 0) const { return addresses_.at(robot); }
   bool says(const std::string& text) { return process_.wait_for(text); }
 
  private:
   static Words command(const std::string& course, const std::string& listen, const Screen* screen,
                        int robots, const std::string& robot) {
-    Words words{"/usr/bin/env"};
+    Words words{"/usr/bin/env", "TP100_BIN=" + build_path("bin")};
     if (screen) words.push_back("DISPLAY=" + screen->name());
     words = joined(words, {source_path("scripts/godot"), "--course", course, "--listen", listen});
     for (int i = 0; i < robots; ++i) words = joined(words, {"--robot", robot});

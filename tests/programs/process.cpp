@@ -80,6 +80,13 @@ bool Process::wait_for(const std::string& text) {
   return false;
 }
 
+std::string Process::line_after(const std::string& text) {
+  const bool found = wait_for(text);
+  const std::size_t at = searched_;
+  if (!found || !wait_for("\n")) throw std::runtime_error("no line " + text + ": " + output());
+  return output_.substr(at, searched_ - 1 - at);
+}
+
 void Process::signal(int number) {
   signalled_ = true;
   // A pid of -1 would mean every process.
@@ -135,12 +142,8 @@ std::unique_ptr<Process> start_robot(const std::string& link, const Words& more)
 }
 
 std::string page_port(Process& daemon) {
-  static const std::string kBefore = "page: http://127.0.0.1:";
-  if (!daemon.wait_for(kBefore) || !daemon.wait_for("/"))
-    throw std::runtime_error("no page is served: " + daemon.output());
-  const std::string& output = daemon.output();
-  const std::size_t at = output.find(kBefore) + kBefore.size();
-  return output.substr(at, output.find('/', at) - at);
+  const std::string line = daemon.line_after("page: http://127.0.0.1:");
+  return line.substr(0, line.find('/'));
 }
 
 double figure(const std::string& stats, const std::string& name) {

@@ -30,6 +30,8 @@ class Process {
   /// Waits until `text` appears in the output after the text that earlier calls found. Returns
   /// false if the program ends or a minute passes before.
   bool wait_for(const std::string& text);
+  /// Waits for `text` like wait_for(); returns the rest of its line, or throws.
+  std::string line_after(const std::string& text);
   pid_t pid() const { return pid_; }
   /// Sends a signal, unless the program has ended.
   void signal(int number);

@@ -22,24 +22,24 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
+Words script(const Words& words) {
+  return joined({"/usr/bin/env", "TP100_BIN=" + build_path("bin")}, words);
+}
+
 /// Runs scripts/world on its own port; with a `fault`, false_world.
 class PythonWorld {
  public:
   explicit PythonWorld(const std::string& fault = "")
-      : process_(joined(fault.empty() ? Words{source_path("scripts/world")}
-                                      : Words{source_path("tests/programs/false_world"), fault},
-                        {"--listen", "127.0.0.1:0"})) {
-    EXPECT_TRUE(process_.wait_for("listening at 127.0.0.1:")) << process_.output();
-    // The port number follows in the same line.
-    process_.wait_for("\n");
-    const std::string& text = process_.output();
-    port_ = std::stoi(text.substr(text.find("127.0.0.1:") + 10));
-  }
-  std::string address() const { return "udp:127.0.0.1:" + std::to_string(port_); }
+      : process_(
+            joined(script(fault.empty() ? Words{source_path("scripts/world")}
+                                        : Words{source_path("tests/programs/false_world"), fault}),
+                   {"--listen", "127.0.0.1:0"})),
+        address_("udp:" + process_.line_after("listening at ")) {}
+  const std::string& address() const { return address_; }
 
  private:
   Process process_;
-  int port_ = 0;
+  std::string address_;
 };
 
 class Worlds : public testing::Test {
@@ -107,27 +107,18 @@ class LiveWorlds : public Worlds {
   std::unique_ptr<Process> robot_ = start_robot(folder_.file("tp100"));
 };
 
-// The course is shorter than course 3, with a similar step and ramp.
-constexpr const char* kCourse = R"(description = "step and ramp"
+// The course ends behind its step, which is that of course 3.
+constexpr const char* kCourse = R"(description = "step"
 speed_mps = 0.1
 [[segment]]
 type = "line"
-length_m = 1.0
+length_m = 0.55
 [[block]]
 x_m = 0.35
 y_m = 0.0
 heading_deg = 0.0
 height_m = 0.037
 depth_m = 0.1
-width_m = 0.4
-[[ramp]]
-x_m = 0.75
-y_m = 0.0
-heading_deg = 0.0
-height_m = 0.03
-up_deg = 28.0
-top_m = 0.05
-down_deg = 28.0
 width_m = 0.4
 [fence]
 min_x_m = -0.5
@@ -150,14 +141,10 @@ TEST_F(LiveWorlds, ASlowWorldEndsTheRunSafelyAndTheCauseIsNamed) {
 /// the pose.
 class FileWorlds : public LiveWorlds {
  protected:
-  // The course ends behind the step.
-  FileWorlds() {
-    std::ofstream(folder_.file("course.toml"))
-        << std::regex_replace(kCourse, std::regex("length_m = 1.0"), "length_m = 0.55");
-  }
+  FileWorlds() { write_bytes(folder_.file("course.toml"), kCourse); }
   Words world() const {
-    return {source_path("scripts/world"), "--files", folder_.path().string(), "--course",
-            folder_.file("course.toml")};
+    return script({source_path("scripts/world"), "--files", folder_.path().string(), "--course",
+                   folder_.file("course.toml")});
   }
   Words files_daemon(int timeout_ms) const {
     const Words out = daemon(folder_.file("course.toml"), "files");
