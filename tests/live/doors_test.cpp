@@ -126,6 +126,7 @@ class Doors : public DaemonRig {
           return request == OperatorRequest::kHold || request == OperatorRequest::kPause;
         });
     if (changed) changed_ns_ = now_;
+    if (controls_.stop_count() < pressed_) wrong_ = "a STOP does not count";
     const bool goes_on =
         paused && record().snapshot.pause_left_s == 0.0 && state() == RunState::kRunning;
     if (robot_.received.arms.size() > arms || goes_on) judge(goes_on ? "goes on" : "arms", stops);
@@ -250,6 +251,7 @@ class Doors : public DaemonRig {
         drive(id, viewer.token, 0.05, 0.0);
         continue;
       }
+      if (message.service == "stop") ++pressed_;
       const json answer = call(id, message.service, message.request);
       if (answer.contains("token")) viewer.token = answer["token"];
       if (message.service == "wheels_up_begin" && !answer.contains("refused"))
@@ -264,6 +266,7 @@ class Doors : public DaemonRig {
       const auto [arrival, written, what] = node.up.front();
       const double age_s = to_s(now_ - written);
       if (what == 0) {
+        ++pressed_;
         receive(ros2::Input::kStop, ros2::std_msgs::Empty{}, age_s, id);
         continue;
       }
@@ -326,6 +329,7 @@ class Doors : public DaemonRig {
   std::array<Node, 2> nodes_{};
   std::vector<Act> acts_;
   std::vector<std::uint64_t> past_stops_;  // after each step
+  std::uint64_t pressed_ = 0;              // STOPs of viewers and nodes, robot or not
   std::uint64_t terminal_saw_ = 0;
   HostNs terminal_looked_ns_ = 0;
   HostNs changed_ns_ = std::numeric_limits<HostNs>::min();

@@ -58,22 +58,16 @@ class Starts : public Run {
   bool ready() {
     return test::eventually([this] { return received().commands.size() > 60; });
   }
-  static bool moves(const ScriptedRobot& robot) {
-    return !robot.received.commands.empty() && robot.received.commands.back().speed_mps > 0.0F;
-  }
-  bool starts_to_move() {
-    return test::eventually([this] { return robot_->with(moves); });
-  }
   /// On a busy machine a run may end by itself; then it is started again.
   bool driving() {
-    return test::eventually([this] { return robot_->with(moves); }, 5s) || start_again();
+    return test::eventually([this] { return robot_->with(driven); }, 5s) || start_again();
   }
   bool start_again() {
     for (int tries = 0; tries < 10; ++tries) {
       const std::size_t before = arms();
       keyboard_.type("go\n");
       if (test::eventually([&] { return arms() > before; }, 2s) &&
-          test::eventually([this] { return robot_->with(moves); }, 3s))
+          test::eventually([this] { return robot_->with(driven); }, 3s))
         return true;
     }
     return false;
@@ -148,9 +142,9 @@ TEST_F(Starts, WhatIsTypedAheadStartsNothing) {
     ASSERT_TRUE(after_commands(100));
     EXPECT_EQ(arms(), 0U);
     keyboard_.enter();
-    ASSERT_TRUE(starts_to_move());
+    ASSERT_TRUE(eventually(driven));
     keyboard_.type("\ngo\n");
-    ASSERT_TRUE(eventually([](const ScriptedRobot& robot) { return !moves(robot); }));
+    ASSERT_TRUE(eventually([](const ScriptedRobot& robot) { return !driven(robot); }));
     ASSERT_TRUE(after_commands(100));
     EXPECT_EQ(arms(), 1U);
   });
@@ -187,7 +181,7 @@ TEST_F(Starts, WhatIsNoEmulatorOfTheFirstRunWaitsForAPerson) {
         EXPECT_EQ(arms(), 0U);
         keyboard_.type(starts);
       }
-      ASSERT_TRUE(starts_to_move());
+      ASSERT_TRUE(eventually(driven));
     });
     ::unsetenv("NOTIFY_SOCKET");
     EXPECT_TRUE(logged(each.logged)) << message_ << log_;
@@ -216,21 +210,6 @@ TEST_F(Starts, GoDoesNotStartARobotThatIsPluggedInLater) {
     EXPECT_TRUE(logged("nothing starts by itself")) << log_;
     robot_->unplug();
   }
-}
-
-TEST_F(Starts, AStopBeforeTheRobotIsThereIsNotUndoneByStartingByItself) {
-  options_.wait = true;
-  run([&] {
-    server::WebClient viewer(page());
-    viewer.subscribe(messages::Channel::kState);
-    viewer.call(server::Service::kStop);
-    viewer.read_until("\"latched\":true");
-    with_board(wire::BoardType::kNative);
-    ASSERT_TRUE(ready());
-    ASSERT_TRUE(after_commands(200));
-    EXPECT_EQ(arms(), 0U);
-    ASSERT_TRUE(start_again());
-  });
 }
 
 }  // namespace
