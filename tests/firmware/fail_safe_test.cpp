@@ -44,6 +44,7 @@ TEST(FailSafe, SilenceSwitchesARobotOffInTheLifeOfItsLastCommand) {
     EXPECT_EQ(rig.reports[0].fault, static_cast<std::uint8_t>(Fault::command_timeout));
     EXPECT_NEAR(rig.reports[0].detail, one.off_ms - 3, 10) << "how long it was silent";
     EXPECT_EQ(rig.count_logs("motors off: command_timeout"), 1);
+    EXPECT_EQ(rig.hal.locks, 0) << "interrupts are let in again";
   }
 }
 
@@ -64,26 +65,6 @@ TEST(FailSafe, EveryTickForcesTheOutputsOfADisarmedRobotToZero) {
   rig.connect();
   rig.hal.duties = {500, 500};  // a stray write
   rig.program.tick_1khz();
-  EXPECT_FALSE(rig.motors_on());
-}
-
-TEST(FailSafe, ClockWrapDuringADriveChangesNothing) {
-  Rig rig(false);
-  rig.hal.now_us = 0xFFFFFFFFU - 700'000U;
-  rig.boot();
-  rig.tracks_follow = true;
-  rig.drive();
-  int off = 0;
-  for (int i = 0; i < 1500; ++i) {
-    rig.run(1);
-    off += rig.motors_on() ? 0 : 1;
-  }
-  EXPECT_LT(rig.hal.now_us, 2'000'000U);
-  EXPECT_EQ(off, 0);
-  EXPECT_EQ(rig.program.faults(), 0);
-  EXPECT_EQ(rig.hal.locks, 0) << "interrupts are let in again";
-  rig.streams = false;
-  rig.run(205);
   EXPECT_FALSE(rig.motors_on());
 }
 

@@ -366,27 +366,22 @@ class TurnMonitorAlone : public testing::Test {
   double turned_rad = 0.0;
 };
 
-TEST_F(TurnMonitorAlone, ATurnOnTheSpotShowsWhichTrackCountsShort) {
-  for (const double mps : {0.08, -0.08}) {
-    restart();
-    EXPECT_EQ(run(-mps, mps, 20'000), TurnMonitor::kGood) << mps;
-    left_counted = 0.3;
-    EXPECT_EQ(run(-mps, mps, 20'000), TurnMonitor::kLeftShort) << mps;
-    restart();
-    right_counted = 0.3;
-    EXPECT_EQ(run(-mps, mps, 20'000), TurnMonitor::kRightShort) << mps;
-  }
-}
-
-// Even the short count of the outer track is higher than that of the inner one.
-TEST_F(TurnMonitorAlone, AnArcShowsThatItsOuterTrackCountsShort) {
-  for (const double sign : {1.0, -1.0}) {
-    restart();
-    right_counted = 0.7;
-    EXPECT_EQ(run(0.05 * sign, 0.15 * sign, 20'000), TurnMonitor::kRightShort) << sign;
-    restart();
-    left_counted = 0.7;
-    EXPECT_EQ(run(0.15 * sign, 0.05 * sign, 20'000), TurnMonitor::kLeftShort) << sign;
+// In an arc even the short count of the outer track is higher than that of the inner one.
+TEST_F(TurnMonitorAlone, ATurnOnTheSpotOrAnArcShowsWhichTrackCountsShort) {
+  struct Case {
+    double slower_mps, faster_mps, counted;
+  };
+  for (const Case& one : {Case{-0.08, 0.08, 0.3}, Case{0.05, 0.15, 0.7}}) {
+    for (const double sign : {1.0, -1.0}) {
+      const double slower = sign * one.slower_mps, faster = sign * one.faster_mps;
+      restart();
+      EXPECT_EQ(run(slower, faster, 20'000), TurnMonitor::kGood) << faster;
+      right_counted = one.counted;
+      EXPECT_EQ(run(slower, faster, 20'000), TurnMonitor::kRightShort) << faster;
+      restart();
+      left_counted = one.counted;
+      EXPECT_EQ(run(faster, slower, 20'000), TurnMonitor::kLeftShort) << faster;
+    }
   }
 }
 
