@@ -1,7 +1,10 @@
-// The image that users flash, on an emulated Mega: its file, the same bytes for the same inputs,
-// and a bad I2C bus.
+// The image that users flash, on an emulated Mega: its file, the same bytes for the same inputs, a
+// program that hangs, and a bad I2C bus.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
 
 #include "board_rig.h"
 #include "support/paths.h"
@@ -42,6 +45,27 @@ TEST(AvrDeterminism, TheSameInputsGiveTheSameBytes) {
   EXPECT_GT(bytes.size(), 3000U);
   EXPECT_EQ(session(7), bytes);
   EXPECT_NE(session(8), bytes) << "another seed is another board";
+}
+
+// The timer that switches the motors off after 100 ms may hang, too.
+TEST(AvrWatchdog, AHungProgramRestartsTheBoardAfterAQuarterOfASecond) {
+  AvrRig rig;
+  ASSERT_TRUE(rig.boot());
+  rig.drive();
+  ASSERT_TRUE(rig.moves());
+  std::uint8_t* const next = rig.board.core().flash() + rig.board.core().program_counter();
+  const std::array<std::uint8_t, 2> before{next[0], next[1]};
+  next[0] = 0xFF;  // a jump to itself
+  next[1] = 0xCF;
+  int ms = 0;
+  for (; ms < 1000 && rig.board.counters().watchdog_resets == 0; ++ms) rig.run(1);
+  EXPECT_NEAR(ms, 250, 25);
+  EXPECT_FALSE(rig.moves());
+  std::ranges::copy(before, next);
+  rig.hellos.clear();
+  rig.run(1500);
+  ASSERT_FALSE(rig.hellos.empty());
+  EXPECT_EQ(rig.hellos[0].reset_cause, static_cast<std::uint8_t>(wire::ResetCause::kWatchdog));
 }
 
 class AvrI2cFault : public ::testing::TestWithParam<I2cFault> {};

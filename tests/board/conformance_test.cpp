@@ -78,6 +78,16 @@ TEST_P(Conformance, EachBootSaysHelloWithItsCauseAndANonceOfItsOwnAndTheMotorsOf
   EXPECT_FALSE(nonces.contains(0));
 }
 
+TEST_P(Conformance, EachTrackRunsForwardsAndBackwards) {
+  for (const float mps : {0.1f, -0.1f}) {
+    rig().speed_mps = 0.0f;
+    rig().drive(mps);
+    const MotorDuty duty = rig().hardware().motor_duty();
+    EXPECT_GT(duty.left * static_cast<double>(mps), 0.0) << mps;
+    EXPECT_GT(duty.right * static_cast<double>(mps), 0.0) << mps;
+  }
+}
+
 TEST_P(Conformance, ItsClockIsOffByItsPpmAndStartsWhereItIsTold) {
   constexpr std::uint32_t kStartUs = 0xFFFFFC00U - 1'024'000U;
   use({.clock_ppm = 500.0, .start_us = kStartUs});
