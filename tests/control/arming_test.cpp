@@ -104,22 +104,6 @@ TEST_F(ArmingTest, AStartThatCannotBeginWithin3SIsRefusedOnceWithItsReason) {
   request_arm();
 }
 
-TEST_F(ArmingTest, AStartWaitsForASessionThoughAnEarlierStartHadOne) {
-  connect();
-  in_.refusal = StartRefusal::kNotStill;
-  arming_.start();
-  run(1);
-  arming_.hold();
-  ASSERT_EQ(run(1), RobotRequest::kDisarm);
-  in_.session = SessionState::kSyncing;
-  run(1);
-  arming_.start();
-  EXPECT_EQ(run(400), RobotRequest::kNone);
-  EXPECT_EQ(arming_.state(), RunState::kArming);
-  connect();
-  EXPECT_EQ(run(100), RobotRequest::kArm);
-}
-
 /// Something that happens to a run, a drive or a start, and the fault that it is.
 struct Cause {
   const char* name;
@@ -204,7 +188,7 @@ TEST_F(ArmingTest, WhatEndsAStartThatIsNotConfirmedYetIsItsFault) {
   }
 }
 
-TEST_F(ArmingTest, AStartThatWaitsEndsWithItsSession) {
+TEST_F(ArmingTest, AStartThatWaitsEndsWithItsSessionAndTheNextWaitsForAnother) {
   for (const Cause& cause : causes_of_any_end()) {
     if (cause.fault != Fault::link_lost && cause.fault != Fault::robot_rebooted) continue;
     SCOPED_TRACE(cause.name);
@@ -217,6 +201,11 @@ TEST_F(ArmingTest, AStartThatWaitsEndsWithItsSession) {
     const bool session_stays = in_.sample == nullptr;  // it is only late
     EXPECT_EQ(run(1), session_stays ? RobotRequest::kNone : RobotRequest::kDisarm);
     EXPECT_EQ(arming_.faults(), session_stays ? 0u : fault_bit(cause.fault));
+    arming_.start();
+    EXPECT_EQ(run(400), RobotRequest::kNone);
+    EXPECT_EQ(arming_.state(), RunState::kArming);
+    connect();
+    EXPECT_EQ(run(100), RobotRequest::kArm);
   }
 }
 
@@ -291,17 +280,20 @@ TEST(Pause, LastsTwoMinutesAtMostHoweverOftenItIsAskedFor) {
 }
 
 TEST_F(ArmingTest, ACompletionThatIsNotConfirmedIsNone) {
+  constexpr FaultMask not_acknowledged = fault_bit(Fault::not_acknowledged);
+  constexpr FaultMask unasked = fault_bit(Fault::moves_unasked);
   const struct {
     const char* name;
-    Fault fault;
+    FaultMask faults;
     RequestAnswer answer = RequestAnswer::kNone;
     bool motors_on = false, link_breaks = false, restarts = false;
-  } cases[] = {
-      {"refused", Fault::not_acknowledged, RequestAnswer::kFailed},
-      {"no answer", Fault::not_acknowledged},
-      {"acknowledged, but on", Fault::moves_unasked, RequestAnswer::kAcknowledged, true},
-      {"the link breaks", Fault::link_lost, RequestAnswer::kNone, false, true},
-      {"the robot restarts", Fault::robot_rebooted, RequestAnswer::kNone, false, false, true}};
+  } cases[] = {{"refused", not_acknowledged, RequestAnswer::kFailed},
+               {"no answer", not_acknowledged},
+               {"acknowledged, but on", unasked, RequestAnswer::kAcknowledged, true},
+               {"refused and on", not_acknowledged | unasked, RequestAnswer::kFailed, true},
+               {"the link breaks", fault_bit(Fault::link_lost), RequestAnswer::kNone, false, true},
+               {"the robot restarts", fault_bit(Fault::robot_rebooted), RequestAnswer::kNone, false,
+                false, true}};
   for (const auto& of : cases) {
     SCOPED_TRACE(of.name);
     arming_ = {};
@@ -316,24 +308,29 @@ TEST_F(ArmingTest, ACompletionThatIsNotConfirmedIsNone) {
     run(48);
     run(5);
     EXPECT_EQ(arming_.state(), RunState::kAborted);
-    EXPECT_EQ(arming_.faults(), fault_bit(of.fault));
+    EXPECT_EQ(arming_.faults(), of.faults);
     EXPECT_EQ(arming_.disarming(), of.motors_on) << "it lasts as long as the motors are on";
   }
 }
 
-TEST_F(ArmingTest, MotorsThatNobodyAskedForAreStoppedAgainAndAgain) {
+// The times are those of the samples: without a new one nothing is known.
+TEST_F(ArmingTest, MotorsThatNobodyAskedForAreStoppedAfterFiftyMillisecondsAndAgainAndAgain) {
   const std::function<void()> oddities[] = {
       [&] { sample_.state = RobotState::kArmed; }, [&] { sample_.state = RobotState::kRunning; },
       [&] { sample_.left_duty = 0.1; }, [&] { sample_.right_duty = -0.1; }};
-  for (const auto& oddity : oddities) {
+  for (std::size_t i = 0; i < 2 * std::size(oddities); ++i) {
     arming_ = {};
     sample_ = {};
     connect();
+    in_.refusal = StartRefusal::kMotorsOn;
+    if (i % 2 == 0) arming_.start();  // a start that waits
     ASSERT_EQ(run(100), RobotRequest::kNone);
-    oddity();
+    oddities[i / 2]();
+    for (int again = 0; again < 100; ++again)
+      ASSERT_EQ(arming_.update(in_, kCycleS), RobotRequest::kNone) << "the same sample";
     EXPECT_EQ(run(10), RobotRequest::kNone) << "a single sample may be an old one";
     EXPECT_FALSE(arming_.at_rest());
-    EXPECT_EQ(run(2), RobotRequest::kStop);
+    EXPECT_EQ(run(1), RobotRequest::kStop);
     EXPECT_EQ(arming_.state(), RunState::kAborted);
     EXPECT_EQ(arming_.faults(), fault_bit(Fault::moves_unasked));
     for (int again = 0; again < 5; ++again) {
@@ -346,46 +343,6 @@ TEST_F(ArmingTest, MotorsThatNobodyAskedForAreStoppedAgainAndAgain) {
     EXPECT_FALSE(arming_.disarming());
     EXPECT_EQ(arming_.faults(), fault_bit(Fault::moves_unasked));
   }
-}
-
-// The times are those of the samples: without a new one nothing is known.
-TEST_F(ArmingTest, MotorsThatNobodyAskedForAreStoppedAfterExactlyFiftyMilliseconds) {
-  connect();
-  sample_.state = RobotState::kArmed;
-  for (const HostNs after : {HostNs{0}, 50 * kNsPerMs - 1}) {
-    sample_.measured_ns = 7 * kNsPerS + after;
-    for (int i = 0; i < 100; ++i) EXPECT_EQ(arming_.update(in_, kCycleS), RobotRequest::kNone);
-  }
-  sample_.measured_ns = 7 * kNsPerS + 50 * kNsPerMs;
-  EXPECT_EQ(arming_.update(in_, kCycleS), RobotRequest::kStop);
-}
-
-TEST_F(ArmingTest, MotorsThatStayOnAfterARunAreStopped) {
-  begin();
-  in_.done = true;
-  ASSERT_EQ(run(1), RobotRequest::kDisarm);
-  in_.answer = RequestAnswer::kFailed;
-  EXPECT_EQ(run(48), RobotRequest::kNone) << "the link repeats the request for 0.2 s";
-  EXPECT_EQ(run(4), RobotRequest::kStop);
-  EXPECT_EQ(arming_.faults(), fault_bit(Fault::not_acknowledged) | fault_bit(Fault::moves_unasked));
-}
-
-TEST_F(ArmingTest, AStartIsVoidIfTheMotorsAreOnBeforeItArms) {
-  connect();
-  in_.refusal = StartRefusal::kMotorsOn;
-  sample_.state = RobotState::kRunning;
-  arming_.start();
-  EXPECT_EQ(run(30), RobotRequest::kStop);
-  EXPECT_EQ(arming_.state(), RunState::kAborted);
-}
-
-TEST_F(ArmingTest, ARobotThatIsPushedByHandIsNoFault) {
-  connect();
-  for (int i = 0; i < 1000; ++i) {
-    sample_.left_counts += 50;
-    ASSERT_EQ(run(1), RobotRequest::kNone);
-  }
-  EXPECT_EQ(arming_.faults(), 0u);
 }
 
 // An operator who presses anything, and a robot that mostly obeys.
