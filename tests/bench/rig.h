@@ -3,7 +3,6 @@
 
 #include <chrono>
 #include <cstdio>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -30,28 +29,17 @@ inline void print(const std::string& what, const std::vector<double>& values) {
 class Daemon {
  public:
   /// `arguments` follow those that every bench needs. `keyboard`: standard input, -1: none.
-  Daemon(const std::string& link, const std::vector<std::string>& arguments, int keyboard = -1)
-      : process_(all(link, arguments), keyboard) {
-    const std::string before = "http://127.0.0.1:";
-    if (!process_.wait_for(before) || !process_.wait_for("/"))
-      throw std::runtime_error("no page: " + process_.output());
-    const std::string& output = process_.output();
-    const std::size_t at = output.find(before) + before.size();
-    port_ = output.substr(at, output.find('/', at) - at);
-  }
+  Daemon(const std::string& link, const test::Words& arguments, int keyboard = -1)
+      : process_(test::joined({"tp100d", "run", "--port", link, "--wait", "--stay", "--listen",
+                               "127.0.0.1:0"},
+                              arguments),
+                 keyboard),
+        port_(test::page_port(process_)) {}
 
   const std::string& port() const { return port_; }
   test::Process& process() { return process_; }
 
  private:
-  static std::vector<std::string> all(const std::string& link,
-                                      const std::vector<std::string>& more) {
-    std::vector<std::string> words = {"tp100d", "run",    "--port",   link,
-                                      "--wait", "--stay", "--listen", "127.0.0.1:0"};
-    words.insert(words.end(), more.begin(), more.end());
-    return words;
-  }
-
   test::Process process_;
   std::string port_;
 };

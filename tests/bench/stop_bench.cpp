@@ -152,11 +152,6 @@ void beside_a_frozen_disk(test::FrozenDisk& disk, int rounds) {
   ::unsetenv("NOTIFY_SOCKET");
 }
 
-std::string call_of(Service service, const std::string& json) {
-  const std::string bytes = {'\x02', static_cast<char>(service), 0, 0, 0, 1, 0, 0, 0, 4, 0, 0, 0};
-  return bytes + "json" + json;
-}
-
 /// A course of a kilometre.
 std::string longest_course(int segments = 1000, const std::string& line_end = "\n") {
   std::string text;
@@ -176,15 +171,15 @@ class Load {
     for (int i = 0; i < kReaders; ++i) add([this] { read(); });
     add([this] {
       connected([](WebClient& client) {
-        client.write_binary(call_of(Service::kChoose, R"({"course":"longest"})"));
+        client.call(Service::kChoose, R"({"course":"longest"})");
         std::this_thread::sleep_for(200ms);
       });
     });
     add([this] {
       connected([](WebClient& client) {
-        client.write_binary(call_of(Service::kRunReport, R"({"run":"seen"})"));
+        client.call(Service::kRunReport, R"({"run":"seen"})");
         std::this_thread::sleep_for(700ms);
-        client.write_binary(call_of(Service::kRunIdentify, R"({"runs":"seen"})"));
+        client.call(Service::kRunIdentify, R"({"runs":"seen"})");
         std::this_thread::sleep_for(700ms);
       });
     });
@@ -242,12 +237,12 @@ class Load {
         R"({"op":"unsubscribe","subscriptionIds":[)" + none + "]}",
         R"({"op":"subscribeParameterUpdates","parameterNames":[]})"};
     const std::string check =
-        call_of(Service::kFileCheck,
-                R"({"kind":"course","name":"dear","text":")" + longest_course(900, "\\n") + "\"}");
+        R"({"kind":"course","name":"dear","text":")" + longest_course(900, "\\n") + "\"}";
     std::size_t next = static_cast<std::size_t>(number);
     connected([&](WebClient& client) {
       const std::size_t which = next++ % (texts.size() + 1);
-      which < texts.size() ? client.write_text(texts[which]) : client.write_binary(check);
+      which < texts.size() ? client.write_text(texts[which])
+                           : client.call(Service::kFileCheck, check);
       if (number % 2 == 0) client.drain();
       ++requests;
     });
@@ -306,7 +301,7 @@ void beside_everything(test::FrozenDisk& disk, int presses, int runs) {
       << "library = \"" << folder.file("library") << "\"\ncourse = \"longest\"\n";
   Rig rig({"--config", folder.file("tp100.toml"), "--record", kept});
   if (!rig.daemon().process().wait_for("ready")) throw std::runtime_error("no robot");
-  rig.viewer().write_binary(call_of(Service::kRecordStart, R"({"name":"seen"})"));
+  rig.viewer().call(Service::kRecordStart, R"({"name":"seen"})");
   std::this_thread::sleep_for(1s);
   rig.viewer().call(Service::kRecordStop);
   std::this_thread::sleep_for(1s);

@@ -34,20 +34,16 @@ class KilledDaemon : public ::testing::Test {
     fs::create_directories(folder_.file("runs/a"));
     write_bytes(folder_.file("runs/a/run.mcap"), "0");
   }
-  static void ask(server::WebClient& viewer, Service service, const std::string& request) {
-    const std::string head = {'\x02', static_cast<char>(service), 0, 0, 0, 1, 0, 0, 0, 4, 0, 0, 0};
-    viewer.write_binary(head + "json" + request);
-  }
   /// Requests that write files, one after the other, for as long as the daemon lives.
   static void write_files(server::WebClient& viewer, int& number) {
     const std::string n = std::to_string(++number % 9 + 1);
-    ask(viewer, Service::kParametersSave, R"({"control.preview_s":0.0)" + n + "}");
-    ask(viewer, Service::kParametersRestore, "{}");
-    ask(viewer, Service::kRunNote, R"({"run":"a","note":")" + std::string(9000 / 9, n[0]) + "\"}");
-    ask(viewer, Service::kFileSave,
-        R"({"kind":"course","name":"mine","replace":true,"text":"# )" + n +
-            R"(\nspeed_mps = 0.1\n[[segment]]\ntype = \"line\"\nlength_m = 0.3\n)"
-            R"([fence]\nmin_x_m = -1\nmax_x_m = 1\nmin_y_m = -1\nmax_y_m = 1\n"})");
+    viewer.call(Service::kParametersSave, R"({"control.preview_s":0.0)" + n + "}");
+    viewer.call(Service::kParametersRestore);
+    viewer.call(Service::kRunNote, R"({"run":"a","note":")" + std::string(9000 / 9, n[0]) + "\"}");
+    viewer.call(Service::kFileSave,
+                R"({"kind":"course","name":"mine","replace":true,"text":"# )" + n +
+                    R"(\nspeed_mps = 0.1\n[[segment]]\ntype = \"line\"\nlength_m = 0.3\n)"
+                    R"([fence]\nmin_x_m = -1\nmax_x_m = 1\nmin_y_m = -1\nmax_y_m = 1\n"})");
   }
   /// All files, and folders of no files, but for those that are named.
   std::set<std::string> names() const {

@@ -56,7 +56,7 @@ TEST_F(RequestHandlerTest, ARunThatNoPageWatchesIsStoppedIfThatIsConfigured) {
     for (const HostNs end = record.now_ns + ns; record.now_ns < end;) {
       record.now_ns += 100 * kNsPerMs;
       step(record);
-      if (watched) call(Service::kWatch, "{}", Permission::kCommand, record.now_ns);
+      if (watched) call(Service::kWatch, "{}", record.now_ns);
     }
   };
   for (const bool configured : {false, true}) {

@@ -46,20 +46,17 @@ class RequestHandlerTest : public ::testing::Test {
   }
   Received take() { return take(*viewer_); }
 
-  Received send(const std::string& text, Permission permission = Permission::kCommand) {
-    handler_.handle(viewer_, parse_text(text), permission, kNow);
+  Received send(const std::string& text) {
+    handler_.handle(viewer_, parse_text(text), Permission::kCommand, kNow);
     return take();
   }
-  Received set(const std::string& name, const std::string& value,
-               Permission permission = Permission::kCommand) {
+  Received set(const std::string& name, const std::string& value) {
     return send(R"({"op":"setParameters","parameters":[{"name":")" + name + R"(","value":)" +
-                    value + R"(}],"id":"s"})",
-                permission);
+                value + R"(}],"id":"s"})");
   }
   /// A request that sets the robot in motion gets the consent of a person who looks at the page
   /// now, unless it has one.
-  Received call(Service service, const std::string& payload = "{}",
-                Permission permission = Permission::kCommand, HostNs now = kNow) {
+  Received call(Service service, const std::string& payload = "{}", HostNs now = kNow) {
     Json request = Json::parse(payload, nullptr, false);
     const auto row = std::ranges::find(handler_.services(), service, &ServiceRow::service);
     const bool moves = row != handler_.services().end() && row->rules.consents;
@@ -69,13 +66,12 @@ class RequestHandlerTest : public ::testing::Test {
     }
     const std::string text = moves && request.is_object() ? request.dump() : payload;
     const auto number = static_cast<std::uint32_t>(service);
-    handler_.handle(viewer_, ServiceCall{number, 9, "json", text}, permission, now);
+    handler_.handle(viewer_, ServiceCall{number, 9, "json", text}, Permission::kCommand, now);
     return take();
   }
   /// Why the request is refused; empty: it is not.
-  std::string refused(Service service, const std::string& payload = "{}",
-                      Permission permission = Permission::kCommand) {
-    const Received received = call(service, payload, permission);
+  std::string refused(Service service, const std::string& payload = "{}") {
+    const Received received = call(service, payload);
     if (received.texts.empty()) return {};
     EXPECT_EQ(received.texts[0]["op"], "serviceCallFailure");
     return received.texts[0]["message"];

@@ -15,8 +15,7 @@ inline constexpr std::size_t kResponseHead = 17;
 inline std::string ask(WebClient& viewer, Service service, const std::string& request = "{}") {
   static char call = 0;
   const char number = ++call, code = static_cast<char>(service);
-  const std::string head = {'\x02', code, 0, 0, 0, number, 0, 0, 0, 4, 0, 0, 0};
-  viewer.write_binary(head + "json" + request);
+  viewer.call(service, request, number);
   // The response repeats service and call; a failure names the call.
   const std::string response = {'\x03', code, 0, 0, 0, number, 0, 0, 0};
   const std::string failure = "\"callId\":" + std::to_string(int{number});

@@ -165,9 +165,11 @@ bool sets_in_motion(Service service) {
          service == Service::kDriveTake || service == Service::kWheelsUpBegin;
 }
 
-void WebClient::call(Service service) {
-  std::string bytes = {'\x02', static_cast<char>(service), 0, 0, 0, 1, 0, 0, 0, 4, 0, 0, 0};
-  write_binary(bytes + "json{" + (sets_in_motion(service) ? consent() : "") + "}");
+void WebClient::call(Service service, const std::string& request, char number) {
+  const std::string head = {'\x02', static_cast<char>(service), 0, 0, 0, number, 0, 0, 0, 4, 0, 0,
+                            0};
+  const std::string usual = "{" + (sets_in_motion(service) ? consent() : "") + "}";
+  write_binary(head + "json" + (request.empty() ? usual : request));
 }
 
 std::string WebClient::consent() {

@@ -36,9 +36,9 @@ class WebClient {
   void write_raw_header(std::uint64_t size);
   void write_raw(const std::string& bytes);
   void subscribe(messages::Channel channel);
-  /// Calls a service. One that sets the robot in motion gets the consent of a person who looks at
-  /// the page now.
-  void call(Service service);
+  /// Calls a service with that request as JSON, for the call of that number. Without a request, one
+  /// that sets the robot in motion gets the consent of a person who looks at the page now.
+  void call(Service service, const std::string& request = "", char number = 1);
   /// `"stops":N,"t_s":T` of the next /state; without a subscription to it from one of its own,
   /// whose messages are not among those below. Throws if none arrives within a minute.
   std::string consent();
