@@ -25,7 +25,7 @@ WorldSample answer(HostNs step, double pitch_rad = 0.0) {
   return received;
 }
 
-TEST(ExternalWorld, IsFreshWhileItAnswersYoungPoses) {
+TEST(ExternalWorld, IsLostOnceItsLastAnswerIsToAPoseOlderThan100Ms) {
   ExternalWorld world(external(), Setup::kFlat);
   EXPECT_FALSE(world.fresh(0));
   world.take(answer(kNsPerS));
