@@ -149,6 +149,9 @@ TEST(Corner, GuidesARobotAroundNearerToThePathThanATurnOnTheSpot) {
         EXPECT_EQ(corner.radius_m(), 0.0) << "nearly straight on or back, or about the point";
         EXPECT_EQ(corner.stop_before_m(), 0.0);
       }
+      if (std::abs(angle_deg) == 90 && std::abs(x_icr_m) >= 0.025) {
+        EXPECT_GT(corner.radius_m(), 0.0) << "wherever the turning centre is";
+      }
       // Around a sharper one the robot cannot quite follow.
       if (corner.radius_m() == 0.0 || std::abs(angle_deg) > 140) continue;
       const Guided robot = guided(angle_deg, x_icr_m, corner);

@@ -52,6 +52,21 @@ TEST(Tracker, DrivesTurnsCirclesAndCrossingsToTheirEndWithoutACut) {
   }
 }
 
+TEST(Tracker, RetunedDuringADriveSteersAsIfItHadBegunSo) {
+  const course::Path path(make_course({course::Line{1.0}}));
+  Parameters changed;
+  changed.cross_track_gain_1ps *= 2.0;
+  changed.preview_s *= 2.0;
+  Tracker before({}, path, {}), retuned({}, path, {}), anew(changed, path, {});
+  retuned.retune(changed);
+  const auto yaw_rad = [](Tracker& tracker) {
+    return tracker.update({.x_m = 0.01, .y_m = 0.002}, {}, kDt).desired_yaw_rad;
+  };
+  const double now_rad = yaw_rad(retuned);
+  EXPECT_EQ(now_rad, yaw_rad(anew));
+  EXPECT_NE(now_rad, yaw_rad(before));
+}
+
 TEST(Tracker, SeesThatTheRobotLeavesThePathAlongItAndInATurnOnTheSpot) {
   const course::Path path(make_course({course::Line{0.5}, course::Pivot{2.0}, course::Line{0.5}}));
   const auto off_path_m = [&](double from_m, double to_m) {

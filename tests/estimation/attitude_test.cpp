@@ -47,6 +47,16 @@ TEST(AttitudeFilter, GravityCountsOverSevenTenthsOfASecond) {
   }
 }
 
+// Else the pitch of a robot that drives drifts by the gyro's offsets.
+TEST(AttitudeFilter, WhatTheGyroReadsAtRestIsNoRotation) {
+  AttitudeFilter filter;
+  const AttitudeFilter::Vector offset_radps = {0.01, -0.02, 0.0};
+  for (int i = 0; i < 2000; ++i) filter.level(offset_radps, gravity(0.0, 0.0), kDt);
+  for (int i = 0; i < 200; ++i) filter.update(offset_radps, {0, 0, 0}, kDt);
+  EXPECT_NEAR(filter.roll_rad(), 0.0, 0.001);
+  EXPECT_NEAR(filter.pitch_rad(), 0.0, 0.002);
+}
+
 // Without gravity the angles are those of the rotation that the gyro measures; the heading turns
 // with them.
 TEST(AttitudeFilter, FollowsAnyRotationByTheGyroAlone) {
