@@ -118,9 +118,9 @@ class JsonWriter {
     visit_fields(
         [this](std::string_view name, const auto& value) {
           if constexpr (requires { visit_fields([](auto, const auto&) {}, value); }) {
-            fields(value);
+            this->fields(value);
           } else {
-            field(name, value);
+            this->field(name, value);
           }
         },
         values);

@@ -56,7 +56,8 @@ TEST(Check, AFileOfAnotherProgramIsSentThere) {
   for (const auto& [path, command] : {std::pair(view, std::string("tp100-camera SOURCE --view")),
                                       {campaign, "run tp100-sim campaign " + campaign},
                                       {least, "run tp100-sim campaign " + least}})
-    EXPECT_THAT([&] { check_file(path); }, testing::ThrowsMessage<SetupError>(HasSubstr(command)));
+    EXPECT_THAT([file = path] { check_file(file); },
+                testing::ThrowsMessage<SetupError>(HasSubstr(command)));
 }
 
 TEST(Check, AConfigurationMustNameARobotAndACourseThatExist) {
