@@ -31,7 +31,6 @@ struct Ramp {
   double down_length_m() const;  ///< of the footprint under the down side
   double length_m() const;       ///< of the whole footprint
 };
-TP100_FIELDS(Ramp, place, height_m, up_rad, top_m, down_rad, width_m)
 
 /// A box: a step up and a step down.
 struct Block {
@@ -40,7 +39,6 @@ struct Block {
   double depth_m;  ///< along its heading
   double width_m;
 };
-TP100_FIELDS(Block, place, height_m, depth_m, width_m)
 
 /// A rectangle of another surface; it also covers ramps and blocks on it.
 struct Surface {
