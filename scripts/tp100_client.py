@@ -10,8 +10,8 @@ daemon/messages/CHANNELS.md; this file speaks the protocol, knows a few of them 
         print(robot.pose())                         # {"x_m": ..., "y_m": ..., "yaw_rad": ...}
         print(robot.wait_for_end())                 # "finished" or "aborted"
 
-        with robot.drive_by_hand() as wheel:        # nothing else may drive meanwhile
-            wheel.drive(speed_mps=0.1, yaw_rate_radps=0.0, duration_s=2.0)
+        with robot.drive_by_hand() as lease:        # nothing else may drive meanwhile
+            lease.drive(speed_mps=0.1, yaw_rate_radps=0.0, duration_s=2.0)
 
         for message in robot.messages("/estimate", duration_s=1.0):
             print(message["odometry"]["x_m"])
@@ -166,11 +166,11 @@ class Robot:
         return self.call("stop")["acknowledged"]
 
     def drive_by_hand(self, patience_s=2.5, seen=None):
-        """Arms the robot and takes the wheel: `with robot.drive_by_hand() as wheel: wheel.drive(...)`. `patience_s`:
+        """Arms the robot and takes the lease: `with robot.drive_by_hand() as lease: lease.drive(...)`. `patience_s`:
         longest wait for the robot to come to rest. `seen`: as for start()."""
         consent = self._consent(seen)
         self._when_possible("drive", patience_s)
-        return Wheel(self, consent)
+        return Lease(self, consent)
 
     def examine(self):
         """The findings of `tp100d doctor`, while no run is under way: a list of {"severity", "name", "seen", "fix"},
@@ -292,7 +292,7 @@ class Robot:
             waiting.put(result)
 
 
-class Wheel:
+class Lease:
     """The right to drive the armed robot by hand. Without a call of drive() for 150 ms the robot stands still."""
 
     def __init__(self, robot, consent):

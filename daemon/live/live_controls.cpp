@@ -106,30 +106,30 @@ Result<std::string> LiveControls::drive_take(const std::string& driver, const Co
                                              HostNs now) {
   const std::lock_guard lock(mutex_);
   if (const Result<> may = may_move(consent, now); !may) return may.refusal();
-  if (!driving(now)) wheel_.clear();
-  const std::optional<std::string> token = wheel_.take(driver, now);
-  if (!token) return Refusal{wheel_.figures(now).by + " drives; ask for a release"};
+  if (!driving(now)) lease_.clear();
+  const std::optional<std::string> token = lease_.take(driver, now);
+  if (!token) return Refusal{lease_.figures(now).by + " drives; ask for a release"};
   // The previous driver's token is no longer valid.
   cycle_.velocity({.at_ns = now});
   if (cycle_.request(OperatorRequest::kDrive, consent)) return *token;
-  wheel_.clear();
+  lease_.clear();
   return Refusal{kBusy};
 }
 
 Result<> LiveControls::drive(const server::DriveRequest& request, HostNs now) {
   const std::lock_guard lock(mutex_);
-  if (!driving(now)) wheel_.clear();
+  if (!driving(now)) lease_.clear();
   std::string why;
-  const std::optional<VelocityInput> input = wheel_.drive(request, now, why);
+  const std::optional<VelocityInput> input = lease_.drive(request, now, why);
   if (input) return unless_busy(cycle_.velocity(*input));
-  if (why.empty()) return Refusal{"this token does not hold the wheel; take it"};
+  if (why.empty()) return Refusal{"this token does not hold the lease; take it"};
   static_cast<void>(end_drive(now));
   return Refusal{why};
 }
 
 Result<> LiveControls::drive_release(const std::string& token, HostNs now) {
   const std::lock_guard lock(mutex_);
-  if (!wheel_.release(token)) return Refusal{"this token does not hold the wheel"};
+  if (!lease_.release(token)) return Refusal{"this token does not hold the lease"};
   return end_drive(now);
 }
 
@@ -142,21 +142,21 @@ Result<> LiveControls::end_drive(HostNs now) {
 
 void LiveControls::drive_lost(const std::string& driver, HostNs now) {
   const std::lock_guard lock(mutex_);
-  if (wheel_.lose(driver)) cycle_.velocity({.at_ns = now});
+  if (lease_.lose(driver)) cycle_.velocity({.at_ns = now});
   self_test_.wheels_up().lose(driver);
 }
 
 messages::DriverFigures LiveControls::driver(HostNs now) {
   const std::lock_guard lock(mutex_);
-  if (!driving(now)) wheel_.clear();
-  return wheel_.figures(now);
+  if (!driving(now)) lease_.clear();
+  return lease_.figures(now);
 }
 
 /// Driven by hand, or about to be.
 bool LiveControls::driving(HostNs now) {
   const RunState state = cycle_.run_state();
   return state == RunState::kDriving || state == RunState::kArming ||
-         now - wheel_.taken_ns() < kTakesEffectNs;
+         now - lease_.taken_ns() < kTakesEffectNs;
 }
 
 Result<> LiveControls::set(const messages::ParameterText& parameter,

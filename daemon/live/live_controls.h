@@ -96,7 +96,7 @@ class LiveControls : public server::Controls {
   std::mutex mutex_;
   messages::PortFigures port_{};
   StartFacts start_{};
-  server::Wheel wheel_;
+  server::Lease lease_;
   std::vector<std::pair<std::string, bool>> privileges_;
   bool ending_ = false;
 };

@@ -151,14 +151,14 @@ void Ros2Requests::take(const ros2::Received& received, HostNs now) {
   refuse(received.input, now, why);
 }
 
-// Only a node that said false before takes the wheel and so arms: a stream of true must not arm
+// Only a node that said false before takes the lease and so arms: a stream of true must not arm
 // again whenever a drive has ended, whatever other nodes say.
 void Ros2Requests::drive(const ros2::Received& received, bool wanted, HostNs now) {
   Writer& writer = writer_of(received.writer);
   if (!wanted) {
     writer.said_false = true;
     if (!token_.empty() && controls_.drive_release(token_, now))
-      reply(now, std::string(kTopic) + " releases the wheel");
+      reply(now, std::string(kTopic) + " releases the lease");
     token_.clear();
     return;
   }
@@ -167,7 +167,7 @@ void Ros2Requests::drive(const ros2::Received& received, bool wanted, HostNs now
   if (!token_.empty() && by == kTopic) return;
   if (!said_false)
     return note(kRepeated, now,
-                "/tp100/drive takes no wheel: true counts only after this node's own false; send "
+                "/tp100/drive takes no lease: true counts only after this node's own false; send "
                 "false, then true");
   std::string why;
   if (ros2::in_time(received, why) && by.empty()) why = to_string(drive_refusal_);
@@ -177,7 +177,7 @@ void Ros2Requests::drive(const ros2::Received& received, bool wanted, HostNs now
   const Result<std::string> token = controls_.drive_take(kTopic, consent_of(received, now), now);
   if (!token) return refuse(ros2::Input::kDrive, now, token.why());
   token_ = *token;
-  reply(now, std::string(kTopic) + " takes the wheel");
+  reply(now, std::string(kTopic) + " takes the lease");
 }
 
 void Ros2Requests::velocity(const ros2::Received& received, HostNs now) {
@@ -190,7 +190,7 @@ void Ros2Requests::velocity(const ros2::Received& received, HostNs now) {
   }
   if (token_.empty())
     return note(kNotTaken, now,
-                "/cmd_vel does not drive; send true on /tp100/drive to take the wheel");
+                "/cmd_vel does not drive; send true on /tp100/drive to take the lease");
   if (writer_ != 0 && !drives)
     return note(kOtherWriter, now, "/cmd_vel has a second writer, which is ignored");
   std::string why;

@@ -120,7 +120,7 @@ inline constexpr std::array<EnumName<StopFigures::Status>, 4> kStopStatusNames =
 struct DriverFigures {
   std::string by;        ///< empty: nobody
   bool fresh = false;    ///< the driver's input is fresh
-  std::string asked_by;  ///< who else asked for the wheel in the last seconds; empty: nobody
+  std::string asked_by;  ///< who else asked for the lease in the last seconds; empty: nobody
 };
 
 /// Run, session and the operations possible now.

@@ -18,7 +18,7 @@ namespace tp100::ros2 {
 enum class Input : std::uint8_t {
   kVelocity,         ///< /cmd_vel, without a stamp
   kVelocityStamped,  ///< /cmd_vel, stamped
-  kDrive,            ///< /tp100/drive: take the wheel, or release it
+  kDrive,            ///< /tp100/drive: take the lease, or release it
   kInitialPose,      ///< /initialpose
   kGoal,             ///< /goal_pose: start a course that leads there
   kCourse,           ///< /tp100/course: start the course of that name

@@ -38,8 +38,8 @@ Result<std::string> WheelsUpCheck::begin(const std::string& viewer, HostNs now) 
   const std::lock_guard lock(mutex_);
   if (on_.exchange(true)) return Refusal{kTracksRun};
   stop_ = false;
-  wheel_.clear();
-  const std::string token = wheel_.take(viewer, now).value_or("");
+  lease_.clear();
+  const std::string token = lease_.take(viewer, now).value_or("");
   input_ns_ = now;
   step_ = "the check takes over the port";
   question_.reset();
@@ -67,7 +67,7 @@ Result<std::string> WheelsUpCheck::watch(const server::Request& request) {
   if (!token || !input_ms) return Refusal{"token and input_ms are needed"};
   const std::lock_guard lock(mutex_);
   std::string why;
-  const auto input = wheel_.drive({.token = *token, .input_ms = *input_ms}, request.now, why);
+  const auto input = lease_.drive({.token = *token, .input_ms = *input_ms}, request.now, why);
   if (!input && why.empty()) return Refusal{"no check has this token; begin another check"};
   if (!input) {
     lose_viewer(why);
@@ -97,7 +97,7 @@ Result<std::string> WheelsUpCheck::watch(const server::Request& request) {
 
 void WheelsUpCheck::lose(const std::string& viewer) {
   const std::lock_guard lock(mutex_);
-  if (on() && wheel_.lose(viewer)) lose_viewer("its viewer has disconnected");
+  if (on() && lease_.lose(viewer)) lose_viewer("its viewer has disconnected");
 }
 
 void WheelsUpCheck::lose_viewer(const std::string& why) {

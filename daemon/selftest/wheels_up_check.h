@@ -13,8 +13,8 @@
 #include "messages/event_queue.h"
 #include "record/worker.h"
 #include "selftest/port_handover.h"
+#include "server/lease.h"
 #include "server/service.h"
-#include "server/wheel.h"
 
 namespace tp100::selftest {
 
@@ -68,7 +68,7 @@ class WheelsUpCheck : public doctor::Operator {
   std::atomic<HostNs> motors_off_ns_{0};
   std::mutex mutex_;  // guards what follows; held for moments only
   course::Robot robot_;
-  server::Wheel wheel_;
+  server::Lease lease_;
   std::string step_;
   std::optional<doctor::Question> question_{};
   unsigned question_number_ = 0;

@@ -16,8 +16,8 @@
 #include "course/goal.h"
 #include "messages/figures.h"
 #include "messages/parameter_text.h"
+#include "server/lease.h"
 #include "server/service.h"
-#include "server/wheel.h"
 
 namespace tp100::server {
 
@@ -48,7 +48,7 @@ class Controls {
                        const messages::ParameterValue& value) = 0;
 
   // Driving by hand.
-  /// Gives `driver`, a name that no other client has, the wheel, and arms the robot. Returns the
+  /// Gives `driver`, a name that no other client has, the lease, and arms the robot. Returns the
   /// token.
   virtual Result<std::string> drive_take(const std::string& driver, const Consent& consent,
                                          HostNs now) = 0;

@@ -52,13 +52,13 @@ struct Motion {
     return accepted(resumed);
   }
 
-  Text take_wheel(const Request& request) const {
+  Text take_lease(const Request& request) const {
     // A driver who asks again gets a new token.
     const std::string& why = request.state.why_not_drive;
     if (!why.empty() && controls.driver(request.now).by.empty()) return Refusal{why};
     const Text token = controls.drive_take(request.by, request.consent, request.now);
     if (!token) return token;
-    say(request, " takes the wheel");
+    say(request, " takes the lease");
     return json_of({{"token", *token}});
   }
 
@@ -75,7 +75,7 @@ struct Motion {
     return accepted(controls.drive({*token, *speed_mps, *rate_radps, *input_ms}, request.now));
   }
 
-  Text release_wheel(const Request& request) const {
+  Text release_lease(const Request& request) const {
     const auto token = request.arguments.text("token");
     if (!token) return Refusal{"token must be a string"};
     return accepted(controls.drive_release(*token, request.now));
@@ -131,9 +131,9 @@ std::vector<ServiceRow> motion_services(Controls& controls, Publisher& publisher
       {Service::kHold, "hold", "{}", kAccepted, hold},
       {Service::kPause, "pause", "{}", kAccepted, at_once(&Motion::pause)},
       {Service::kResume, "resume", "{}", kAccepted, at_once(&Motion::resume), kConsent},
-      {Service::kDriveTake, "drive_take", "{}", kToken, at_once(&Motion::take_wheel), kConsent},
+      {Service::kDriveTake, "drive_take", "{}", kToken, at_once(&Motion::take_lease), kConsent},
       {Service::kDrive, "drive", kDrive, kAccepted, at_once(&Motion::drive)},
-      {Service::kDriveRelease, "drive_release", kToken, kAccepted, at_once(&Motion::release_wheel)},
+      {Service::kDriveRelease, "drive_release", kToken, kAccepted, at_once(&Motion::release_lease)},
       {Service::kChoose, "choose", kChoice, kChoice, later(&Motion::choose), kRest},
       {Service::kPlace, "place", kPlace, kPose, later(&Motion::place), kRest},
   };

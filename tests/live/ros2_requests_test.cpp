@@ -250,7 +250,7 @@ TEST_F(Ros2RequestsTest, AVelocityCountsByItsTimeOnly) {
   EXPECT_THAT(take_messages(), HasSubstr("0.4 s old by this machine's clock"));
 }
 
-// Another node's release must not make a stream of true take the wheel, after a STOP least of all.
+// Another node's release must not make a stream of true take the lease, after a STOP least of all.
 TEST_F(Ros2RequestsTest, TrueTakesTheWheelOnlyAfterTheSameNodesFalseAndAfterAStopWasSeen) {
   const auto say = [&](std::uint64_t writer, bool wanted) {
     send(ros2::Input::kDrive, ros2::std_msgs::Bool{.data = wanted}, 0, writer);

@@ -19,12 +19,12 @@ export class Driver {
     this.peer = new Peer(domain, [`rt/odom=${ddsType(odometry)}=RV`, `rt/ground_truth=${ddsType(truth)}=RV`,
       `+rt/cmd_vel=${ddsType(type)}=RV`, `+rt/tp100/drive=${ddsType(bool)}=RV`], under);
   }
-  /** Takes the wheel as soon as the daemon permits it. */
+  /** Takes the lease as soon as the daemon permits it. */
   async take() {
     this.ended = this.drivesEnded();
     await Promise.all([this.peer.matched('/cmd_vel', this.type), this.peer.matched('/tp100/drive', bool)]);
-    const taken = () => this.run.lines.filter((line) => /ROS 2 \/cmd_vel takes the wheel/.test(line)).length;
-    // A refusal is logged at once. Do not ask again too soon, because that would release the wheel.
+    const taken = () => this.run.lines.filter((line) => /ROS 2 \/cmd_vel takes the lease/.test(line)).length;
+    // A refusal is logged at once. Do not ask again too soon, because that would release the lease.
     for (const before = taken(), askMs = 2000; taken() === before;) {
       this.peer.publish('/tp100/drive', bool, { data: false });
       this.peer.publish('/tp100/drive', bool, { data: true });

@@ -76,10 +76,10 @@ def drives(at):
         check(robot.estimate()["progress_m"] > 0.45, "the estimate tells the progress")
 
         before = robot.pose("odometry")
-        with robot.drive_by_hand() as wheel:
-            wheel.drive(0.1, 0.0, 0.2)
+        with robot.drive_by_hand() as lease:
+            lease.drive(0.1, 0.0, 0.2)
             check("drives" in refused(lambda: other.drive_by_hand(0.0)), "one driver at a time")
-            wheel.drive(0.1, 0.0, 1.5)
+            lease.drive(0.1, 0.0, 1.5)
             check(robot.state()["run"] == "driving", "the state tells who drives")
         check(robot.wait_for_end(10.0) == "idle", "released, the robot is disarmed")
         check(0.05 < distance(before, robot.pose("odometry")) < 0.4, "it has moved by hand")

@@ -16,7 +16,7 @@ enum class Loss {
   kSilence,       ///< messages end: cable cut, page hung, tab suspended
   kFrozenInput,   ///< messages continue, but the person's input does not change
   kDelayed,       ///< messages arrive a second late, all at once
-  kTakenOver,     ///< another viewer takes the wheel as soon as it gets it
+  kTakenOver,     ///< another viewer takes the lease as soon as it gets it
   kReleased,
   kZeroInput,  ///< sent by a page that is hidden or loses the focus
   kStopped,    ///< another viewer presses STOP

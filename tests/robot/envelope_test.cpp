@@ -233,7 +233,7 @@ TEST_P(Lies, KeepEveryRobotOnEveryPath) {
   }
 }
 
-/// A driver who drives towards the fence with a lying camera or world, and takes the wheel again
+/// A driver who drives towards the fence with a lying camera or world, and takes the lease again
 /// each time that the drive has ended.
 void expect_fenced_in(const Case& which, const std::string& robot, PoseSource steering,
                       double yaw_rate_radps) {

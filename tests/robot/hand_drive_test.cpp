@@ -33,7 +33,7 @@ class HandDriveTest : public ::testing::Test {
   }
 };
 
-// Neither an input without the wheel, nor one that bypasses all earlier checks, nor velocities that
+// Neither an input without the lease, nor one that bypasses all earlier checks, nor velocities that
 // are streamed.
 TEST_F(HandDriveTest, AnInputAloneNeverArms) {
   HandDriven drive({.loaded = load({})});

@@ -83,7 +83,7 @@ class HandDriven : public live::DaemonRig {
     return step_until([&] { return record().snapshot.drive_refusal == StartRefusal::kNone; }, 10.0);
   }
 
-  /// Viewer `id` takes the wheel, gives a first input and waits until the robot is armed. Returns
+  /// Viewer `id` takes the lease, gives a first input and waits until the robot is armed. Returns
   /// the token or the refusal.
   std::string take(std::uint32_t id) {
     const nlohmann::json answer = call(id, "drive_take");
@@ -92,7 +92,7 @@ class HandDriven : public live::DaemonRig {
     step_until([&] { return state() == RunState::kDriving; }, 1.0);
     return answer["token"];
   }
-  /// ROS 2 takes the wheel and the robot is armed; returns the messages if that fails.
+  /// ROS 2 takes the lease and the robot is armed; returns the messages if that fails.
   std::string take_by_ros2() {
     receive_drive(false);
     take_messages();

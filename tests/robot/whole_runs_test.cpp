@@ -183,7 +183,7 @@ WholeRun by_hand(const std::string& what, const Options& options, const std::str
           }};
 }
 
-/// Takes the wheel and moves the hand.
+/// Takes the lease and moves the hand.
 void move(HandDriven& drive, const std::vector<Hand>& hands) {
   const std::string token = drive.take(1);
   for (const Hand& hand : hands) {

@@ -56,24 +56,24 @@ class FakeControls : public Controls {
   Result<std::string> drive_take(const std::string& driver, const Consent& given,
                                  HostNs now) override {
     consents.push_back(given);
-    const std::optional<std::string> taken = wheel.take(driver, now);
-    if (!taken) return Refusal{wheel.figures(now).by + " drives"};
+    const std::optional<std::string> taken = lease.take(driver, now);
+    if (!taken) return Refusal{lease.figures(now).by + " drives"};
     return *taken;
   }
   Result<> drive(const DriveRequest& request, HostNs now) override {
-    std::string why = "this token does not hold the wheel; take it";
-    const std::optional<VelocityInput> input = wheel.drive(request, now, why);
+    std::string why = "this token does not hold the lease; take it";
+    const std::optional<VelocityInput> input = lease.drive(request, now, why);
     if (!input) return Refusal{why};
     inputs.push_back(*input);
     return Done{};
   }
   Result<> drive_release(const std::string& token, HostNs) override {
-    return unless(wheel.release(token) ? "" : "this token does not hold the wheel");
+    return unless(lease.release(token) ? "" : "this token does not hold the lease");
   }
   void drive_lost(const std::string& driver, HostNs) override {
-    if (wheel.lose(driver)) ++drivers_lost;
+    if (lease.lose(driver)) ++drivers_lost;
   }
-  messages::DriverFigures driver(HostNs now) override { return wheel.figures(now); }
+  messages::DriverFigures driver(HostNs now) override { return lease.figures(now); }
   void choose(const SetupChoice& choice, Answer answer) override {
     choices.push_back(choice);
     answer("", "{}");
@@ -90,7 +90,7 @@ class FakeControls : public Controls {
   std::shared_future<void> held{};     ///< blocks hold() until it is ready
   std::atomic<bool> no_memory{false};  ///< hold() throws
   HostNs motors_off = 0;
-  Wheel wheel;
+  Lease lease;
   std::vector<VelocityInput> inputs;
   std::atomic<int> drivers_lost{0};
   std::mutex mutex;

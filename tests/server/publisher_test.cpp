@@ -145,8 +145,8 @@ TEST_F(PublisherTest, SaysWhoDrivesAndWhetherAnotherMay) {
   const Json free = state();
   EXPECT_EQ(free["can"]["drive"], true);
   EXPECT_FALSE(free.contains("driver"));
-  controls_.wheel.take("viewer 1", record_.now_ns);
-  controls_.wheel.take("viewer 2", record_.now_ns);
+  controls_.lease.take("viewer 1", record_.now_ns);
+  controls_.lease.take("viewer 2", record_.now_ns);
   record_.snapshot.run_state = RunState::kDriving;
   record_.snapshot.drive_refusal = StartRefusal::kDriven;
   const Json taken = state(0.05);

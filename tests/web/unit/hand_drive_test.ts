@@ -38,11 +38,11 @@ describe('the driver', () => {
   });
 
   // Otherwise the daemon could not tell how old an input is, or would count the person's first one as the path's delay.
-  it('takes the wheel by consent, and sends a standstill as soon as it has it, nothing before', async () => {
+  it('takes the lease by consent, and sends a standstill as soon as it has it, nothing before', async () => {
     inputs.key('KeyA', 'pressed');
     driver.tick();
     driver.leave();
-    expect(sent, 'nothing before it has the wheel').toEqual([]);
+    expect(sent, 'nothing before it has the lease').toEqual([]);
     const taken = driver.take();
     inputs.key('KeyW', 'pressed');
     await taken;
@@ -52,7 +52,7 @@ describe('the driver', () => {
     ]);
   });
 
-  it('says why the wheel or its path is refused, and does not drive', async () => {
+  it('says why the lease or its path is refused, and does not drive', async () => {
     for (const refused of ['drive_take', 'drive']) {
       answer = (service) => (service === refused ? Promise.reject(new Error(`${refused} is refused`)) : Promise.resolve({ token: 't' }));
       await driver.take();
@@ -93,13 +93,13 @@ describe('the driver', () => {
     expect(sent.length).toBeLessThan(10);
   });
 
-  it('loses the wheel with a refusal, the end of the drive or the connection, and says why', async () => {
+  it('loses the lease with a refusal, the end of the drive or the connection, and says why', async () => {
     await driver.take();
-    answer = () => Promise.reject(new Error('this token does not hold the wheel; take it'));
+    answer = () => Promise.reject(new Error('this token does not hold the lease; take it'));
     driver.tick();
     await settled();
     expect(driver.drives).toBe(false);
-    expect(ended).toEqual(['this token does not hold the wheel; take it']);
+    expect(ended).toEqual(['this token does not hold the lease; take it']);
 
     answer = () => Promise.resolve({ token: 'u' });
     await driver.take();

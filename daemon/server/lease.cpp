@@ -1,4 +1,4 @@
-#include "server/wheel.h"
+#include "server/lease.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,25 +18,25 @@ std::string slow(HostNs round_trip_ns) {
       "with "
       "a round trip of less than %.1f s, and a first input (zero speed will do) at once after the "
       "token",
-      to_s(round_trip_ns), to_s(Wheel::kMaxRoundTripNs));
+      to_s(round_trip_ns), to_s(Lease::kMaxRoundTripNs));
 }
 
 }  // namespace
 
-std::optional<std::string> Wheel::take(const std::string& driver, HostNs now) {
+std::optional<std::string> Lease::take(const std::string& driver, HostNs now) {
   if (fresh(now) && driver != driver_) {
     asking_ = driver;
     asked_ns_ = now;
     return std::nullopt;
   }
-  *this = Wheel{};
+  *this = Lease{};
   token_ = random_name();
   driver_ = driver;
   taken_ns_ = input_ns_ = received_ns_ = now;
   return token_;
 }
 
-std::optional<VelocityInput> Wheel::drive(const DriveRequest& request, HostNs now,
+std::optional<VelocityInput> Lease::drive(const DriveRequest& request, HostNs now,
                                           std::string& why) {
   if (!holds(request.token)) return std::nullopt;
   if (request.at_ns) {
@@ -66,20 +66,20 @@ std::optional<VelocityInput> Wheel::drive(const DriveRequest& request, HostNs no
   return VelocityInput{at_ns, request.speed_mps, request.yaw_rate_radps};
 }
 
-bool Wheel::release(std::string_view token) {
+bool Lease::release(std::string_view token) {
   if (!holds(token)) return false;
   clear();
   return true;
 }
 
-bool Wheel::lose(std::string_view driver) {
+bool Lease::lose(std::string_view driver) {
   if (asking_ == driver) asking_.clear();
   if (token_.empty() || driver_ != driver) return false;
   clear();
   return true;
 }
 
-messages::DriverFigures Wheel::figures(HostNs now) const {
+messages::DriverFigures Lease::figures(HostNs now) const {
   messages::DriverFigures out;
   if (token_.empty()) return out;
   out.by = driver_;

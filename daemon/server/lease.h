@@ -1,6 +1,6 @@
 #pragma once
-// The wheel, held by the one client that drives by hand, of whatever kind. Pure: times are passed
-// in; the caller locks.
+// The lease: the right to drive by hand, which one client at a time holds, of whatever kind. Pure:
+// times are passed in; the caller locks.
 
 #include <cstdint>
 #include <optional>
@@ -14,7 +14,7 @@ namespace tp100::server {
 
 /// One input of a driver, as the client sent it.
 struct DriveRequest {
-  std::string token;            ///< of Wheel::take
+  std::string token;            ///< of Lease::take
   double speed_mps = 0.0;       ///< backwards negative
   double yaw_rate_radps = 0.0;  ///< counter-clockwise positive
   double input_ms = 0.0;        ///< when the person gave it, by the client's own clock
@@ -22,9 +22,9 @@ struct DriveRequest {
   std::optional<HostNs> at_ns{};
 };
 
-/// A driver holds the wheel until it releases it, is lost, or gives no fresh input while another
-/// client asks for the wheel.
-class Wheel {
+/// A driver holds the lease until it releases it, is lost, or gives no fresh input while another
+/// client asks for the lease.
+class Lease {
  public:
   /// A client that was refused counts as asking for this long.
   static constexpr HostNs kAskNs = 5 * kNsPerS;
@@ -34,22 +34,22 @@ class Wheel {
   /// that drifts, and is not counted.)
   static constexpr HostNs kMaxRoundTripNs = 2 * kFreshInputNs;
 
-  /// Gives the wheel to `driver`, a name that no other client has, and returns the token; the
+  /// Gives the lease to `driver`, a name that no other client has, and returns the token; the
   /// previous token is ignored from now on. Returns nothing while another driver's input is fresh;
   /// that driver is then shown who asks.
   std::optional<std::string> take(const std::string& driver, HostNs now);
   /// The input with the host time at which the person gave it; nothing if the token does not hold
-  /// the wheel. A message that was delayed on its way, or that repeats an input, has the age of the
+  /// the lease. A message that was delayed on its way, or that repeats an input, has the age of the
   /// person's input. The first input was given after take(): the time since then, a round trip at
-  /// most, bounds the delay of the path. If that is kMaxRoundTripNs or more, the wheel is released,
+  /// most, bounds the delay of the path. If that is kMaxRoundTripNs or more, the lease is released,
   /// and `why` says so in one line.
   std::optional<VelocityInput> drive(const DriveRequest& request, HostNs now, std::string& why);
-  /// False: the token does not hold the wheel.
+  /// False: the token does not hold the lease.
   bool release(std::string_view token);
-  /// The client is gone. True: it held the wheel.
+  /// The client is gone. True: it held the lease.
   bool lose(std::string_view driver);
-  /// Nobody holds the wheel.
-  void clear() { *this = Wheel{}; }
+  /// Nobody holds the lease.
+  void clear() { *this = Lease{}; }
 
   HostNs taken_ns() const { return taken_ns_; }
   messages::DriverFigures figures(HostNs now) const;
