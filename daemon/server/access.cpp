@@ -4,23 +4,22 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <random>
+
+#include "text/format.h"
 
 namespace tp100::server {
 namespace {
 
 std::string lower(std::string_view text) {
   std::string out(text);
-  std::transform(out.begin(), out.end(), out.begin(), [](char c) {
-    return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  });
+  for (char& c : out) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return out;
 }
 
 bool is_port(std::string_view text) {
   return !text.empty() && text.size() <= 5 &&
-         std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+         text.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
 /// The host without its port; empty if it is not of that form.
@@ -38,8 +37,7 @@ std::string_view name_of(std::string_view host) {
 }
 
 bool contains(const std::vector<std::string>& list, const std::string& wanted) {
-  return std::any_of(list.begin(), list.end(),
-                     [&](const std::string& each) { return lower(each) == wanted; });
+  return std::ranges::any_of(list, [&](const auto& each) { return lower(each) == wanted; });
 }
 
 }  // namespace
@@ -86,12 +84,31 @@ bool origin_allowed(std::string_view origin, std::string_view host, const Access
 std::string random_name() {
   std::random_device random;
   std::string out;
-  for (int i = 0; i < 4; ++i) {
-    char digits[9];
-    const auto end = std::to_chars(digits, digits + sizeof digits, random(), 16).ptr;
-    out.append(digits, end);
-  }
+  for (int i = 0; i < 4; ++i) out += text::format("%08x", random());
   return out;
+}
+
+bool Budget::charge(double units, HostNs now) {
+  left_ = std::min(units_per_s_, left_ + to_s(now - at_ns_) * units_per_s_);
+  at_ns_ = now;
+  left_ = std::max(-units_per_s_, left_ - units);
+  return left_ >= 0.0;
+}
+
+bool Budget::full(HostNs now) const {
+  return left_ + to_s(now - at_ns_) * units_per_s_ >= units_per_s_;
+}
+
+std::shared_ptr<Budget> Budgets::of(const std::string& address) {
+  std::shared_ptr<Budget>& found = budgets_[address];
+  if (found == nullptr) found = std::make_shared<Budget>(units_per_s_);
+  return found;
+}
+
+void Budgets::tick(HostNs now) {
+  std::erase_if(budgets_, [&](const auto& each) {
+    return each.second.use_count() == 1 && each.second->full(now);
+  });
 }
 
 }  // namespace tp100::server

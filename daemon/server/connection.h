@@ -11,7 +11,6 @@
 
 #include "record/worker.h"
 #include "server/access.h"
-#include "server/budget.h"
 #include "server/http_content.h"
 #include "server/request_handler.h"
 #include "server/server.h"

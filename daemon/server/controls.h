@@ -4,8 +4,10 @@
 // on a lock that is held by a thread waiting for one.
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/command.h"
 #include "core/consent.h"
@@ -15,6 +17,7 @@
 #include "core/time.h"
 #include "course/goal.h"
 #include "messages/figures.h"
+#include "messages/messages.h"
 #include "messages/parameter_text.h"
 #include "server/lease.h"
 #include "server/service.h"
@@ -74,5 +77,10 @@ class Controls {
   /// The consent that a start requires now.
   virtual StartConsent start_consent() = 0;
 };
+
+/// The services of motion: runs, driving by hand, and where the robot is; all but STOP. `controls`
+/// must outlive the rows. `tell` receives who did what.
+std::vector<ServiceRow> motion_services(Controls& controls,
+                                        const std::function<void(const messages::Event&)>& tell);
 
 }  // namespace tp100::server

@@ -1,6 +1,7 @@
 #include "server/publisher.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <utility>
 
 #include "messages/foxglove.h"
@@ -8,6 +9,12 @@
 
 namespace tp100::server {
 namespace {
+
+using messages::Channel;
+using messages::Event;
+using messages::RecordingFigures;
+using messages::StateFigures;
+using Status = messages::StopFigures::Status;
 
 constexpr HostNs kMarkNs = 100 * kNsPerMs;
 constexpr HostNs kWindowNs = kNsPerS;
@@ -19,18 +26,16 @@ std::uint64_t bad(const LinkCounters& link) {
 constexpr HostNs kStopEventNs = 100 * kNsPerMs;
 
 /// The fields whose change makes a state message due at once.
-std::string key_of(const messages::StateFigures& state) {
+std::string key_of(const StateFigures& state) {
   std::string key;
-  for (const FaultMask mask : {state.faults, state.robot_faults}) key += std::to_string(mask) + ' ';
-  for (const unsigned part :
-       {static_cast<unsigned>(state.run), static_cast<unsigned>(state.session),
-        static_cast<unsigned>(state.steering),
-        state.robot ? static_cast<unsigned>(*state.robot) : 99U,
-        static_cast<unsigned>(state.stop.status), state.stop.latched ? 1U : 0U,
-        state.can_record ? 1U : 0U, state.motors_on ? 1U : 0U, state.confirm_start ? 1U : 0U,
-        state.driver.fresh ? 1U : 0U, state.pause_left_s > 0.0 ? 1U : 0U})
+  for (const std::uint64_t part : std::initializer_list<std::uint64_t>{
+           state.faults, state.robot_faults, static_cast<unsigned>(state.run),
+           static_cast<unsigned>(state.session), static_cast<unsigned>(state.steering),
+           state.robot ? static_cast<unsigned>(*state.robot) : 99U,
+           static_cast<unsigned>(state.stop.status), state.stop.latched, state.stop.count,
+           state.can_record, state.motors_on, state.confirm_start, state.driver.fresh,
+           state.pause_left_s > 0.0})
     key += std::to_string(part) + ' ';
-  key += std::to_string(state.stop.count);
   return key + state.why_not_start + '\n' + state.why_not_drive + '\n' + state.driver.by + '\n' +
          state.driver.asked_by;
 }
@@ -66,8 +71,6 @@ messages::LinkFigures LinkMeter::figures() const {
   return out;
 }
 
-using Status = messages::StopFigures::Status;
-
 void StopMonitor::press(const std::string& by, HostNs now) {
   figures_.by = by;
   figures_.latched = true;
@@ -92,20 +95,49 @@ bool StopMonitor::tick(HostNs now) {
   return true;
 }
 
+bool History::due(Channel channel, HostNs now) const {
+  const auto line = std::ranges::find(lines_, channel, &Line::channel);
+  return line != lines_.end() && now >= line->due_ns;
+}
+
+void History::take(Channel channel, HostNs now, std::string_view json) {
+  if (!due(channel, now)) return;
+  Line& line = *std::ranges::find(lines_, channel, &Line::channel);
+  line.due_ns = now + kIntervalNs;
+  line.messages.push_back({now, std::string(json)});
+  line.bytes += json.size();
+  while (!line.messages.empty() &&
+         (line.bytes > kMaxBytes || now - line.messages.front().at_ns > kSpanNs)) {
+    line.bytes -= line.messages.front().json.size();
+    line.messages.pop_front();
+  }
+}
+
+std::optional<std::string> History::json(std::string_view topic) const {
+  const auto line = std::ranges::find(lines_, topic, &Line::topic);
+  if (line == lines_.end()) return std::nullopt;
+  std::string text = "[";
+  text.reserve(line->bytes + line->messages.size() + 2);
+  for (const Message& each : line->messages) {
+    if (text.size() > 1) text += ',';
+    text += each.json;
+  }
+  return text + "]";
+}
+
 Publisher::Publisher(Broker& broker, messages::Messages messages, Controls& controls)
     : broker_(broker),
       messages_(std::move(messages)),
       step_messages_(messages_, false),
       controls_(controls) {
   publish_setup(messages::setup_messages(messages_, clock().start_ns), clock().start_ns);
-  broker_.catch_up(messages::Channel::kPathHistory, [this](std::uint64_t& unix_ns) {
+  broker_.catch_up(Channel::kPathHistory, [this](std::uint64_t& unix_ns) {
     unix_ns = clock().unix_ns(last_step_ns_);
     if (whole_path_history_ == nullptr)
       whole_path_history_ =
           std::make_shared<const std::string>(path_history_.whole(clock(), last_step_ns_));
     return whole_path_history_;
   });
-  drive_refusal_ = StartRefusal::kNoSession;
   state_.why_not_start = to_string(run_context().course == nullptr ? StartRefusal::kNoCourse
                                                                    : StartRefusal::kNoSession);
 }
@@ -126,7 +158,7 @@ void Publisher::change_setup(messages::RunContext run_context,
   publish_state(now, true);
 }
 
-void Publisher::publish(messages::Channel channel, HostNs at, std::string json) {
+void Publisher::publish(Channel channel, HostNs at, std::string json) {
   history_.take(channel, at, json);
   broker_.publish(channel, clock().unix_ns(at), std::move(json));
 }
@@ -138,10 +170,10 @@ void Publisher::take(const StepRecord& record) {
   update_state(record);
   step_messages_.take(
       record,
-      [&](messages::Channel channel) {
+      [&](Channel channel) {
         return broker_.wanted(channel) || history_.due(channel, record.now_ns);
       },
-      [this](messages::Channel channel, HostNs at, std::string json) {
+      [this](Channel channel, HostNs at, std::string json) {
         publish(channel, at, std::move(json));
       });
   publish_state(record.now_ns, false);
@@ -187,17 +219,16 @@ void Publisher::publish_state(HostNs now, bool always) {
   if (!always && key == last_state_key_) return;
   last_state_key_ = std::move(key);
   state_due_.restart(now);
-  publish(messages::Channel::kState, now,
-          messages::state_message(now, clock(), state_, run_context()));
+  publish(Channel::kState, now, messages::state_message(now, clock(), state_, run_context()));
 }
 
-void Publisher::take(const messages::Event& event) {
-  publish(messages::Channel::kEvent, event.at_ns, messages_.event(event));
-  publish(messages::Channel::kLog, event.at_ns, messages::log_text(messages_, event));
+void Publisher::take(const Event& event) {
+  publish(Channel::kEvent, event.at_ns, messages_.event(event));
+  publish(Channel::kLog, event.at_ns, messages::log_text(messages_, event));
 }
 
 void Publisher::take_image(HostNs at, std::string_view jpeg) {
-  publish(messages::Channel::kCameraImage, at, messages::image_text(messages_, at, jpeg));
+  publish(Channel::kCameraImage, at, messages::image_text(messages_, at, jpeg));
 }
 
 void Publisher::stop_pressed(const std::string& by, HostNs now) {
@@ -206,10 +237,10 @@ void Publisher::stop_pressed(const std::string& by, HostNs now) {
   // Key repeats count as one press.
   if (now - last_stop_event_ns_ < kStopEventNs) return;
   last_stop_event_ns_ = now;
-  take(messages::Event{.at_ns = now,
-                       .kind = "stop",
-                       .level = messages::Event::Level::kWarning,
-                       .text = "STOP pressed by " + by});
+  take(Event{.at_ns = now,
+             .kind = "stop",
+             .level = Event::Level::kWarning,
+             .text = "STOP pressed by " + by});
 }
 
 void Publisher::stop_answered(HostNs at, HostNs now) {
@@ -218,7 +249,7 @@ void Publisher::stop_answered(HostNs at, HostNs now) {
 }
 
 void Publisher::publish_recording(HostNs now) {
-  const messages::RecordingFigures recording = controls_.recording();
+  const RecordingFigures recording = controls_.recording();
   const bool changed = recording.active != last_recording_.active ||
                        recording.available != last_recording_.available ||
                        recording.warning != last_recording_.warning ||
@@ -229,7 +260,7 @@ void Publisher::publish_recording(HostNs now) {
   recording_due_.restart(now);
   last_recording_ = recording;
   state_.can_record = recording.available && !recording.active;
-  publish(messages::Channel::kRecording, now, messages::recording_message(recording));
+  publish(Channel::kRecording, now, messages::recording_message(recording));
 }
 
 void Publisher::tick(HostNs now) {
@@ -241,20 +272,19 @@ void Publisher::tick(HostNs now) {
   if (link_due || loop_due) {
     const messages::LoopFigures loop = controls_.loop();
     if (loop_due)
-      publish(messages::Channel::kLoop, now,
-              messages::loop_message(clock().t_s(now), loop, run_context()));
+      publish(Channel::kLoop, now, messages::loop_message(clock().t_s(now), loop, run_context()));
     if (link_due) {
       messages::LinkFigures link = link_.figures();
       link.port = controls_.port();
       link.sample_age = loop.sample_age;
-      publish(messages::Channel::kLink, now, messages::link_message(clock().t_s(now), link));
+      publish(Channel::kLink, now, messages::link_message(clock().t_s(now), link));
     }
   }
   if (path_history_due_.due(now)) {
     std::string update = path_history_.take_update(clock(), now);
     if (!update.empty()) {
       whole_path_history_.reset();
-      publish(messages::Channel::kPathHistory, now, std::move(update));
+      publish(Channel::kPathHistory, now, std::move(update));
     }
   }
 }

@@ -1,20 +1,22 @@
 #pragma once
-// Publishes steps and events on the channels, and decides when. No socket; one thread; time is
-// passed in.
+// Publishes steps and events on the channels, decides when, and keeps the last minutes. No socket;
+// one thread; time is passed in.
 
+#include <array>
 #include <deque>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "core/step_record.h"
+#include "core/time.h"
 #include "messages/channels.h"
 #include "messages/figures.h"
 #include "messages/messages.h"
 #include "messages/path_history.h"
 #include "server/broker.h"
 #include "server/controls.h"
-#include "server/history.h"
 
 namespace tp100::server {
 
@@ -65,6 +67,44 @@ class StopMonitor {
   messages::StopFigures figures_{};
   HostNs pressed_ns_ = 0;   // time of the last press
   HostNs answered_ns_ = 0;  // ... and acknowledgement, which may be told before its press
+};
+
+/// The messages of the channels of figures over the last minutes, at a reduced rate, for pages that
+/// are opened later.
+class History {
+ public:
+  static constexpr HostNs kIntervalNs = 200 * kNsPerMs;
+  static constexpr HostNs kSpanNs = 300 * kNsPerS;
+  /// Limit of one channel; its oldest messages are dropped first.
+  static constexpr std::size_t kMaxBytes = std::size_t{4} << 20;
+
+  /// Whether the channel is kept at all, and a message of it is due.
+  bool due(messages::Channel channel, HostNs now) const;
+  /// Keeps the message if it is due.
+  void take(messages::Channel channel, HostNs now, std::string_view json);
+  /// The messages of a topic without its slash, oldest first, as a JSON array; nothing: no such
+  /// topic is kept.
+  std::optional<std::string> json(std::string_view topic) const;
+
+ private:
+  struct Message {
+    HostNs at_ns;
+    std::string json;
+  };
+  struct Line {
+    messages::Channel channel;
+    std::string_view topic;
+    std::deque<Message> messages{};
+    std::size_t bytes = 0;
+    HostNs due_ns = 0;
+  };
+  std::array<Line, 7> lines_ = {{{messages::Channel::kEstimate, "estimate"},
+                                 {messages::Channel::kSample, "sample"},
+                                 {messages::Channel::kCommand, "command"},
+                                 {messages::Channel::kSlip, "slip"},
+                                 {messages::Channel::kLink, "link"},
+                                 {messages::Channel::kLoop, "loop"},
+                                 {messages::Channel::kState, "state"}}};
 };
 
 class Publisher {
@@ -122,7 +162,7 @@ class Publisher {
   messages::PathHistory path_history_;
   StopMonitor stop_;
   messages::StateFigures state_{};
-  StartRefusal drive_refusal_ = StartRefusal::kNone;
+  StartRefusal drive_refusal_ = StartRefusal::kNoSession;
   std::shared_ptr<const std::string> whole_path_history_;
   HostNs last_step_ns_ = 0;
   HostNs run_began_ns_ = 0;

@@ -2,14 +2,21 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
-#include "server/motion_services.h"
 #include "text/json_writer.h"
 
 namespace tp100::server {
 namespace {
 
+using messages::ParameterText;
+
+constexpr HostNs kOverdueNs = 500 * kNsPerMs;
+constexpr std::size_t kChangeBytes = 4096;  // what every viewer is told of a change
+constexpr const char* kSteering = "estimation.steering";
+
+constexpr auto kStop = static_cast<std::uint32_t>(Service::kStop);
 constexpr std::size_t kMaxWaiting = 1024;
 
 std::string name_of(const Viewer& viewer) {
@@ -17,18 +24,127 @@ std::string name_of(const Viewer& viewer) {
 }
 
 /// The response of stop.
-std::string stop_answer(const messages::StopFigures& stop) {
-  return text::json_object([&](text::JsonWriter& json) {
-    const bool acknowledged = stop.status == messages::StopFigures::Status::kAcknowledged;
-    json.field("acknowledged", acknowledged);
-    if (acknowledged) json.field("acknowledged_ms", stop.acknowledged_ms);
-  });
+std::string stop_answer(std::uint32_t call, const messages::StopFigures& stop) {
+  const bool acknowledged = stop.status == messages::StopFigures::Status::kAcknowledged;
+  return service_response(kStop, call, text::json_object([&](text::JsonWriter& json) {
+                            json.field("acknowledged", acknowledged);
+                            if (acknowledged) json.field("acknowledged_ms", stop.acknowledged_ms);
+                          }));
 }
 
 }  // namespace
 
+ParameterRequests::ParameterRequests(Broker& broker, Publisher& publisher, Controls& controls,
+                                     std::vector<ParameterText> parameters)
+    : broker_(broker),
+      publisher_(publisher),
+      controls_(controls),
+      parameters_(std::move(parameters)) {
+  publish(publisher_.clock().start_ns);
+}
+
+void ParameterRequests::publish(HostNs now) {
+  broker_.publish(messages::Channel::kParameter, publisher_.clock().unix_ns(now),
+                  messages::parameters_message(parameters_));
+}
+
+void ParameterRequests::change_setup(std::vector<ParameterText> parameters, HostNs now) {
+  for (ParameterText& next : parameters) {
+    const auto old = std::ranges::find(parameters_, next.name, &ParameterText::name);
+    if (next.live && old != parameters_.end()) next.value = old->value;
+  }
+  parameters_ = std::move(parameters);
+  publish(now);
+}
+
+std::vector<const ParameterText*> ParameterRequests::select(
+    const std::vector<std::string>& names) const {
+  const std::set<std::string_view> wanted(names.begin(), names.end());
+  std::vector<const ParameterText*> out;
+  for (const ParameterText& parameter : parameters_)
+    if (wanted.empty() || wanted.contains(parameter.name)) out.push_back(&parameter);
+  return out;
+}
+
+void ParameterRequests::get(Viewer& viewer, const GetParameters& wanted) const {
+  viewer.reply(parameter_values(select(wanted.names), wanted.id));
+}
+
+void ParameterRequests::watch(const Viewer& viewer, const ParameterSubscription& wanted) {
+  // Keeps existing names only, so that a client cannot make this grow.
+  std::set<std::string>& names = watched_[viewer.id()];
+  for (const ParameterText* parameter : select(wanted.names)) {
+    if (wanted.watch) {
+      names.insert(parameter->name);
+    } else {
+      names.erase(parameter->name);
+    }
+  }
+}
+
+Result<> ParameterRequests::set_one(const SetParameters::One& one) {
+  const auto found = std::ranges::find(parameters_, one.name, &ParameterText::name);
+  if (found == parameters_.end()) return no_such("parameter", one.name);
+  if (!found->live)
+    return Refusal{found->name + " cannot be changed while the daemon runs; set it in the file"};
+  if (!one.value) return Refusal{found->name + " takes no value of that type"};
+  if (found->only_at_standstill && under_way(publisher_.state().run))
+    return Refusal{found->name + " cannot be changed during a run"};
+  if (std::string why = messages::why_not(*found, *one.value); !why.empty()) return Refusal{why};
+  Result<> done = controls_.set(*found, *one.value);
+  if (done) found->value = *one.value;
+  return done;
+}
+
+void ParameterRequests::set(Viewer& viewer, const SetParameters& wanted, bool may_command,
+                            HostNs now) {
+  std::vector<std::string> names;
+  bool changed = false;
+  for (const SetParameters::One& one : wanted.parameters) {
+    names.push_back(one.name);
+    const Result<> done =
+        may_command ? set_one(one)
+                    : Refusal{"parameters are not taken from this client (server.commands)"};
+    if (!done) {
+      viewer.say(StatusLevel::kError, done.why());
+      continue;
+    }
+    overdue_ns_ = now + kOverdueNs;
+    viewer.charge(kChangeBytes);
+    for (const ParameterText* parameter : select({one.name})) parameter_changed(*parameter, now);
+    changed = true;
+  }
+  if (changed) publish(now);
+  if (!names.empty()) viewer.reply(parameter_values(select(names), wanted.id));
+}
+
+void ParameterRequests::parameter_changed(const ParameterText& parameter, HostNs now) {
+  std::string value;
+  std::visit([&](const auto& content) { text::JsonWriter(value).value(content); }, parameter.value);
+  publisher_.take(
+      messages::Event{.at_ns = now, .kind = "parameter", .text = parameter.name + " = " + value});
+  const std::array<const ParameterText*, 1> changed = {&parameter};
+  const std::string message = parameter_values(changed, "");
+  for (const auto& viewer : broker_.viewers()) {
+    const auto watched = watched_.find(viewer->id());
+    if (watched != watched_.end() && watched->second.contains(parameter.name))
+      viewer->reply(message);
+  }
+}
+
+// The step may have ignored a change of the steering pose, because a run began before it.
+void ParameterRequests::finish_overdue(HostNs now) {
+  const auto steering = std::ranges::find(parameters_, kSteering, &ParameterText::name);
+  if (now < overdue_ns_ || publisher_.last_step_ns() == 0 || steering == parameters_.end()) return;
+  const messages::ParameterValue used = std::string(to_string(publisher_.state().steering));
+  if (steering->value == used) return;
+  steering->value = used;
+  publish(now);
+  parameter_changed(*steering, now);
+}
+
 RequestHandler::RequestHandler(Broker& broker, Publisher& publisher, Controls& controls,
-                               std::vector<messages::ParameterText> parameters,
+                               std::vector<ParameterText> parameters,
                                std::vector<ServiceRow> services, std::string session_id,
                                std::string name)
     : broker_(broker),
@@ -38,7 +154,8 @@ RequestHandler::RequestHandler(Broker& broker, Publisher& publisher, Controls& c
       services_(std::move(services)),
       session_id_(std::move(session_id)),
       name_(std::move(name)) {
-  std::ranges::move(motion_services(controls, publisher), std::back_inserter(services_));
+  const auto tell = [&publisher](const messages::Event& event) { publisher.take(event); };
+  std::ranges::move(motion_services(controls, tell), std::back_inserter(services_));
   const auto watch = [this](const Request& request) {
     watched_ns_ = request.now;
     return accepted(Done{});
@@ -51,7 +168,7 @@ RequestHandler::RequestHandler(Broker& broker, Publisher& publisher, Controls& c
   std::ranges::sort(services_, {}, &ServiceRow::service);
 }
 
-void RequestHandler::send_server_info(Viewer& viewer, Permission permission) const {
+void RequestHandler::send_server_info(Viewer& viewer, Permission permission) {
   const messages::RunContext& run_context = publisher_.run_context();
   const std::array<Metadata, 7> metadata = {{
       {"version", run_context.version},
@@ -101,33 +218,26 @@ void RequestHandler::leave(const Viewer& viewer, HostNs now) {
   parameters_.leave(viewer);
 }
 
-bool RequestHandler::under_way() const { return tp100::under_way(publisher_.state().run); }
-
 void RequestHandler::send_answers() {
-  std::vector<Answered> all;
+  std::vector<Arrivals::One> all;
   {
     const std::lock_guard lock(arrivals_->mutex);
     all.swap(arrivals_->answers);
   }
-  for (const Answered& each : all) {
-    const auto viewer = each.viewer.lock();
-    if (viewer == nullptr) continue;
-    if (each.why.empty()) {
-      viewer->reply(service_response(each.service, each.call, each.json), true);
-    } else {
-      viewer->reply(service_failure(each.service, each.call, each.why));
-    }
-  }
+  for (Arrivals::One& each : all)
+    if (const auto viewer = each.viewer.lock()) viewer->reply(std::move(each.message), each.binary);
 }
 
 void RequestHandler::on(const std::shared_ptr<Viewer>& viewer, const ServiceCall& call,
                         Permission permission, HostNs now) {
-  if (call.service == static_cast<std::uint32_t>(Service::kStop))
-    return stop_pressed(viewer, call.call, now);
+  if (call.service == kStop) return stop_pressed(viewer, call.call, now);
   const Answer answer = [arrivals = arrivals_, weak = std::weak_ptr(viewer), service = call.service,
                          number = call.call](const std::string& why, const std::string& json) {
+    const bool done = why.empty();
+    std::string message =
+        done ? service_response(service, number, json) : service_failure(service, number, why);
     const std::lock_guard lock(arrivals->mutex);
-    arrivals->answers.push_back({weak, service, number, why, json});
+    arrivals->answers.push_back({weak, std::move(message), done});
   };
   const Result<> begun = begin(call, viewer->id(), permission, now, answer);
   if (!begun) answer(begun.why(), {});
@@ -143,11 +253,10 @@ Result<> RequestHandler::begin(const ServiceCall& call, std::uint32_t viewer, Pe
   if (permission != Permission::kCommand && rules.permission == Permission::kCommand)
     return Refusal{"only stop is taken from this client (server.commands)"};
   if (call.encoding != "json") return Refusal{"the encoding must be json"};
-  const messages::StateFigures& state = publisher_.state();
   const Result<Request> request =
-      read_request(*row, call.payload, viewer, publisher_.clock(), state, now);
+      read_request(*row, call.payload, viewer, publisher_.clock(), publisher_.state(), now);
   if (!request) return request.refusal();
-  if (rules.at_rest && under_way()) return Refusal{kUnderWay};
+  if (rules.at_rest && request->under_way()) return Refusal{kUnderWay};
   if (const Later* later = std::get_if<Later>(&row->does)) return (*later)(*request, answer);
   const Result<std::string> done = std::get<AtOnce>(row->does)(*request);
   if (!done) return done.refusal();
@@ -159,9 +268,7 @@ void RequestHandler::stop_pressed(const std::shared_ptr<Viewer>& viewer, std::ui
                                   HostNs at) {
   publisher_.stop_pressed(name_of(*viewer), at);
   if (waiting_.size() >= kMaxWaiting) {
-    viewer->reply(service_response(static_cast<std::uint32_t>(Service::kStop), call,
-                                   stop_answer(publisher_.stop().figures())),
-                  true);
+    viewer->reply(stop_answer(call, publisher_.stop().figures()), true);
     return;
   }
   waiting_.push_back({viewer, viewer->id(), call});
@@ -169,7 +276,7 @@ void RequestHandler::stop_pressed(const std::shared_ptr<Viewer>& viewer, std::ui
 }
 
 void RequestHandler::stop_if_unwatched(HostNs now) {
-  if (!under_way()) watched_ns_ = now;
+  if (!under_way(publisher_.state().run)) watched_ns_ = now;
   if (!publisher_.run_context().stop_unwatched || now - watched_ns_ < kUnwatchedNs) return;
   watched_ns_ = now;
   controls_.stop();
@@ -180,15 +287,10 @@ void RequestHandler::tick(HostNs now) {
   stop_if_unwatched(now);
   parameters_.finish_overdue(now);
   send_answers();
-  if (waiting_.empty()) return;
   const messages::StopFigures& stop = publisher_.stop().figures();
   if (stop.status == messages::StopFigures::Status::kPending) return;
-  const std::string answer = stop_answer(stop);
-  for (const Waiting& each : std::exchange(waiting_, {})) {
-    if (const auto viewer = each.viewer.lock())
-      viewer->reply(service_response(static_cast<std::uint32_t>(Service::kStop), each.call, answer),
-                    true);
-  }
+  for (const Waiting& each : std::exchange(waiting_, {}))
+    if (const auto viewer = each.viewer.lock()) viewer->reply(stop_answer(each.call, stop), true);
 }
 
 }  // namespace tp100::server

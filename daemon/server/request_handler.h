@@ -2,20 +2,56 @@
 // Answers clients' messages: subscriptions, parameters, services. Checks everything that could
 // reach the robot. No socket; one thread; time is passed in.
 
+#include <cstdint>
+#include <map>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "server/broker.h"
 #include "server/controls.h"
-#include "server/parameter_requests.h"
 #include "server/protocol.h"
 #include "server/publisher.h"
 #include "server/service.h"
 
 namespace tp100::server {
+
+/// Reads, sets and watches parameters.
+class ParameterRequests {
+ public:
+  /// Publishes the parameters. `broker`, `publisher` and `controls` must outlive this.
+  ParameterRequests(Broker& broker, Publisher& publisher, Controls& controls,
+                    std::vector<messages::ParameterText> parameters);
+
+  void get(Viewer& viewer, const GetParameters& wanted) const;
+  /// `may_command`: false for a client from which only STOP is accepted.
+  void set(Viewer& viewer, const SetParameters& wanted, bool may_command, HostNs now);
+  void watch(const Viewer& viewer, const ParameterSubscription& wanted);
+
+  /// Another course, robot or set-up is in force: these are its parameters. Those that viewers may
+  /// set keep their values.
+  void change_setup(std::vector<messages::ParameterText> parameters, HostNs now);
+  /// The viewer is gone.
+  void leave(const Viewer& viewer) { watched_.erase(viewer.id()); }
+  /// Call it regularly: publishes the steering pose in use if the step did not accept a change of
+  /// it.
+  void finish_overdue(HostNs now);
+
+ private:
+  void publish(HostNs now);
+  Result<> set_one(const SetParameters::One& one);
+  void parameter_changed(const messages::ParameterText& parameter, HostNs now);
+  std::vector<const messages::ParameterText*> select(const std::vector<std::string>& names) const;
+
+  Broker& broker_;
+  Publisher& publisher_;
+  Controls& controls_;
+  std::vector<messages::ParameterText> parameters_;
+  HostNs overdue_ns_ = 0;  // a parameter change is under way until then
+  std::map<std::uint32_t, std::set<std::string>> watched_;  // parameters, by viewer
+};
 
 class RequestHandler {
  public:
@@ -30,7 +66,7 @@ class RequestHandler {
                  std::string session_id, std::string name = {});
 
   /// Sends server info, channels and services, in this order.
-  void send_server_info(Viewer& viewer, Permission permission) const;
+  void send_server_info(Viewer& viewer, Permission permission);
   /// Answers one message, which was received at host time `now`. False: it is not a message of the
   /// protocol. STOP must have been carried out already.
   bool handle(const std::shared_ptr<Viewer>& viewer, const ClientMessage& message,
@@ -52,18 +88,17 @@ class RequestHandler {
  private:
   struct Waiting {
     std::weak_ptr<Viewer> viewer;
-    std::uint32_t viewer_id;
-    std::uint32_t call;
+    std::uint32_t viewer_id, call;
   };
-  /// The answer to a request, possibly by another thread and when the handler is gone.
-  struct Answered {
-    std::weak_ptr<Viewer> viewer;
-    std::uint32_t service, call;
-    std::string why, json;
-  };
+  /// Answers to requests, possibly by another thread and when the handler is gone.
   struct Arrivals {
+    struct One {
+      std::weak_ptr<Viewer> viewer;
+      std::string message;
+      bool binary;
+    };
     std::mutex mutex;
-    std::vector<Answered> answers;
+    std::vector<One> answers;
   };
 
   void on(const std::shared_ptr<Viewer>& viewer, const ServiceCall& call, Permission permission,
@@ -71,7 +106,6 @@ class RequestHandler {
   Result<> begin(const ServiceCall& call, std::uint32_t viewer, Permission permission, HostNs now,
                  const Answer& answer) const;
   void stop_if_unwatched(HostNs now);
-  bool under_way() const;
   void send_answers();
 
   Broker& broker_;
@@ -80,7 +114,7 @@ class RequestHandler {
   ParameterRequests parameters_;
   std::vector<ServiceRow> services_;
   std::string session_id_, name_;
-  mutable std::string advertised_services_;
+  std::string advertised_services_;  // made when the first viewer comes
   std::vector<Waiting> waiting_;
   HostNs watched_ns_ = 0;  // when a page was in sight, or nothing was under way
   std::shared_ptr<Arrivals> arrivals_ = std::make_shared<Arrivals>();

@@ -14,7 +14,6 @@
 #include "messages/sink.h"
 #include "server/access.h"
 #include "server/broker.h"
-#include "server/budget.h"
 #include "server/controls.h"
 #include "server/http_content.h"
 

@@ -13,7 +13,7 @@
 #include <memory>
 #include <string>
 
-#include "server/budget.h"
+#include "server/access.h"
 #include "server/connection.h"
 
 namespace tp100::server {

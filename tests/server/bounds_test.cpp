@@ -4,9 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "server/access.h"
 #include "server/broker.h"
-#include "server/budget.h"
-#include "server/history.h"
+#include "server/publisher.h"
 
 namespace tp100::server {
 namespace {

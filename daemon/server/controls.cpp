@@ -1,4 +1,4 @@
-#include "server/motion_services.h"
+#include "server/controls.h"
 
 #include <cmath>
 
@@ -19,10 +19,10 @@ bool within(const std::optional<double>& number, double most) {
 /// What requests of motion do.
 struct Motion {
   Controls& controls;
-  Publisher& publisher;
+  std::function<void(const messages::Event&)> tell;
 
   void say(const Request& request, const char* does) const {
-    publisher.take(messages::Event{.at_ns = request.now, .kind = "run", .text = request.by + does});
+    tell({.at_ns = request.now, .kind = "run", .text = request.by + does});
   }
 
   Text start(const Request& request) const {
@@ -109,15 +109,10 @@ constexpr const char* kToken = R"({"token":""})";
 
 }  // namespace
 
-std::vector<ServiceRow> motion_services(Controls& controls, Publisher& publisher) {
-  const Motion motion{controls, publisher};
-  const auto at_once = [motion](Text (Motion::*does)(const Request&) const) {
-    return [motion, does](const Request& request) { return (motion.*does)(request); };
-  };
-  const auto later = [motion](Result<> (Motion::*does)(const Request&, const Answer&) const) {
-    return [motion, does](const Request& request, const Answer& answer) {
-      return (motion.*does)(request, answer);
-    };
+std::vector<ServiceRow> motion_services(Controls& controls,
+                                        const std::function<void(const messages::Event&)>& tell) {
+  const auto does = [motion = Motion{controls, tell}](auto what) {
+    return std::bind_front(what, motion);
   };
   const auto hold = [&controls](const Request&) { return accepted(controls.hold()); };
   constexpr const char* kDrive =
@@ -127,15 +122,15 @@ std::vector<ServiceRow> motion_services(Controls& controls, Publisher& publisher
   constexpr const char* kPose = R"({"x_m":1.5,"y_m":1.5,"yaw_rad":1.5})";
   constexpr ServiceRow::Rules kConsent{.consents = true}, kRest{.at_rest = true};
   return {
-      {Service::kStart, "start", R"({"from":""})", kAccepted, at_once(&Motion::start), kConsent},
+      {Service::kStart, "start", R"({"from":""})", kAccepted, does(&Motion::start), kConsent},
       {Service::kHold, "hold", "{}", kAccepted, hold},
-      {Service::kPause, "pause", "{}", kAccepted, at_once(&Motion::pause)},
-      {Service::kResume, "resume", "{}", kAccepted, at_once(&Motion::resume), kConsent},
-      {Service::kDriveTake, "drive_take", "{}", kToken, at_once(&Motion::take_lease), kConsent},
-      {Service::kDrive, "drive", kDrive, kAccepted, at_once(&Motion::drive)},
-      {Service::kDriveRelease, "drive_release", kToken, kAccepted, at_once(&Motion::release_lease)},
-      {Service::kChoose, "choose", kChoice, kChoice, later(&Motion::choose), kRest},
-      {Service::kPlace, "place", kPlace, kPose, later(&Motion::place), kRest},
+      {Service::kPause, "pause", "{}", kAccepted, does(&Motion::pause)},
+      {Service::kResume, "resume", "{}", kAccepted, does(&Motion::resume), kConsent},
+      {Service::kDriveTake, "drive_take", "{}", kToken, does(&Motion::take_lease), kConsent},
+      {Service::kDrive, "drive", kDrive, kAccepted, does(&Motion::drive)},
+      {Service::kDriveRelease, "drive_release", kToken, kAccepted, does(&Motion::release_lease)},
+      {Service::kChoose, "choose", kChoice, kChoice, does(&Motion::choose), kRest},
+      {Service::kPlace, "place", kPlace, kPose, does(&Motion::place), kRest},
   };
 }
 
