@@ -13,9 +13,7 @@
 #include <cerrno>
 #include <chrono>
 #include <functional>
-#include <memory>
 #include <optional>
-#include <string>
 #include <utility>
 
 #include "core/clock.h"
@@ -26,6 +24,7 @@
 namespace tp100::server {
 namespace {
 
+namespace asio = boost::asio;
 namespace beast = boost::beast;
 namespace http = beast::http;
 
@@ -37,25 +36,23 @@ constexpr std::size_t kPart = 65'536;
 constexpr double kBodyBytesPerUnit = 16'384.0;  // most of them are copied only
 
 constexpr const char* kBusy = "the daemon is busy; try again later";
-
-HttpAnswer foreign_origin() {
-  return http_text(403, "this Origin is not permitted; add it to server.origins");
-}
+constexpr const char* kForeign = "this Origin is not permitted; add it to server.origins";
 
 beast::string_view view(std::string_view text) { return {text.data(), text.size()}; }
 std::string_view view(beast::string_view text) { return {text.data(), text.size()}; }
 
 class Connection : public std::enable_shared_from_this<Connection> {
  public:
-  Connection(boost::asio::ip::tcp::socket socket, SharedState& shared)
+  Connection(asio::ip::tcp::socket socket, Peer peer, SharedState& shared)
       : stream_(std::move(socket)),
+        peer_(std::move(peer)),
         shared_(shared),
-        budget_(shared.http_budgets.of(budget_name(stream_.socket()))) {
+        budget_(shared.http_budgets.of(peer_.network)) {
     ++shared_.connections;
   }
   ~Connection() {
     leave();
-    release_body();
+    release_answer();
   }
 
   void read();
@@ -65,7 +62,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   using Head = http::response<http::empty_body>;
 
   void on_request();
-  void refuse(HttpAnswer why);
+  void refuse(unsigned status, std::string why);
   void serve(bool may_command);
   bool may_ask() const;
   template <class Result>
@@ -74,17 +71,29 @@ class Connection : public std::enable_shared_from_this<Connection> {
            std::function<void()> late);
   void ask_for_page(const std::string& origin);
   void ask_for_content();
-  void leave();
-  void release_body();
+  void leave() {
+    if (std::exchange(counted_, false)) --shared_.connections;
+  }
+  void release_answer() {
+    shared_.body_bytes -= answer_.body.size();
+    answer_ = {};
+  }
   void answer(HttpAnswer answer);
+  /// Receives the end of a write, and calls `next` unless it failed.
+  auto then(void (Connection::*next)()) {
+    return [self = shared_from_this(), next](beast::error_code error, std::size_t) {
+      if (!error) (self.get()->*next)();
+    };
+  }
   void write_body();
   void write_part();
   void on_part(std::optional<std::size_t> got);
   void end();
-  bool upgrade(bool may_command);
+  void upgrade(bool may_command);
   std::string_view header(http::field name) const { return view(parser_->get()[name]); }
 
   beast::tcp_stream stream_;
+  const Peer peer_;
   SharedState& shared_;
   beast::flat_buffer buffer_{kMaxHeader};
   std::optional<http::request_parser<http::empty_body>> parser_;
@@ -93,16 +102,10 @@ class Connection : public std::enable_shared_from_this<Connection> {
   HttpAnswer answer_;
   std::array<char, kPart> part_{};
   std::shared_ptr<Budget> budget_;  // of its address
-  std::size_t body_bytes_ = 0;      // counted among the server's
   bool last_ = false;
   bool counted_ = true;  // counted among the server's connections
-  boost::asio::steady_timer timeout_{stream_.get_executor()};
+  asio::steady_timer timeout_{stream_.get_executor()};
   std::uint64_t question_ = 0;  // number of the newest job for another thread
-};
-
-/// A request that outlives its connection's buffer.
-struct KeptRequest {
-  std::string method, target, range, none_match, host;
 };
 
 void Connection::read() {
@@ -129,32 +132,32 @@ void Connection::on_request() {
   const std::string_view host = header(http::field::host);
   const AccessRules& access = shared_.settings.access;
   if (!host_allowed(host, access))
-    return refuse(http_text(403,
-                            "this Host is not served; use an address, or add the name to "
-                            "server.hosts"));
+    return refuse(403,
+                  "this Host is not served; use an address, or add the name to "
+                  "server.hosts");
   const bool upgrades = beast::websocket::is_upgrade(request);
   // A viewer is let in to press STOP, however much its address has asked for.
   if (!budget_->charge(1.0, monotonic_now()) && !upgrades)
-    return refuse(http_text(429, "too many requests from this address; wait a second"));
+    return refuse(429, "too many requests from this address; wait a second");
   const std::string_view origin = header(http::field::origin);
   if (origin_allowed(origin, host, access)) return serve(true);
-  if (!upgrades) return refuse(foreign_origin());
+  if (!upgrades) return refuse(403, kForeign);
   ask_for_page(std::string(origin));
 }
 
 void Connection::serve(bool may_command) {
   const Request& request = parser_->get();
   if (!may_ask())
-    return refuse(http_text(403,
-                            "another site's page asks for this; open the address in the browser "
-                            "itself, or add that site to server.origins"));
+    return refuse(403,
+                  "another site's page asks for this; open the address in the browser "
+                  "itself, or add that site to server.origins");
   if (!beast::websocket::is_upgrade(request)) return ask_for_content();
-  if (!upgrade(may_command)) ++shared_.refused;
+  upgrade(may_command);
 }
 
-void Connection::refuse(HttpAnswer why) {
-  ++shared_.refused;
-  answer(std::move(why));
+void Connection::refuse(unsigned status, std::string why) {
+  ++shared_.figures.refused_total;
+  answer(http_text(status, std::move(why)));
 }
 
 // Browsers send no Origin where a page only displays a resource, as with <img>. Following a link to
@@ -178,9 +181,9 @@ void Connection::ask(bool disk, std::function<Result()> job,
   const auto back = [held = std::make_shared<std::shared_ptr<Connection>>(shared_from_this()),
                      question = ++question_, then = std::move(then)](Result result) {
     if (*held == nullptr) return;  // there was no memory to post the first result
-    boost::asio::io_context& context = (*held)->shared_.context;
-    boost::asio::post(context, [self = std::move(*held), question, then,
-                                found = std::make_shared<Result>(std::move(result))] {
+    asio::io_context& context = (*held)->shared_.context;
+    asio::post(context, [self = std::move(*held), question, then,
+                         found = std::make_shared<Result>(std::move(result))] {
       if (question != self->question_) return;  // too late
       ++self->question_;
       self->timeout_.cancel();
@@ -192,7 +195,7 @@ void Connection::ask(bool disk, std::function<Result()> job,
     back(failed(why));
   };
   if (!disk) {
-    boost::asio::post(shared_.work, [done, broken] { record::Worker::run_here(done, broken); });
+    asio::post(shared_.work, [done, broken] { record::Worker::run_here(done, broken); });
   } else if (!shared_.disk.post(done, broken)) {
     return late();
   }
@@ -212,60 +215,52 @@ void Connection::ask_for_page(const std::string& origin) {
   ask<bool>(
       false, [origin, host] { return is_page_of(local_daemons(), origin, host); },
       [](const std::string&) { return false; },
-      [this](const bool& known) { known ? serve(false) : refuse(foreign_origin()); },
+      [this](const bool& known) { known ? serve(false) : refuse(403, kForeign); },
       [this] { answer(http_text(503, kBusy)); });
 }
 
 void Connection::ask_for_content() {
   const Request& request = parser_->get();
   const bool disk = needs_disk(view(request.target()));
-  KeptRequest kept{std::string(view(request.method_string())), std::string(view(request.target())),
-                   std::string(header(http::field::range)),
-                   std::string(header(http::field::if_none_match)),
-                   std::string(header(http::field::host))};
+  const auto text = [](beast::string_view part) { return std::string(view(part)); };
   ask<HttpAnswer>(
       disk,
-      [kept = std::move(kept), &sources = shared_.sources] {
-        return http_answer({kept.method, kept.target, kept.range, kept.none_match, kept.host},
-                           sources);
-      },
+      [kept =
+           HttpRequest{text(request.method_string()), text(request.target()),
+                       text(request[http::field::range]), text(request[http::field::if_none_match]),
+                       text(request[http::field::host])},
+       &sources = shared_.sources] { return http_answer(kept, sources); },
       [](const std::string& why) { return http_text(500, why); },
       [this](HttpAnswer& found) { answer(std::move(found)); },
       [this, disk] { answer(http_text(503, disk ? record::Worker::kBusy : kBusy)); });
 }
 
-void Connection::leave() {
-  if (std::exchange(counted_, false)) --shared_.connections;
-}
-
-void Connection::release_body() { shared_.body_bytes -= std::exchange(body_bytes_, 0); }
-
-bool Connection::upgrade(bool may_command) {
+void Connection::upgrade(bool may_command) {
   last_ = true;
   const std::string_view chosen = choose_sub_protocol(header(http::field::sec_websocket_protocol));
-  if (chosen.empty()) {
-    answer(http_text(400, "offer the sub-protocol " + std::string(kNewSubProtocol) + " or " +
-                              std::string(kOldSubProtocol)));
-    return false;
-  }
+  if (chosen.empty())
+    return refuse(400, "offer the sub-protocol " + std::string(kNewSubProtocol) + " or " +
+                           std::string(kOldSubProtocol));
   const std::size_t most = shared_.settings.max_clients;
-  const std::size_t kept = is_local(stream_.socket()) ? 0 : std::min(kKeptForLocal, most / 2);
-  if (shared_.sockets >= most - kept) {
-    answer(http_text(503, "too many viewers (server.max_clients)"));
-    return false;
-  }
+  const std::size_t kept = peer_.local ? 0 : std::min(SharedState::kKeptForLocal, most / 2);
+  if (shared_.sockets >= most - kept) return refuse(503, "too many viewers (server.max_clients)");
+  const config::CommandsFrom from = shared_.settings.commands;
+  const bool accepted =
+      from == config::CommandsFrom::kAll || (from == config::CommandsFrom::kLocal && peer_.local);
   stream_.expires_never();
-  std::make_shared<ViewerSocket>(stream_.release_socket(), shared_)
-      ->accept(parser_->get(), chosen, may_command);
-  return true;
+  std::make_shared<ViewerSocket>(
+      stream_.release_socket(), peer_, shared_,
+      may_command && accepted ? Permission::kCommand : Permission::kStopOnly)
+      ->accept(parser_->get(), chosen);
 }
 
 void Connection::answer(HttpAnswer answer) {
-  if (shared_.body_bytes + answer.body.size() > kMaxBodyBytes) answer = http_text(503, kBusy);
+  if (shared_.body_bytes + answer.body.size() > SharedState::kMaxBodyBytes)
+    answer = http_text(503, kBusy);
+  release_answer();
   answer_ = std::move(answer);
-  release_body();
-  shared_.body_bytes += body_bytes_ = answer_.body.size();
-  budget_->charge(static_cast<double>(body_bytes_) / kBodyBytesPerUnit, monotonic_now());
+  shared_.body_bytes += answer_.body.size();
+  budget_->charge(static_cast<double>(answer_.body.size()) / kBodyBytesPerUnit, monotonic_now());
   head_ = Head(static_cast<http::status>(answer_.status), 11);
   head_.keep_alive(!last_);
   head_.set(http::field::server, "tp100d");
@@ -277,23 +272,17 @@ void Connection::answer(HttpAnswer answer) {
   if (answer_.status != 304) head_.content_length(answer_.length);
   serializer_.emplace(head_);
   stream_.expires_after(kWriteTime);
-  http::async_write_header(stream_, *serializer_,
-                           [self = shared_from_this()](beast::error_code error, std::size_t) {
-                             if (!error) self->write_body();
-                           });
+  http::async_write_header(stream_, *serializer_, then(&Connection::write_body));
 }
 
 void Connection::write_body() {
   const bool head_only = parser_->is_header_done() && parser_->get().method() == http::verb::head;
   if (head_only || answer_.length == 0) return end();
   if (answer_.on_disk()) return write_part();
-  const boost::asio::const_buffer bytes =
-      answer_.bytes.empty() ? boost::asio::const_buffer(answer_.body.data(), answer_.body.size())
-                            : boost::asio::const_buffer(answer_.bytes.data(), answer_.bytes.size());
-  boost::asio::async_write(stream_, bytes,
-                           [self = shared_from_this()](beast::error_code error, std::size_t) {
-                             if (!error) self->end();
-                           });
+  const asio::const_buffer bytes =
+      answer_.bytes.empty() ? asio::const_buffer(answer_.body.data(), answer_.body.size())
+                            : asio::const_buffer(answer_.bytes.data(), answer_.bytes.size());
+  asio::async_write(stream_, bytes, then(&Connection::end));
 }
 
 void Connection::write_part() {
@@ -320,52 +309,48 @@ void Connection::on_part(std::optional<std::size_t> got) {
     return;
   }
   stream_.expires_after(kWriteTime);
-  boost::asio::async_write(stream_, boost::asio::buffer(part_.data(), *got),
-                           [self = shared_from_this()](beast::error_code error, std::size_t) {
-                             if (!error) self->write_part();
-                           });
+  asio::async_write(stream_, asio::buffer(part_.data(), *got), then(&Connection::write_part));
 }
 
 void Connection::end() {
-  answer_ = {};
-  release_body();
+  release_answer();
   if (last_) {
     beast::error_code ignored;
-    stream_.socket().shutdown(boost::asio::ip::tcp::socket::shutdown_send, ignored);
+    stream_.socket().shutdown(asio::ip::tcp::socket::shutdown_send, ignored);
     return;
   }
   read();
 }
 
-}  // namespace
-
-boost::asio::ip::address plain(const boost::asio::ip::address& address) {
-  if (!address.is_v6() || !address.to_v6().is_v4_mapped()) return address;
-  return boost::asio::ip::make_address_v4(boost::asio::ip::v4_mapped, address.to_v6());
-}
-
-std::string budget_name(const boost::asio::ip::tcp::socket& socket) {
+/// Who is at the other end of `socket`; nobody if it has ended already.
+Peer peer_of(const asio::ip::tcp::socket& socket) {
+  namespace ip = boost::asio::ip;
   boost::system::error_code error;
-  const auto address = plain(socket.remote_endpoint(error).address());
-  if (!address.is_v6()) return address.to_string();
+  const ip::tcp::endpoint end = socket.remote_endpoint(error);
+  ip::address address = end.address();
+  if (address.is_v6() && address.to_v6().is_v4_mapped())
+    address = ip::make_address_v4(ip::v4_mapped, address.to_v6());
+  const std::string name = address.to_string();
+  Peer peer{error ? "" : name + ":" + std::to_string(end.port()), name,
+            !error && address.is_loopback()};
+  if (!address.is_v6()) return peer;
   // A machine of IPv6 has any number of addresses that begin alike.
   auto bytes = address.to_v6().to_bytes();
   std::fill(bytes.begin() + 8, bytes.end(), std::uint8_t{0});
-  return boost::asio::ip::make_address_v6(bytes).to_string();
+  peer.network = ip::make_address_v6(bytes).to_string();
+  return peer;
 }
 
-bool is_local(const boost::asio::ip::tcp::socket& socket) {
-  boost::system::error_code error;
-  const auto end = socket.remote_endpoint(error);
-  return !error && plain(end.address()).is_loopback();
-}
+}  // namespace
 
 void serve_connection(boost::asio::ip::tcp::socket socket, SharedState& shared) {
-  if (shared.connections >= kMaxConnections - (is_local(socket) ? 0 : kKeptForLocal)) {
-    ++shared.refused;
+  Peer peer = peer_of(socket);
+  const std::size_t kept = peer.local ? 0 : SharedState::kKeptForLocal;
+  if (shared.connections >= SharedState::kMaxConnections - kept) {
+    ++shared.figures.refused_total;
     return;
   }
-  std::make_shared<Connection>(std::move(socket), shared)->read();
+  std::make_shared<Connection>(std::move(socket), std::move(peer), shared)->read();
 }
 
 }  // namespace tp100::server

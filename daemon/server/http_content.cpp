@@ -79,6 +79,34 @@ HttpAnswer zip_answer(const std::string& folder, std::string_view run) {
   }
 }
 
+/// The part of a file of `size` bytes that a Range header requests.
+struct ByteRange {
+  std::uint64_t first = 0;
+  std::uint64_t length = 0;  ///< 0: it lies outside of the file
+};
+
+/// Nothing: there is no header that can be served as one range.
+std::optional<ByteRange> byte_range(std::string_view header, std::uint64_t size) {
+  static constexpr std::string_view kUnit = "bytes=";
+  if (!header.starts_with(kUnit)) return std::nullopt;
+  header.remove_prefix(kUnit.size());
+  const std::size_t dash = header.find('-');
+  if (dash == std::string_view::npos || header.find(',') != std::string_view::npos)
+    return std::nullopt;
+  const auto first = text::number_in<std::uint64_t>(header.substr(0, dash)),
+             last = text::number_in<std::uint64_t>(header.substr(dash + 1));
+  if (dash == 0) {  // the last bytes
+    if (!last) return std::nullopt;
+    const std::uint64_t length = std::min(*last, size);
+    return ByteRange{size - length, length};
+  }
+  if (!first || (!last && dash + 1 != header.size()) || (last && *last < *first))
+    return std::nullopt;
+  if (*first >= size) return ByteRange{};
+  const std::uint64_t most = size - *first;
+  return ByteRange{*first, last && *last - *first < most ? *last - *first + 1 : most};
+}
+
 HttpAnswer file_answer(const HttpRequest& request, std::string_view path,
                        const HttpSources& sources) {
   const std::size_t slash = path.find('/');
@@ -97,20 +125,18 @@ HttpAnswer file_answer(const HttpRequest& request, std::string_view path,
   answer.headers.emplace_back("Cache-Control", "no-cache");
   answer.headers.emplace_back("Content-Security-Policy", kReportPolicy);
   answer.length = size;
-  bool outside = false;
-  const auto part = byte_range(request.range, size, outside);
-  if (outside) {
-    HttpAnswer refusal = http_text(416, "the range lies outside the file");
-    refusal.headers.emplace_back("Content-Range", "bytes */" + std::to_string(size));
-    return refusal;
-  }
-  if (part) {
+  if (const auto part = byte_range(request.range, size)) {
+    if (part->length == 0) {
+      HttpAnswer refusal = http_text(416, "the range lies outside the file");
+      refusal.headers.emplace_back("Content-Range", "bytes */" + std::to_string(size));
+      return refusal;
+    }
     answer.status = 206;
     answer.offset = part->first;
-    answer.length = part->second;
+    answer.length = part->length;
     answer.headers.emplace_back("Content-Range",
                                 "bytes " + std::to_string(part->first) + "-" +
-                                    std::to_string(part->first + part->second - 1) + "/" +
+                                    std::to_string(part->first + part->length - 1) + "/" +
                                     std::to_string(size));
   }
   answer.file = std::move(file);
@@ -139,32 +165,6 @@ HttpAnswer http_text(unsigned status, std::string text) {
   answer.body = std::move(text);
   answer.length = answer.body.size();
   return answer;
-}
-
-std::optional<std::pair<std::uint64_t, std::uint64_t>> byte_range(std::string_view header,
-                                                                  std::uint64_t size,
-                                                                  bool& outside) {
-  outside = false;
-  static constexpr std::string_view kUnit = "bytes=";
-  if (!header.starts_with(kUnit)) return std::nullopt;
-  header.remove_prefix(kUnit.size());
-  const std::size_t dash = header.find('-');
-  if (dash == std::string_view::npos || header.find(',') != std::string_view::npos)
-    return std::nullopt;
-  const auto first = text::number_in<std::uint64_t>(header.substr(0, dash)),
-             last = text::number_in<std::uint64_t>(header.substr(dash + 1));
-  if (dash == 0) {  // the last bytes
-    if (!last) return std::nullopt;
-    outside = *last == 0 || size == 0;
-    const std::uint64_t length = std::min(*last, size);
-    return outside ? std::nullopt : std::optional(std::pair(size - length, length));
-  }
-  if (!first || (!last && dash + 1 != header.size())) return std::nullopt;
-  if (last && *last < *first) return std::nullopt;
-  outside = *first >= size;
-  if (outside) return std::nullopt;
-  const std::uint64_t end = last ? std::min(*last, size - 1) : size - 1;
-  return std::pair(*first, end - *first + 1);
 }
 
 bool needs_disk(std::string_view target) {

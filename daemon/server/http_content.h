@@ -19,15 +19,12 @@
 
 namespace tp100::server {
 
-/// Returns the page's file for the `path` that a browser requests, or null.
-using Page = std::function<const web::File*(std::string_view path)>;
-
 struct HttpRequest {
-  std::string_view method;  ///< "GET", ...
-  std::string_view target;
-  std::string_view range;       ///< header Range, empty: none
-  std::string_view none_match;  ///< header If-None-Match
-  std::string_view host{};      ///< header Host
+  std::string method;  ///< "GET", ...
+  std::string target;
+  std::string range;       ///< header Range, empty: none
+  std::string none_match;  ///< header If-None-Match
+  std::string host{};      ///< header Host
 };
 
 struct HttpAnswer {
@@ -48,24 +45,19 @@ struct HttpAnswer {
   std::optional<std::size_t> read(std::span<char> into);
 };
 
-/// Returns the content of /api/setup, /courses/NAME.toml and /robots/NAME.toml, or nothing. It may
-/// wait for the disk, and is called in another thread than the server's.
-using SetupContent = std::function<std::optional<std::string>(std::string_view path)>;
-
-/// The list of runs as JSON. It may wait for the disk, and is called in another thread than the
-/// server's.
-using RunList = std::function<std::string()>;
-
-/// Sources of the content.
+/// Sources of the content; an empty one has none. `runs` and `setup` may wait for the disk, and are
+/// called in another thread than the server's.
 struct HttpSources {
-  Page page;
-  std::string runs_folder;              ///< empty: none
-  RunList runs;                         ///< empty: none
-  SetupContent setup;                   ///< empty: none
-  std::function<std::string()> health;  ///< JSON
-  /// JSON, for a page that is called by this Host; empty: none.
+  /// The page's file for the `path` that a browser requests, or null.
+  std::function<const web::File*(std::string_view path)> page;
+  std::string runs_folder;
+  std::function<std::string()> runs;  ///< the list of runs, JSON
+  /// The content of /api/setup, /courses/NAME.toml and /robots/NAME.toml, or nothing.
+  std::function<std::optional<std::string>(std::string_view path)> setup;
+  std::function<std::string()> health;  ///< JSON; never empty
+  /// JSON, for a page that is called by this Host.
   std::function<std::string(std::string_view host)> robots;
-  /// A JSON array by the topic without its slash, or nothing; empty: none.
+  /// A JSON array by the topic without its slash, or nothing.
   std::function<std::optional<std::string>(std::string_view topic)> history;
 };
 
@@ -74,11 +66,5 @@ bool needs_disk(std::string_view target);
 HttpAnswer http_answer(const HttpRequest& request, const HttpSources& sources);
 /// A plain-text answer.
 HttpAnswer http_text(unsigned status, std::string text);
-
-/// The part of a file of `size` bytes that a Range header requests: first byte and length; nothing
-/// if there is no header that can be served as one range, or it lies outside (`outside`).
-std::optional<std::pair<std::uint64_t, std::uint64_t>> byte_range(std::string_view header,
-                                                                  std::uint64_t size,
-                                                                  bool& outside);
 
 }  // namespace tp100::server

@@ -3,38 +3,17 @@
 // threads: "sockets" owns the sockets and carries out STOP at once (server/sockets.h), "server",
 // the worker, answers all other requests and publishes the steps. Beast stays in the source files.
 
-#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "config/configuration.h"
 #include "messages/messages.h"
 #include "messages/parameter_text.h"
 #include "messages/sink.h"
-#include "server/access.h"
-#include "server/broker.h"
 #include "server/controls.h"
-#include "server/http_content.h"
+#include "server/shared_state.h"
 
 namespace tp100::server {
-
-struct ServerSettings {
-  /// HOST:PORT, with port 0 for any free one; "auto": 127.0.0.1:8765, or any free port of that
-  /// address if that one is in use; "off": serves only `listener`.
-  std::string listen = "auto";
-  AccessRules access{};
-  config::CommandsFrom commands = config::CommandsFrom::kLocal;
-  std::size_t max_clients = 64;
-  double units_per_s = Budgets::kUnitsPerS;  ///< of viewers, and of HTTP requests of an address
-  std::string name{};                        ///< of the robot, for people
-  std::vector<std::string>
-      robots{};                      ///< pages of other robots, besides those found on this machine
-  HttpSources content{};             ///< the server itself adds health, robots and history
-  std::vector<ServiceRow> services;  ///< besides those of motion
-  bool real_time = false;            ///< the sockets' thread has loop::kBelowTheLoop, if permitted
-  Listener listener;  ///< called from the constructor and the worker's thread; must not block
-};
 
 class Server : public messages::Sink {
  public:
@@ -71,8 +50,6 @@ class Server : public messages::Sink {
   void flush();
   /// Whether a client's request still waits for the disk; the destructor would wait, too.
   bool waits_for_disk();
-  /// Records dropped because the worker was too slow.
-  std::uint64_t lost_records() const;
 
  private:
   struct State;

@@ -11,6 +11,7 @@
 #include "core/clock.h"
 #include "core/error.h"
 #include "loop/real_time.h"
+#include "server/connection.h"
 #include "server/viewer_socket.h"
 #include "text/format.h"
 
@@ -125,17 +126,15 @@ void Sockets::start() {
 void Sockets::accept() {
   acceptor_.async_accept([this](boost::system::error_code error, tcp::socket socket) {
     if (stopping_ || error == asio::error::operation_aborted) return;
-    accept_next(error.failed());
-    if (!error) serve_connection(std::move(socket), shared_);
-  });
-}
-
-void Sockets::accept_next(bool failed) {
-  if (!failed) return accept();
-  // Probably out of descriptors.
-  pause_.expires_after(kAcceptPause);
-  pause_.async_wait([this](boost::system::error_code cancelled) {
-    if (!cancelled) accept();
+    if (!error) {
+      accept();
+      return serve_connection(std::move(socket), shared_);
+    }
+    // Probably out of descriptors.
+    pause_.expires_after(kAcceptPause);
+    pause_.async_wait([this](boost::system::error_code cancelled) {
+      if (!cancelled) accept();
+    });
   });
 }
 
@@ -158,11 +157,8 @@ void Sockets::tick() {
   const HostNs now = monotonic_now();
   shared_.viewer_budgets.tick(now);
   shared_.http_budgets.tick(now);
-  messages::ClientsFigures figures;
+  messages::ClientsFigures figures = shared_.figures;
   figures.queue_limit = Outbox::kMaxData;
-  figures.refused_total = shared_.refused;
-  figures.closed_total = shared_.closed;
-  figures.dropped_total = shared_.dropped_by_closed;
   const auto viewers = shared_.viewers;
   for (const auto& [id, weak] : viewers) {
     const auto viewer = weak.lock();

@@ -13,8 +13,10 @@
 #include <string>
 #include <thread>
 
-#include "server/connection.h"
+#include "messages/figures.h"
+#include "record/worker.h"
 #include "server/local_daemons.h"
+#include "server/shared_state.h"
 
 namespace tp100::server {
 
@@ -51,7 +53,6 @@ class Sockets {
   void listen();
   bool try_listen(const boost::asio::ip::tcp::endpoint& end, boost::system::error_code& error);
   void accept();
-  void accept_next(bool failed);
   void rest();
   void tick();
   void begin_goodbyes();
@@ -73,7 +74,7 @@ class Sockets {
   boost::asio::ip::tcp::acceptor acceptor_{context_};
   boost::asio::steady_timer timer_{context_};
   boost::asio::steady_timer pause_{context_};
-  record::Worker disk_{"page files", kMaxConnections};  // its jobs post to the context
+  record::Worker disk_{"page files", SharedState::kMaxConnections};  // its jobs post to the context
   std::thread thread_;
 };
 

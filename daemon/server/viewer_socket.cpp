@@ -6,11 +6,12 @@
 #include <utility>
 
 #include "core/clock.h"
-#include "server/service.h"
+#include "server/request_handler.h"
 
 namespace tp100::server {
 namespace {
 
+namespace asio = boost::asio;
 namespace beast = boost::beast;
 namespace websocket = beast::websocket;
 
@@ -26,40 +27,27 @@ constexpr HostNs kWriteLimitNs = 10 * kNsPerS;
 constexpr int kSendBuffer = 256 * 1024;  // the kernel's send buffer: data waiting there goes stale
 constexpr std::size_t kMaxAgent = 120;
 
-std::string address_of(const boost::asio::ip::tcp::socket& socket) {
-  boost::system::error_code error;
-  const auto end = socket.remote_endpoint(error);
-  return error ? std::string()
-               : plain(end.address()).to_string() + ":" + std::to_string(end.port());
-}
-
 }  // namespace
 
-ViewerSocket::ViewerSocket(Stream::socket_type socket, SharedState& shared)
+ViewerSocket::ViewerSocket(Stream::socket_type socket, const Peer& peer, SharedState& shared,
+                           Permission permission)
     : socket_(std::move(socket)),
       shared_(shared),
+      permission_(permission),
       buffer_(kMaxMessage),
+      budget_(shared.viewer_budgets.of(peer.network)),
       stops_left_(kStopsPerS),
       pause_(shared.context) {
+  figures_.address = peer.address;
   ++shared_.sockets;
 }
 
-ViewerSocket::~ViewerSocket() { --shared_.sockets; }
-
-void ViewerSocket::accept(const Request& request, std::string_view sub_protocol, bool may_command) {
-  address_ = address_of(socket_.next_layer().socket());
-  budget_ = shared_.viewer_budgets.of(budget_name(socket_.next_layer().socket()));
-  const bool local = is_local(socket_.next_layer().socket());
-  agent_ = std::string(request[beast::http::field::user_agent]).substr(0, kMaxAgent);
-  const config::CommandsFrom from = shared_.settings.commands;
-  const bool accepted =
-      from == config::CommandsFrom::kAll || (from == config::CommandsFrom::kLocal && local);
-  permission_ = may_command && accepted ? Permission::kCommand : Permission::kStopOnly;
-
+void ViewerSocket::accept(const Request& request, std::string_view sub_protocol) {
+  figures_.agent = std::string(request[beast::http::field::user_agent]).substr(0, kMaxAgent);
   boost::system::error_code ignored;
   auto& tcp = socket_.next_layer().socket();
-  tcp.set_option(boost::asio::socket_base::send_buffer_size(kSendBuffer), ignored);
-  tcp.set_option(boost::asio::ip::tcp::no_delay(true), ignored);
+  tcp.set_option(asio::socket_base::send_buffer_size(kSendBuffer), ignored);
+  tcp.set_option(asio::ip::tcp::no_delay(true), ignored);
   socket_.next_layer().rate_policy().read_limit(kReadLimit);
   socket_.set_option(
       websocket::stream_base::timeout{std::chrono::seconds(5), std::chrono::seconds(20), true});
@@ -71,11 +59,7 @@ void ViewerSocket::accept(const Request& request, std::string_view sub_protocol,
   socket_.read_message_max(kMaxMessage);
   socket_.auto_fragment(false);
   socket_.async_accept(request, [self = shared_from_this()](beast::error_code error) {
-    if (error) {
-      self->gone();
-    } else {
-      self->opened();
-    }
+    error ? self->gone() : self->opened();
   });
 }
 
@@ -85,15 +69,16 @@ void ViewerSocket::opened() {
   // The worker never holds a socket: it would be closed in the wrong thread.
   const auto later = [this](void (ViewerSocket::*what)()) {
     return [&context = shared_.context, weak = weak_from_this(), what] {
-      boost::asio::post(context, [weak, what] {
+      asio::post(context, [weak, what] {
         if (const auto self = weak.lock()) (self.get()->*what)();
       });
     };
   };
   viewer_ = std::make_shared<Viewer>(++shared_.last_id, later(&ViewerSocket::flush),
                                      later(&ViewerSocket::fail));
+  figures_.id = viewer_->id();
   shared_.viewers.emplace(viewer_->id(), weak_from_this());
-  boost::asio::post(shared_.work, [&shared = shared_, viewer = viewer_, may = permission_] {
+  asio::post(shared_.work, [&shared = shared_, viewer = viewer_, may = permission_] {
     shared.broker.add(viewer);
     shared.handler.send_server_info(*viewer, may);
   });
@@ -102,11 +87,7 @@ void ViewerSocket::opened() {
 
 void ViewerSocket::read() {
   socket_.async_read(buffer_, [self = shared_from_this()](beast::error_code error, std::size_t) {
-    if (error) {
-      self->gone();
-    } else {
-      self->take();
-    }
+    error ? self->gone() : self->take();
   });
 }
 
@@ -154,21 +135,21 @@ void ViewerSocket::stop(std::uint32_t call, HostNs now) {
   shared_.controls.stop();
   if (*stops_ >= kMaxStops) return;
   ++*stops_;
-  boost::asio::post(shared_.work, [&shared = shared_, viewer = viewer_, stops = stops_, call, now] {
+  asio::post(shared_.work, [&shared = shared_, viewer = viewer_, stops = stops_, call, now] {
     shared.handler.stop_pressed(viewer, call, now);
     --*stops;
   });
 }
 
 void ViewerSocket::pass_on(std::string message, bool text, HostNs now) {
-  boost::asio::post(shared_.work, [&shared = shared_, viewer = viewer_, weak = weak_from_this(),
-                                   may = permission_, message = std::move(message), text, now] {
+  asio::post(shared_.work, [&shared = shared_, viewer = viewer_, weak = weak_from_this(),
+                            may = permission_, message = std::move(message), text, now] {
     const auto* begin = reinterpret_cast<const std::uint8_t*>(message.data());
     const bool known = shared.handler.handle(
         viewer, text ? parse_text(message) : parse_binary({begin, message.size()}), may, now);
     viewer->answered(message.size());
     if (known) return;
-    boost::asio::post(shared.context, [weak] {
+    asio::post(shared.context, [weak] {
       if (const auto self = weak.lock()) self->malformed();
     });
   });
@@ -187,13 +168,12 @@ void ViewerSocket::flush() {
   write_began_ns_ = monotonic_now();
   writing_ = std::move(*next);
   socket_.binary(writing_.binary);
-  const std::array<boost::asio::const_buffer, 2> parts = {
-      boost::asio::buffer(writing_.head.data(), writing_.head_size),
-      boost::asio::buffer(*writing_.body)};
+  const std::array<asio::const_buffer, 2> parts = {
+      asio::buffer(writing_.head.data(), writing_.head_size), asio::buffer(*writing_.body)};
   socket_.async_write(parts, [self = shared_from_this()](beast::error_code error, std::size_t) {
     self->busy_ = false;
     if (error) return self->fail();
-    ++self->sent_;
+    ++self->figures_.sent;
     self->flush();
   });
 }
@@ -212,13 +192,8 @@ void ViewerSocket::tick(HostNs now) {
 }
 
 messages::ClientFigures ViewerSocket::figures(HostNs now) const {
-  messages::ClientFigures out;
-  out.address = address_;
-  out.agent = agent_;
-  out.sent = sent_;
+  messages::ClientFigures out = figures_;
   out.connected_s = to_s(now - connected_ns_);
-  if (viewer_ == nullptr) return out;
-  out.id = viewer_->id();
   out.queued = viewer_->outbox().size();
   out.dropped = viewer_->outbox().dropped();
   return out;
@@ -244,10 +219,10 @@ void ViewerSocket::gone() {
   if (!std::exchange(open_, false)) return;
   boost::system::error_code ignored;
   socket_.next_layer().socket().close(ignored);
-  ++shared_.closed;
-  shared_.dropped_by_closed += viewer_->outbox().dropped();
+  ++shared_.figures.closed_total;
+  shared_.figures.dropped_total += viewer_->outbox().dropped();
   shared_.viewers.erase(viewer_->id());
-  boost::asio::post(shared_.work, [&shared = shared_, viewer = viewer_, now = monotonic_now()] {
+  asio::post(shared_.work, [&shared = shared_, viewer = viewer_, now = monotonic_now()] {
     shared.broker.remove(viewer);
     shared.handler.leave(*viewer, now);
   });

@@ -3,6 +3,8 @@
 // to the worker, writes the frames of its outbox, and disconnects it when it misbehaves.
 
 #include <atomic>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/beast/core/basic_stream.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
@@ -14,7 +16,7 @@
 #include <string>
 
 #include "server/access.h"
-#include "server/connection.h"
+#include "server/shared_state.h"
 
 namespace tp100::server {
 
@@ -25,11 +27,11 @@ class ViewerSocket : public std::enable_shared_from_this<ViewerSocket> {
                                             boost::beast::simple_rate_policy>;
   using Request = boost::beast::http::request<boost::beast::http::empty_body>;
 
-  ViewerSocket(Stream::socket_type socket, SharedState& shared);
-  ~ViewerSocket();
-  /// Accepts the upgrade with this sub-protocol and lives until the client is gone. It commands
-  /// only if it `may_command` and server.commands permits it.
-  void accept(const Request& request, std::string_view sub_protocol, bool may_command);
+  ViewerSocket(Stream::socket_type socket, const Peer& peer, SharedState& shared,
+               Permission permission);
+  ~ViewerSocket() { --shared_.sockets; }
+  /// Accepts the upgrade with this sub-protocol and lives until the client is gone.
+  void accept(const Request& request, std::string_view sub_protocol);
 
   /// Call it once a second: sends the status that is due, and disconnects clients that do not read.
   void tick(HostNs now);
@@ -57,10 +59,10 @@ class ViewerSocket : public std::enable_shared_from_this<ViewerSocket> {
 
   boost::beast::websocket::stream<Stream> socket_;
   SharedState& shared_;
+  const Permission permission_;
+  messages::ClientFigures figures_{};
   boost::beast::flat_buffer buffer_;
   std::shared_ptr<Viewer> viewer_;
-  Permission permission_ = Permission::kStopOnly;
-  std::string address_, agent_;
   WebSocketFrame writing_{};
   bool busy_ = false;  // a write is under way
   bool open_ = false;
@@ -69,7 +71,6 @@ class ViewerSocket : public std::enable_shared_from_this<ViewerSocket> {
   int seconds_not_open_ = 0;
   HostNs connected_ns_ = 0;
   HostNs write_began_ns_ = 0;
-  std::uint64_t sent_ = 0;
   std::uint64_t reported_dropped_ = 0;
   int malformed_ = 0;
   std::shared_ptr<Budget> budget_;  // of its address

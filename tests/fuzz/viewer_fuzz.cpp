@@ -72,8 +72,9 @@ void request(std::string_view text) {
   sources.runs = [] { return std::string("{}"); };
   sources.health = [] { return std::string("{}"); };
   const std::size_t end = text.find('\n');
-  const std::string_view more = end == text.npos ? std::string_view() : text.substr(end + 1);
-  const HttpAnswer answer = http_answer({"GET", text.substr(0, end), more, {}}, sources);
+  const std::string target(text.substr(0, end));
+  const std::string more(end == text.npos ? std::string_view() : text.substr(end + 1));
+  const HttpAnswer answer = http_answer({"GET", target, more, {}}, sources);
   require(answer.status >= 200 && answer.status < 600, "an answer of HTTP");
   choose_sub_protocol(text);
   parse_request(text);

@@ -14,8 +14,8 @@
 #include <thread>
 #include <vector>
 
-#include "server/connection.h"
 #include "server/service.h"
+#include "server/shared_state.h"
 #include "server_rig.h"
 
 namespace tp100::server {
@@ -124,10 +124,11 @@ TEST_F(ServerTest, StrangersCannotTakeThePlacesOfThisMachine) {
   std::vector<WebClient> strangers;
   EXPECT_THROW(for (int i = 0; i < 100; ++i) strangers.emplace_back(port_, address),
                std::runtime_error);
-  EXPECT_EQ(strangers.size(), 16 - kKeptForLocal);
+  EXPECT_EQ(strangers.size(), 16 - SharedState::kKeptForLocal);
   // The same must hold for connections that send no request.
   std::vector<int> idle;
-  for (std::size_t i = 0; i < 2 * kMaxConnections; ++i) idle.push_back(dial(port_, address));
+  for (std::size_t i = 0; i < 2 * SharedState::kMaxConnections; ++i)
+    idle.push_back(dial(port_, address));
   WebClient local = connect();
   local.call(Service::kStop);
   EXPECT_TRUE(eventually([&] { return controls_.stops == 1; }));

@@ -40,8 +40,8 @@ class HttpContent : public ::testing::Test {
     test::write_bytes(folder_.file("secret"), "secret");
   }
 
-  HttpAnswer get(std::string_view target, std::string_view range = {},
-                 std::string_view none_match = {}) const {
+  HttpAnswer get(const std::string& target, const std::string& range = {},
+                 const std::string& none_match = {}) const {
     return http_answer({"GET", target, range, none_match}, sources_);
   }
 
