@@ -82,25 +82,16 @@ void Viewer::wake() {
 }
 
 void Viewer::reply(std::string body, bool binary) {
-  WebSocketFrame frame;
-  frame.binary = binary;
   charge(body.size());
-  frame.body = std::make_shared<const std::string>(std::move(body));
-  if (outbox_.push_reply(std::move(frame))) {
-    wake();
-  } else {
-    fail_();
-  }
+  const bool room = outbox_.push_reply(
+      {.binary = binary, .body = std::make_shared<const std::string>(std::move(body))});
+  room ? wake() : fail_();
 }
 
 void Viewer::send(std::uint32_t subscription, std::uint64_t unix_ns,
                   const std::shared_ptr<const std::string>& body) {
-  WebSocketFrame frame;
-  frame.binary = true;
-  frame.head = message_head(subscription, unix_ns);
-  frame.head_size = static_cast<std::uint8_t>(frame.head.size());
-  frame.body = body;
-  outbox_.push_data(std::move(frame));
+  const MessageHead head = message_head(subscription, unix_ns);
+  outbox_.push_data({.binary = true, .head_size = head.size(), .head = head, .body = body});
   wake();
 }
 
@@ -108,91 +99,67 @@ Broker::Broker(std::vector<messages::ChannelText> channels, Listener listener)
     : channels_(std::move(channels)), listener_(std::move(listener)) {}
 
 bool Broker::wanted(messages::Channel channel) const {
-  return !line(channel).subscribers.empty() ||
-         channels_[static_cast<std::uint32_t>(channel) - 1].kept > 0;
+  const std::size_t i = index(channel);
+  return channels_[i].kept > 0 || std::ranges::any_of(viewers_, [&](const auto& viewer) {
+           return viewer->subscriptions_[i].has_value();
+         });
 }
 
 void Broker::publish(messages::Channel channel, std::uint64_t unix_ns,
                      const std::shared_ptr<const std::string>& body) {
-  Line& to = line(channel);
-  const std::size_t keep = channels_[static_cast<std::uint32_t>(channel) - 1].kept;
-  if (to.subscribers.empty() && keep == 0) return;
+  if (!wanted(channel)) return;
   if (listener_) listener_(channel, unix_ns, *body);
-  for (const Subscriber& each : to.subscribers) each.viewer->send(each.subscription, unix_ns, body);
+  for (const auto& viewer : viewers_)
+    if (const auto subscription = viewer->subscriptions_[index(channel)])
+      viewer->send(*subscription, unix_ns, body);
+  const std::size_t keep = channels_[index(channel)].kept;
   if (keep == 0) return;
-  to.kept.push_back({unix_ns, body});
-  if (to.kept.size() <= keep) return;
+  std::deque<Message>& kept = line(channel).kept;
+  kept.push_back({unix_ns, body});
+  if (kept.size() <= keep) return;
   // Viewers that do not read would keep every course that was ever chosen.
-  const std::shared_ptr<const std::string> old = std::move(to.kept.front().body);
-  to.kept.pop_front();
+  const std::shared_ptr<const std::string> old = std::move(kept.front().body);
+  kept.pop_front();
   if (keep == 1 && old->size() > Outbox::kMaxCounted)
     for (const auto& viewer : viewers_) viewer->outbox().forget(old.get());
 }
 
-void Broker::catch_up(messages::Channel channel, Catch make) {
-  line(channel).catch_up = std::move(make);
-}
-
-void Broker::add(const std::shared_ptr<Viewer>& viewer) { viewers_.push_back(viewer); }
-
-void Broker::remove(const std::shared_ptr<Viewer>& viewer) {
-  for (const auto& [subscription, channel] : viewer->subscriptions_)
-    drop(*viewer, subscription, channel);
-  viewer->subscriptions_.clear();
-  std::erase(viewers_, viewer);
-}
-
 void Broker::subscribe(Viewer& viewer, const Subscribe& wanted) {
   for (const Subscribe::One& one : wanted.subscriptions) {
+    const std::string number = std::to_string(one.channel);
     if (one.channel == 0 || one.channel > messages::kChannelCount) {
-      viewer.say(StatusLevel::kWarning, "there is no channel " + std::to_string(one.channel));
+      viewer.say(StatusLevel::kWarning, "there is no channel " + number);
       continue;
     }
-    if (viewer.subscriptions_.contains(one.subscription)) {
+    if (std::ranges::count(viewer.subscriptions_, std::optional(one.subscription)) > 0) {
       viewer.say(StatusLevel::kWarning, "subscription " + std::to_string(one.subscription) +
                                             " is in use; choose another id");
       continue;
     }
     const auto channel = static_cast<messages::Channel>(one.channel);
-    const bool twice = std::any_of(viewer.subscriptions_.begin(), viewer.subscriptions_.end(),
-                                   [&](const auto& each) { return each.second == channel; });
-    if (twice) {
-      viewer.say(StatusLevel::kWarning,
-                 "channel " + std::to_string(one.channel) + " is subscribed to already");
+    if (viewer.subscriptions_[index(channel)]) {
+      viewer.say(StatusLevel::kWarning, "channel " + number + " is subscribed to already");
       continue;
     }
-    viewer.subscriptions_.emplace(one.subscription, channel);
-    Line& from = line(channel);
-    from.subscribers.push_back({&viewer, one.subscription});
-    for (const Message& message : from.kept) {
+    viewer.subscriptions_[index(channel)] = one.subscription;
+    std::deque<Message> first = line(channel).kept;
+    if (line(channel).catch_up) first.push_back(line(channel).catch_up());
+    for (const Message& message : first) {
       viewer.charge(message.body->size() / kSharedShare);
       viewer.send(one.subscription, message.unix_ns, message.body);
-    }
-    if (!from.catch_up) continue;
-    std::uint64_t unix_ns = 0;
-    if (const auto body = from.catch_up(unix_ns)) {
-      viewer.charge(body->size() / kSharedShare);
-      viewer.send(one.subscription, unix_ns, body);
     }
   }
 }
 
 void Broker::unsubscribe(Viewer& viewer, const Unsubscribe& unwanted) {
   for (const std::uint32_t subscription : unwanted.subscriptions) {
-    const auto found = viewer.subscriptions_.find(subscription);
-    if (found == viewer.subscriptions_.end()) {
+    const auto found = std::ranges::find(viewer.subscriptions_, std::optional(subscription));
+    if (found != viewer.subscriptions_.end()) {
+      found->reset();
+    } else {
       viewer.say(StatusLevel::kWarning, "there is no subscription " + std::to_string(subscription));
-      continue;
     }
-    drop(viewer, subscription, found->second);
-    viewer.subscriptions_.erase(found);
   }
-}
-
-void Broker::drop(Viewer& viewer, std::uint32_t subscription, messages::Channel channel) {
-  std::erase_if(line(channel).subscribers, [&](const Subscriber& each) {
-    return each.viewer == &viewer && each.subscription == subscription;
-  });
 }
 
 }  // namespace tp100::server

@@ -2,12 +2,12 @@
 // Connects channels to viewers: subscriptions, a new subscriber's first messages, waiting frames.
 // No socket; one thread, the worker's, but for what is marked for the sockets' thread.
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstdint>
 #include <deque>
 #include <functional>
-#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -24,9 +24,9 @@ namespace tp100::server {
 /// One WebSocket message; bodies are shared between clients.
 struct WebSocketFrame {
   bool binary = false;
-  std::uint8_t head_size = 0;
-  std::array<std::uint8_t, 13> head{};
-  std::shared_ptr<const std::string> body;
+  std::size_t head_size = 0;
+  MessageHead head{};
+  std::shared_ptr<const std::string> body{};
 
   std::size_t size() const { return head_size + body->size(); }
 };
@@ -78,7 +78,10 @@ class Viewer {
   std::uint32_t id() const { return id_; }
   Outbox& outbox() { return outbox_; }  ///< any thread
   const Outbox& outbox() const { return outbox_; }
-  const std::map<std::uint32_t, messages::Channel>& subscriptions() const { return subscriptions_; }
+  std::size_t subscriptions() const {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        subscriptions_, [](const auto& subscription) { return subscription.has_value(); }));
+  }
 
   // Any thread.
   /// A JSON text or whole binary message of the protocol, for which the client is charged.
@@ -113,7 +116,7 @@ class Viewer {
   Outbox outbox_;
   std::atomic<bool> woken_{false};
   std::atomic<std::size_t> owed_bytes_{0}, waiting_bytes_{0};
-  std::map<std::uint32_t, messages::Channel> subscriptions_;
+  std::array<std::optional<std::uint32_t>, messages::kChannelCount> subscriptions_{};  // by channel
 };
 
 /// Receives every message of every channel, without a subscription.
@@ -122,6 +125,11 @@ using Listener =
 
 class Broker {
  public:
+  struct Message {
+    std::uint64_t unix_ns;
+    std::shared_ptr<const std::string> body;
+  };
+
   explicit Broker(std::vector<messages::ChannelText> channels, Listener listener = {});
 
   const std::vector<messages::ChannelText>& channels() const { return channels_; }
@@ -133,36 +141,27 @@ class Broker {
   }
   void publish(messages::Channel channel, std::uint64_t unix_ns,
                const std::shared_ptr<const std::string>& body);
-  /// Makes the message that a new subscriber of `channel` receives instead of the last messages.
-  using Catch = std::function<std::shared_ptr<const std::string>(std::uint64_t& unix_ns)>;
-  void catch_up(messages::Channel channel, Catch make);
+  /// `make` makes the message that a new subscriber of `channel` receives besides those kept.
+  void catch_up(messages::Channel channel, std::function<Message()> make) {
+    line(channel).catch_up = std::move(make);
+  }
 
-  void add(const std::shared_ptr<Viewer>& viewer);
-  void remove(const std::shared_ptr<Viewer>& viewer);
+  void add(const std::shared_ptr<Viewer>& viewer) { viewers_.push_back(viewer); }
+  void remove(const std::shared_ptr<Viewer>& viewer) { std::erase(viewers_, viewer); }
   void subscribe(Viewer& viewer, const Subscribe& wanted);
   void unsubscribe(Viewer& viewer, const Unsubscribe& unwanted);
 
   const std::vector<std::shared_ptr<Viewer>>& viewers() const { return viewers_; }
 
  private:
-  struct Message {
-    std::uint64_t unix_ns;
-    std::shared_ptr<const std::string> body;
-  };
-  struct Subscriber {
-    Viewer* viewer;
-    std::uint32_t subscription;
-  };
   struct Line {
-    std::vector<Subscriber> subscribers;
     std::deque<Message> kept;
-    Catch catch_up;
+    std::function<Message()> catch_up;
   };
-  Line& line(messages::Channel channel) { return lines_[static_cast<std::uint32_t>(channel) - 1]; }
-  const Line& line(messages::Channel channel) const {
-    return lines_[static_cast<std::uint32_t>(channel) - 1];
+  static std::size_t index(messages::Channel channel) {
+    return static_cast<std::size_t>(channel) - 1;
   }
-  void drop(Viewer& viewer, std::uint32_t subscription, messages::Channel channel);
+  Line& line(messages::Channel channel) { return lines_[index(channel)]; }
 
   std::vector<messages::ChannelText> channels_;
   Listener listener_;

@@ -15,9 +15,8 @@ constexpr HostNs kDriftDivisor = 1000;
 std::string slow(HostNs round_trip_ns) {
   return text::format(
       "the first input came %.2f s after the token: driving by hand needs a path to the daemon "
-      "with "
-      "a round trip of less than %.1f s, and a first input (zero speed will do) at once after the "
-      "token",
+      "with a round trip of less than %.1f s, and a first input (zero speed will do) at once after "
+      "the token",
       to_s(round_trip_ns), to_s(Lease::kMaxRoundTripNs));
 }
 

@@ -4,13 +4,15 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "server/access.h"
+
 namespace tp100::server {
 namespace {
 
 using Json = nlohmann::json;
 using Written = nlohmann::ordered_json;  // keeps the order; parsed, it would take too long
 
-constexpr std::size_t kMaxDepth = 16;
+constexpr int kMaxDepth = 16;
 constexpr std::size_t kMaxList = 1024;
 constexpr std::size_t kMaxFieldName = 256;
 constexpr std::uint8_t kClientData = 1, kServiceCall = 2;
@@ -20,39 +22,29 @@ struct Refused {
   std::string why;
 };
 
-/// Whether brackets outside of strings are nested too deeply.
-bool too_deep(std::string_view text) {
-  std::size_t depth = 0;
-  bool in_string = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (in_string) {
-      if (c == '\\') ++i;
-      if (c == '"') in_string = false;
-    } else if (c == '"') {
-      in_string = true;
-    } else if (c == '[' || c == '{') {
-      if (++depth > kMaxDepth) return true;
-    } else if ((c == ']' || c == '}') && depth > 0) {
-      --depth;
-    }
-  }
-  return false;
-}
-
 std::optional<Json> parse(std::string_view text) {
-  if (too_deep(text)) return std::nullopt;
-  Json json = Json::parse(text, nullptr, false);
-  if (json.is_discarded() || !json.is_object()) return std::nullopt;
+  using Event = Json::parse_event_t;
+  bool too_deep = false;
+  const auto within_depth = [&](int depth, Event event, const Json&) {
+    if (event == Event::object_start || event == Event::array_start)
+      too_deep = too_deep || depth >= kMaxDepth;
+    return !too_deep;
+  };
+  Json json = Json::parse(text, within_depth, false);
+  if (too_deep || !json.is_object()) return std::nullopt;
   return json;
 }
 
-const Json& list(const Json& json, const char* name) {
+/// What `read` makes of each element of a list.
+template <class Read>
+auto all(const Json& json, const char* name, Read read) {
   const auto found = json.find(name);
   if (found == json.end() || !found->is_array())
     throw Refused{std::string(name) + " must be a list"};
   if (found->size() > kMaxList) throw Refused{std::string(name) + " is too long"};
-  return *found;
+  std::vector<decltype(read(*found))> values;
+  for (const Json& each : *found) values.push_back(read(each));
+  return values;
 }
 
 std::uint32_t number(const Json& json) {
@@ -62,7 +54,7 @@ std::uint32_t number(const Json& json) {
   return static_cast<std::uint32_t>(value);
 }
 
-std::uint32_t number(const Json& json, const char* name) {
+std::uint32_t number_of(const Json& json, const char* name) {
   if (!json.is_object() || !json.contains(name)) throw Refused{std::string(name) + " is missing"};
   return number(json[name]);
 }
@@ -79,18 +71,6 @@ std::string optional_text(const Json& json, const char* name) {
   return found == json.end() || found->is_null() ? std::string() : text(*found);
 }
 
-std::vector<std::uint32_t> numbers(const Json& json, const char* name) {
-  std::vector<std::uint32_t> values;
-  for (const Json& each : list(json, name)) values.push_back(number(each));
-  return values;
-}
-
-std::vector<std::string> names(const Json& json) {
-  std::vector<std::string> values;
-  for (const Json& each : list(json, "parameterNames")) values.push_back(text(each));
-  return values;
-}
-
 std::optional<messages::ParameterValue> parameter_value(const Json& json) {
   if (json.is_boolean()) return json.get<bool>();
   if (json.is_number()) return json.get<double>();
@@ -98,29 +78,26 @@ std::optional<messages::ParameterValue> parameter_value(const Json& json) {
   return std::nullopt;
 }
 
+SetParameters::One parameter(const Json& json) {
+  if (!json.is_object()) throw Refused{"a parameter must be an object"};
+  const auto value = json.find("value");
+  return {optional_text(json, "name"),
+          value == json.end() ? std::nullopt : parameter_value(*value)};
+}
+
 ClientMessage message(const Json& json) {
   const std::string op = optional_text(json, "op");
-  if (op == "subscribe") {
-    Subscribe out;
-    for (const Json& each : list(json, "subscriptions"))
-      out.subscriptions.push_back({number(each, "id"), number(each, "channelId")});
-    return out;
-  }
-  if (op == "unsubscribe") return Unsubscribe{numbers(json, "subscriptionIds")};
-  if (op == "getParameters") return GetParameters{names(json), optional_text(json, "id")};
-  if (op == "setParameters") {
-    SetParameters out;
-    out.id = optional_text(json, "id");
-    for (const Json& each : list(json, "parameters")) {
-      if (!each.is_object()) throw Refused{"a parameter must be an object"};
-      const auto value = each.find("value");
-      out.parameters.push_back({optional_text(each, "name"),
-                                value == each.end() ? std::nullopt : parameter_value(*value)});
-    }
-    return out;
-  }
-  if (op == "subscribeParameterUpdates") return ParameterSubscription{names(json), true};
-  if (op == "unsubscribeParameterUpdates") return ParameterSubscription{names(json), false};
+  const auto names = [&] { return all(json, "parameterNames", text); };
+  if (op == "subscribe")
+    return Subscribe{all(json, "subscriptions", [](const Json& each) {
+      return Subscribe::One{number_of(each, "id"), number_of(each, "channelId")};
+    })};
+  if (op == "unsubscribe") return Unsubscribe{all(json, "subscriptionIds", number)};
+  if (op == "getParameters") return GetParameters{names(), optional_text(json, "id")};
+  if (op == "setParameters")
+    return SetParameters{all(json, "parameters", parameter), optional_text(json, "id")};
+  if (op == "subscribeParameterUpdates") return ParameterSubscription{names(), true};
+  if (op == "unsubscribeParameterUpdates") return ParameterSubscription{names(), false};
   for (const char* known : {"advertise", "unadvertise", "subscribeConnectionGraph",
                             "unsubscribeConnectionGraph", "fetchAsset"})
     if (op == known) return Unserved{op};
@@ -137,8 +114,6 @@ void put_little(Out out, std::uint64_t value, int bytes) {
   for (int i = 0; i < bytes; ++i) *out++ = static_cast<Byte>(value >> (8 * i));
 }
 
-std::string characters(std::span<const std::uint8_t> bytes) { return {bytes.begin(), bytes.end()}; }
-
 std::string text_of(const Written& json) {
   return json.dump(-1, ' ', false, Written::error_handler_t::replace);
 }
@@ -153,17 +128,10 @@ Written schema_of(const std::string& name, const std::string& schema) {
 }  // namespace
 
 std::string_view choose_sub_protocol(std::string_view offered) {
-  bool old = false;
-  while (!offered.empty()) {
-    const std::size_t end = std::min(offered.find(','), offered.size());
-    std::string_view name = offered.substr(0, end);
-    offered.remove_prefix(std::min(end + 1, offered.size()));
-    while (!name.empty() && (name.front() == ' ' || name.front() == '\t')) name.remove_prefix(1);
-    while (!name.empty() && (name.back() == ' ' || name.back() == '\t')) name.remove_suffix(1);
-    if (name == kNewSubProtocol) return kNewSubProtocol;
-    old = old || name == kOldSubProtocol;
-  }
-  return old ? kOldSubProtocol : std::string_view();
+  const std::vector<std::string> names = words(offered);
+  for (const std::string_view ours : {kNewSubProtocol, kOldSubProtocol})
+    if (std::ranges::find(names, ours) != names.end()) return ours;
+  return {};
 }
 
 ClientMessage parse_text(std::string_view text) {
@@ -194,8 +162,9 @@ ClientMessage parse_binary(std::span<const std::uint8_t> bytes) {
   const std::size_t encoding = little(bytes.subspan(8));
   bytes = bytes.subspan(12);
   if (encoding > bytes.size()) return Malformed{"a service call whose encoding is cut off"};
-  out.encoding = characters(bytes.first(encoding));
-  out.payload = characters(bytes.subspan(encoding));
+  out.payload.assign(bytes.begin(), bytes.end());
+  out.encoding = out.payload.substr(0, encoding);
+  out.payload.erase(0, encoding);
   return out;
 }
 
@@ -212,9 +181,10 @@ std::optional<std::vector<RequestField>> parse_request(std::string_view text) {
   return fields;
 }
 
-std::string server_info(std::string_view session_id, std::span<const Metadata> metadata) {
+std::string server_info(std::string_view session_id,
+                        std::initializer_list<std::pair<const char*, std::string_view>> metadata) {
   Written entries = Written::object();
-  for (const Metadata& each : metadata) entries[each.name] = each.value;
+  for (const auto& [name, value] : metadata) entries[name] = value;
   return text_of({{"op", "serverInfo"},
                   {"name", "tp100d"},
                   {"capabilities", {"parameters", "parametersSubscribe", "services"}},
@@ -271,8 +241,8 @@ std::string service_failure(std::uint32_t service, std::uint32_t call, std::stri
                   {"message", message}});
 }
 
-std::array<std::uint8_t, 13> message_head(std::uint32_t subscription, std::uint64_t unix_ns) {
-  std::array<std::uint8_t, 13> head{};
+MessageHead message_head(std::uint32_t subscription, std::uint64_t unix_ns) {
+  MessageHead head{};
   head[0] = kMessageData;
   put_little<std::uint8_t>(head.begin() + 1, subscription, 4);
   put_little<std::uint8_t>(head.begin() + 5, unix_ns, 8);

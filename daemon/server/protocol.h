@@ -4,10 +4,12 @@
 
 #include <array>
 #include <cstdint>
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -88,10 +90,8 @@ struct ServiceText {
   std::string name, type, request_schema, response_schema;
 };
 
-struct Metadata {
-  std::string name, value;
-};
-std::string server_info(std::string_view session_id, std::span<const Metadata> metadata);
+std::string server_info(std::string_view session_id,
+                        std::initializer_list<std::pair<const char*, std::string_view>> metadata);
 std::string advertise(std::span<const messages::ChannelText> channels);
 std::string advertise_services(std::span<const ServiceText> services);
 std::string status(StatusLevel level, std::string_view message);
@@ -100,7 +100,8 @@ std::string parameter_values(std::span<const messages::ParameterText* const> par
 std::string service_failure(std::uint32_t service, std::uint32_t call, std::string_view message);
 
 /// Head of a message-data frame; the payload follows.
-std::array<std::uint8_t, 13> message_head(std::uint32_t subscription, std::uint64_t unix_ns);
+using MessageHead = std::array<std::uint8_t, 13>;
+MessageHead message_head(std::uint32_t subscription, std::uint64_t unix_ns);
 /// A whole service response with a JSON payload.
 std::string service_response(std::uint32_t service, std::uint32_t call, std::string_view json);
 

@@ -43,31 +43,28 @@ std::string key_of(const StateFigures& state) {
 }  // namespace
 
 void LinkMeter::take(const StepRecord& record) {
-  last_ = record.link;
+  last_.session = record.inputs.session;
+  last_.counters = record.link;
+  last_.clock = record.inputs.clock;
   last_ns_ = record.now_ns;
-  session_ = record.inputs.session;
-  clock_ = record.inputs.clock;
   if (!marks_.empty() && last_ns_ - marks_.back().at_ns < kMarkNs) return;
-  marks_.push_back({last_ns_, last_});
+  marks_.push_back({last_ns_, record.link});
   while (marks_.size() > 1 && last_ns_ - marks_.front().at_ns > kWindowNs) marks_.pop_front();
 }
 
 messages::LinkFigures LinkMeter::figures() const {
-  messages::LinkFigures out;
-  out.session = session_;
-  out.counters = last_;
-  out.clock = clock_;
+  messages::LinkFigures out = last_;
   if (marks_.empty() || last_ns_ <= marks_.front().at_ns) return out;
-  const LinkCounters& then = marks_.front().counters;
+  const LinkCounters &then = marks_.front().counters, &now = last_.counters;
   const double window_s = to_s(last_ns_ - marks_.front().at_ns);
   const auto rate = [&](std::uint64_t from, std::uint64_t to) {
     return to < from ? 0.0 : static_cast<double>(to - from) / window_s;
   };
-  out.samples_hz = rate(then.samples, last_.samples);
-  out.lost_hz = rate(then.lost, last_.lost);
-  out.bad_hz = rate(bad(then), bad(last_));
-  out.in_bytes_ps = rate(then.bytes_in, last_.bytes_in);
-  out.out_bytes_ps = rate(then.bytes_out, last_.bytes_out);
+  out.samples_hz = rate(then.samples, now.samples);
+  out.lost_hz = rate(then.lost, now.lost);
+  out.bad_hz = rate(bad(then), bad(now));
+  out.in_bytes_ps = rate(then.bytes_in, now.bytes_in);
+  out.out_bytes_ps = rate(then.bytes_out, now.bytes_out);
   return out;
 }
 
@@ -131,12 +128,11 @@ Publisher::Publisher(Broker& broker, messages::Messages messages, Controls& cont
       step_messages_(messages_, false),
       controls_(controls) {
   publish_setup(messages::setup_messages(messages_, clock().start_ns), clock().start_ns);
-  broker_.catch_up(Channel::kPathHistory, [this](std::uint64_t& unix_ns) {
-    unix_ns = clock().unix_ns(last_step_ns_);
+  broker_.catch_up(Channel::kPathHistory, [this]() -> Broker::Message {
     if (whole_path_history_ == nullptr)
       whole_path_history_ =
           std::make_shared<const std::string>(path_history_.whole(clock(), last_step_ns_));
-    return whole_path_history_;
+    return {clock().unix_ns(last_step_ns_), whole_path_history_};
   });
   state_.why_not_start = to_string(run_context().course == nullptr ? StartRefusal::kNoCourse
                                                                    : StartRefusal::kNoSession);

@@ -33,11 +33,9 @@ class LinkMeter {
     HostNs at_ns;
     LinkCounters counters;
   };
-  std::deque<Mark> marks_;  // ten a second, the newest last
-  LinkCounters last_{};
+  std::deque<Mark> marks_;        // ten a second, the newest last
+  messages::LinkFigures last_{};  // without rates
   HostNs last_ns_ = 0;
-  SessionState session_ = SessionState::kClosed;
-  ClockState clock_{};
 };
 
 /// Measures how long the robot takes to acknowledge a STOP. Pure: times are passed in.

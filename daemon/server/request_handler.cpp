@@ -34,115 +34,6 @@ std::string stop_answer(std::uint32_t call, const messages::StopFigures& stop) {
 
 }  // namespace
 
-ParameterRequests::ParameterRequests(Broker& broker, Publisher& publisher, Controls& controls,
-                                     std::vector<ParameterText> parameters)
-    : broker_(broker),
-      publisher_(publisher),
-      controls_(controls),
-      parameters_(std::move(parameters)) {
-  publish(publisher_.clock().start_ns);
-}
-
-void ParameterRequests::publish(HostNs now) {
-  broker_.publish(messages::Channel::kParameter, publisher_.clock().unix_ns(now),
-                  messages::parameters_message(parameters_));
-}
-
-void ParameterRequests::change_setup(std::vector<ParameterText> parameters, HostNs now) {
-  for (ParameterText& next : parameters) {
-    const auto old = std::ranges::find(parameters_, next.name, &ParameterText::name);
-    if (next.live && old != parameters_.end()) next.value = old->value;
-  }
-  parameters_ = std::move(parameters);
-  publish(now);
-}
-
-std::vector<const ParameterText*> ParameterRequests::select(
-    const std::vector<std::string>& names) const {
-  const std::set<std::string_view> wanted(names.begin(), names.end());
-  std::vector<const ParameterText*> out;
-  for (const ParameterText& parameter : parameters_)
-    if (wanted.empty() || wanted.contains(parameter.name)) out.push_back(&parameter);
-  return out;
-}
-
-void ParameterRequests::get(Viewer& viewer, const GetParameters& wanted) const {
-  viewer.reply(parameter_values(select(wanted.names), wanted.id));
-}
-
-void ParameterRequests::watch(const Viewer& viewer, const ParameterSubscription& wanted) {
-  // Keeps existing names only, so that a client cannot make this grow.
-  std::set<std::string>& names = watched_[viewer.id()];
-  for (const ParameterText* parameter : select(wanted.names)) {
-    if (wanted.watch) {
-      names.insert(parameter->name);
-    } else {
-      names.erase(parameter->name);
-    }
-  }
-}
-
-Result<> ParameterRequests::set_one(const SetParameters::One& one) {
-  const auto found = std::ranges::find(parameters_, one.name, &ParameterText::name);
-  if (found == parameters_.end()) return no_such("parameter", one.name);
-  if (!found->live)
-    return Refusal{found->name + " cannot be changed while the daemon runs; set it in the file"};
-  if (!one.value) return Refusal{found->name + " takes no value of that type"};
-  if (found->only_at_standstill && under_way(publisher_.state().run))
-    return Refusal{found->name + " cannot be changed during a run"};
-  if (std::string why = messages::why_not(*found, *one.value); !why.empty()) return Refusal{why};
-  Result<> done = controls_.set(*found, *one.value);
-  if (done) found->value = *one.value;
-  return done;
-}
-
-void ParameterRequests::set(Viewer& viewer, const SetParameters& wanted, bool may_command,
-                            HostNs now) {
-  std::vector<std::string> names;
-  bool changed = false;
-  for (const SetParameters::One& one : wanted.parameters) {
-    names.push_back(one.name);
-    const Result<> done =
-        may_command ? set_one(one)
-                    : Refusal{"parameters are not taken from this client (server.commands)"};
-    if (!done) {
-      viewer.say(StatusLevel::kError, done.why());
-      continue;
-    }
-    overdue_ns_ = now + kOverdueNs;
-    viewer.charge(kChangeBytes);
-    for (const ParameterText* parameter : select({one.name})) parameter_changed(*parameter, now);
-    changed = true;
-  }
-  if (changed) publish(now);
-  if (!names.empty()) viewer.reply(parameter_values(select(names), wanted.id));
-}
-
-void ParameterRequests::parameter_changed(const ParameterText& parameter, HostNs now) {
-  std::string value;
-  std::visit([&](const auto& content) { text::JsonWriter(value).value(content); }, parameter.value);
-  publisher_.take(
-      messages::Event{.at_ns = now, .kind = "parameter", .text = parameter.name + " = " + value});
-  const std::array<const ParameterText*, 1> changed = {&parameter};
-  const std::string message = parameter_values(changed, "");
-  for (const auto& viewer : broker_.viewers()) {
-    const auto watched = watched_.find(viewer->id());
-    if (watched != watched_.end() && watched->second.contains(parameter.name))
-      viewer->reply(message);
-  }
-}
-
-// The step may have ignored a change of the steering pose, because a run began before it.
-void ParameterRequests::finish_overdue(HostNs now) {
-  const auto steering = std::ranges::find(parameters_, kSteering, &ParameterText::name);
-  if (now < overdue_ns_ || publisher_.last_step_ns() == 0 || steering == parameters_.end()) return;
-  const messages::ParameterValue used = std::string(to_string(publisher_.state().steering));
-  if (steering->value == used) return;
-  steering->value = used;
-  publish(now);
-  parameter_changed(*steering, now);
-}
-
 RequestHandler::RequestHandler(Broker& broker, Publisher& publisher, Controls& controls,
                                std::vector<ParameterText> parameters,
                                std::vector<ServiceRow> services, std::string session_id,
@@ -150,7 +41,7 @@ RequestHandler::RequestHandler(Broker& broker, Publisher& publisher, Controls& c
     : broker_(broker),
       publisher_(publisher),
       controls_(controls),
-      parameters_(broker, publisher, controls, std::move(parameters)),
+      parameters_(std::move(parameters)),
       services_(std::move(services)),
       session_id_(std::move(session_id)),
       name_(std::move(name)) {
@@ -166,20 +57,20 @@ RequestHandler::RequestHandler(Broker& broker, Publisher& publisher, Controls& c
   // Whoever may stop the robot may say that it is watched.
   services_.push_back({Service::kWatch, "watch", "{}", R"({"accepted":true})", watch, kOpen});
   std::ranges::sort(services_, {}, &ServiceRow::service);
+  publish_parameters(publisher_.clock().start_ns);
 }
 
 void RequestHandler::send_server_info(Viewer& viewer, Permission permission) {
   const messages::RunContext& run_context = publisher_.run_context();
-  const std::array<Metadata, 7> metadata = {{
-      {"version", run_context.version},
-      {"name", name_},
-      {"course", run_context.course == nullptr ? "" : run_context.course->name},
-      {"robot", run_context.robot.name},
-      {"setup", run_context.setup},
-      {"commands", permission == Permission::kCommand ? "yes" : "stop"},
-      {"start_unix_ns", std::to_string(publisher_.clock().start_unix_ns)},
-  }};
-  viewer.reply(server_info(session_id_, metadata));
+  viewer.reply(server_info(
+      session_id_,
+      {{"version", run_context.version},
+       {"name", name_},
+       {"course", run_context.course == nullptr ? std::string_view() : run_context.course->name},
+       {"robot", run_context.robot.name},
+       {"setup", run_context.setup},
+       {"commands", permission == Permission::kCommand ? "yes" : "stop"},
+       {"start_unix_ns", std::to_string(publisher_.clock().start_unix_ns)}}));
   viewer.reply(advertise(broker_.channels()));
   if (advertised_services_.empty()) {
     std::vector<ServiceText> texts;
@@ -196,11 +87,11 @@ bool RequestHandler::handle(const std::shared_ptr<Viewer>& viewer, const ClientM
   } else if (const auto* unsubscribe = std::get_if<Unsubscribe>(&message)) {
     broker_.unsubscribe(*viewer, *unsubscribe);
   } else if (const auto* get = std::get_if<GetParameters>(&message)) {
-    parameters_.get(*viewer, *get);
+    viewer->reply(parameter_values(select(get->names), get->id));
   } else if (const auto* set = std::get_if<SetParameters>(&message)) {
-    parameters_.set(*viewer, *set, permission == Permission::kCommand, now);
+    set_parameters(*viewer, *set, permission, now);
   } else if (const auto* watch = std::get_if<ParameterSubscription>(&message)) {
-    parameters_.watch(*viewer, *watch);
+    watch_parameters(*viewer, *watch);
   } else if (const auto* call = std::get_if<ServiceCall>(&message)) {
     on(viewer, *call, permission, now);
   } else if (const auto* unserved = std::get_if<Unserved>(&message)) {
@@ -214,8 +105,7 @@ bool RequestHandler::handle(const std::shared_ptr<Viewer>& viewer, const ClientM
 
 void RequestHandler::leave(const Viewer& viewer, HostNs now) {
   controls_.drive_lost(name_of(viewer), now);
-  std::erase_if(waiting_, [&](const Waiting& each) { return each.viewer_id == viewer.id(); });
-  parameters_.leave(viewer);
+  watched_.erase(viewer.id());
 }
 
 void RequestHandler::send_answers() {
@@ -271,7 +161,7 @@ void RequestHandler::stop_pressed(const std::shared_ptr<Viewer>& viewer, std::ui
     viewer->reply(stop_answer(call, publisher_.stop().figures()), true);
     return;
   }
-  waiting_.push_back({viewer, viewer->id(), call});
+  waiting_.push_back({viewer, call});
   tick(at);
 }
 
@@ -285,12 +175,109 @@ void RequestHandler::stop_if_unwatched(HostNs now) {
 
 void RequestHandler::tick(HostNs now) {
   stop_if_unwatched(now);
-  parameters_.finish_overdue(now);
+  correct_steering(now);
   send_answers();
   const messages::StopFigures& stop = publisher_.stop().figures();
   if (stop.status == messages::StopFigures::Status::kPending) return;
   for (const Waiting& each : std::exchange(waiting_, {}))
     if (const auto viewer = each.viewer.lock()) viewer->reply(stop_answer(each.call, stop), true);
+}
+
+void RequestHandler::publish_parameters(HostNs now) {
+  broker_.publish(messages::Channel::kParameter, publisher_.clock().unix_ns(now),
+                  messages::parameters_message(parameters_));
+}
+
+void RequestHandler::change_setup(std::vector<ParameterText> parameters, HostNs now) {
+  for (ParameterText& next : parameters) {
+    const auto old = std::ranges::find(parameters_, next.name, &ParameterText::name);
+    if (next.live && old != parameters_.end()) next.value = old->value;
+  }
+  parameters_ = std::move(parameters);
+  publish_parameters(now);
+}
+
+std::vector<const ParameterText*> RequestHandler::select(
+    const std::vector<std::string>& names) const {
+  const std::set<std::string_view> wanted(names.begin(), names.end());
+  std::vector<const ParameterText*> out;
+  for (const ParameterText& parameter : parameters_)
+    if (wanted.empty() || wanted.contains(parameter.name)) out.push_back(&parameter);
+  return out;
+}
+
+void RequestHandler::watch_parameters(const Viewer& viewer, const ParameterSubscription& wanted) {
+  // Keeps existing names only, so that a client cannot make this grow.
+  std::set<std::string>& names = watched_[viewer.id()];
+  for (const ParameterText* parameter : select(wanted.names)) {
+    if (wanted.watch) {
+      names.insert(parameter->name);
+    } else {
+      names.erase(parameter->name);
+    }
+  }
+}
+
+Result<const ParameterText*> RequestHandler::set_one(const SetParameters::One& one,
+                                                     Permission permission) {
+  if (permission != Permission::kCommand)
+    return Refusal{"parameters are not taken from this client (server.commands)"};
+  const auto found = std::ranges::find(parameters_, one.name, &ParameterText::name);
+  if (found == parameters_.end()) return no_such("parameter", one.name);
+  if (!found->live)
+    return Refusal{found->name + " cannot be changed while the daemon runs; set it in the file"};
+  if (!one.value) return Refusal{found->name + " takes no value of that type"};
+  if (found->only_at_standstill && under_way(publisher_.state().run))
+    return Refusal{found->name + " cannot be changed during a run"};
+  if (std::string why = messages::why_not(*found, *one.value); !why.empty()) return Refusal{why};
+  if (const Result<> done = controls_.set(*found, *one.value); !done) return done.refusal();
+  found->value = *one.value;
+  return &*found;
+}
+
+void RequestHandler::set_parameters(Viewer& viewer, const SetParameters& wanted,
+                                    Permission permission, HostNs now) {
+  std::vector<std::string> names;
+  bool changed = false;
+  for (const SetParameters::One& one : wanted.parameters) {
+    names.push_back(one.name);
+    const Result<const ParameterText*> done = set_one(one, permission);
+    if (!done) {
+      viewer.say(StatusLevel::kError, done.why());
+      continue;
+    }
+    overdue_ns_ = now + kOverdueNs;
+    viewer.charge(kChangeBytes);
+    parameter_changed(**done, now);
+    changed = true;
+  }
+  if (changed) publish_parameters(now);
+  if (!names.empty()) viewer.reply(parameter_values(select(names), wanted.id));
+}
+
+void RequestHandler::parameter_changed(const ParameterText& parameter, HostNs now) {
+  std::string value;
+  std::visit([&](const auto& content) { text::JsonWriter(value).value(content); }, parameter.value);
+  publisher_.take(
+      messages::Event{.at_ns = now, .kind = "parameter", .text = parameter.name + " = " + value});
+  const std::array<const ParameterText*, 1> changed = {&parameter};
+  const std::string message = parameter_values(changed, "");
+  for (const auto& viewer : broker_.viewers()) {
+    const auto watched = watched_.find(viewer->id());
+    if (watched != watched_.end() && watched->second.contains(parameter.name))
+      viewer->reply(message);
+  }
+}
+
+// The step may have ignored a change of the steering pose, because a run began before it.
+void RequestHandler::correct_steering(HostNs now) {
+  const auto steering = std::ranges::find(parameters_, kSteering, &ParameterText::name);
+  if (now < overdue_ns_ || publisher_.last_step_ns() == 0 || steering == parameters_.end()) return;
+  const messages::ParameterValue used = std::string(to_string(publisher_.state().steering));
+  if (steering->value == used) return;
+  steering->value = used;
+  publish_parameters(now);
+  parameter_changed(*steering, now);
 }
 
 }  // namespace tp100::server

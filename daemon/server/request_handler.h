@@ -18,49 +18,14 @@
 
 namespace tp100::server {
 
-/// Reads, sets and watches parameters.
-class ParameterRequests {
- public:
-  /// Publishes the parameters. `broker`, `publisher` and `controls` must outlive this.
-  ParameterRequests(Broker& broker, Publisher& publisher, Controls& controls,
-                    std::vector<messages::ParameterText> parameters);
-
-  void get(Viewer& viewer, const GetParameters& wanted) const;
-  /// `may_command`: false for a client from which only STOP is accepted.
-  void set(Viewer& viewer, const SetParameters& wanted, bool may_command, HostNs now);
-  void watch(const Viewer& viewer, const ParameterSubscription& wanted);
-
-  /// Another course, robot or set-up is in force: these are its parameters. Those that viewers may
-  /// set keep their values.
-  void change_setup(std::vector<messages::ParameterText> parameters, HostNs now);
-  /// The viewer is gone.
-  void leave(const Viewer& viewer) { watched_.erase(viewer.id()); }
-  /// Call it regularly: publishes the steering pose in use if the step did not accept a change of
-  /// it.
-  void finish_overdue(HostNs now);
-
- private:
-  void publish(HostNs now);
-  Result<> set_one(const SetParameters::One& one);
-  void parameter_changed(const messages::ParameterText& parameter, HostNs now);
-  std::vector<const messages::ParameterText*> select(const std::vector<std::string>& names) const;
-
-  Broker& broker_;
-  Publisher& publisher_;
-  Controls& controls_;
-  std::vector<messages::ParameterText> parameters_;
-  HostNs overdue_ns_ = 0;  // a parameter change is under way until then
-  std::map<std::uint32_t, std::set<std::string>> watched_;  // parameters, by viewer
-};
-
 class RequestHandler {
  public:
   /// With server.stop_unwatched: a run or a drive is stopped this long after the last sign of a
   /// page in sight.
   static constexpr HostNs kUnwatchedNs = 2 * kNsPerS;
 
-  /// `broker`, `publisher` and `controls` must outlive the handler. `services`: those of others,
-  /// besides those of motion.
+  /// Publishes the parameters. `broker`, `publisher` and `controls` must outlive the handler.
+  /// `services`: those of others, besides those of motion.
   RequestHandler(Broker& broker, Publisher& publisher, Controls& controls,
                  std::vector<messages::ParameterText> parameters, std::vector<ServiceRow> services,
                  std::string session_id, std::string name = {});
@@ -76,19 +41,19 @@ class RequestHandler {
   void stop_pressed(const std::shared_ptr<Viewer>& viewer, std::uint32_t call, HostNs at);
   /// All rows, by their numbers.
   const std::vector<ServiceRow>& services() const { return services_; }
-  /// See ParameterRequests.
-  void change_setup(std::vector<messages::ParameterText> parameters, HostNs now) {
-    parameters_.change_setup(std::move(parameters), now);
-  }
-  /// The viewer is gone: drops its pending requests, and stops the robot that it drives.
+  /// Another course, robot or set-up is in force: these are its parameters. Those that viewers may
+  /// set keep their values.
+  void change_setup(std::vector<messages::ParameterText> parameters, HostNs now);
+  /// The viewer is gone: stops the robot that it drives.
   void leave(const Viewer& viewer, HostNs now);
-  /// Call it regularly and after events: answers requests that waited for a STOP or for the disk.
+  /// Call it regularly and after events: answers requests that waited for a STOP or for the disk,
+  /// and publishes the steering pose in use if the step did not accept a change of it.
   void tick(HostNs now);
 
  private:
   struct Waiting {
     std::weak_ptr<Viewer> viewer;
-    std::uint32_t viewer_id, call;
+    std::uint32_t call;
   };
   /// Answers to requests, possibly by another thread and when the handler is gone.
   struct Arrivals {
@@ -107,11 +72,22 @@ class RequestHandler {
                  const Answer& answer) const;
   void stop_if_unwatched(HostNs now);
   void send_answers();
+  std::vector<const messages::ParameterText*> select(const std::vector<std::string>& names) const;
+  void set_parameters(Viewer& viewer, const SetParameters& wanted, Permission permission,
+                      HostNs now);
+  Result<const messages::ParameterText*> set_one(const SetParameters::One& one,
+                                                 Permission permission);
+  void watch_parameters(const Viewer& viewer, const ParameterSubscription& wanted);
+  void parameter_changed(const messages::ParameterText& parameter, HostNs now);
+  void publish_parameters(HostNs now);
+  void correct_steering(HostNs now);
 
   Broker& broker_;
   Publisher& publisher_;
   Controls& controls_;
-  ParameterRequests parameters_;
+  std::vector<messages::ParameterText> parameters_;
+  HostNs overdue_ns_ = 0;  // a parameter change is under way until then
+  std::map<std::uint32_t, std::set<std::string>> watched_;  // parameters, by viewer
   std::vector<ServiceRow> services_;
   std::string session_id_, name_;
   std::string advertised_services_;  // made when the first viewer comes

@@ -95,7 +95,7 @@ void Server::State::take_records() {
 void Server::State::take(messages::ClientsFigures figures) {
   for (messages::ClientFigures& each : figures.clients)
     for (const auto& viewer : broker.viewers())
-      if (viewer->id() == each.id) each.subscriptions = viewer->subscriptions().size();
+      if (viewer->id() == each.id) each.subscriptions = viewer->subscriptions();
   broker.publish(messages::Channel::kClient, publisher.clock().unix_ns(monotonic_now()),
                  messages::clients_message(figures));
 }

@@ -23,28 +23,22 @@ std::string type_of(std::string_view name) {
   return type;
 }
 
-/// Takes `stops` and `t_s` out of the arguments: what the person saw on /state when acting.
-Result<Consent> take_consent(std::vector<RequestField>& arguments,
-                             const messages::PublishClock& clock, HostNs now) {
+/// What the person saw on /state when acting.
+Result<Consent> consent_of(const Arguments& given, const messages::PublishClock& clock,
+                           HostNs now) {
   // Counted exactly by a double.
   constexpr double kMaxStops = 1e15, kMaxSeconds = 1e9;
   constexpr HostNs kRounding = kNsPerMs;
-  const auto take = [&](std::string_view name, double most) -> std::optional<double> {
-    const auto at = std::ranges::find(arguments, name, &RequestField::name);
-    const double* value = at == arguments.end() ? nullptr : std::get_if<double>(&at->value);
-    if (value == nullptr || !(*value >= 0.0 && *value <= most)) return std::nullopt;
-    const double taken = *value;
-    arguments.erase(at);
-    return taken;
-  };
-  const std::optional<double> stops = take("stops", kMaxStops), t_s = take("t_s", kMaxSeconds);
-  if (!stops || !t_s || *stops != std::floor(*stops))
+  const double stops = given.number("stops").value_or(-1.0),
+               t_s = given.number("t_s").value_or(-1.0);
+  const bool valid = stops >= 0.0 && stops <= kMaxStops && t_s >= 0.0 && t_s <= kMaxSeconds;
+  if (!valid || stops != std::floor(stops))
     return Refusal{
         "stops and t_s are needed: /state.stop.count and /state.t_s as the person saw them when "
         "acting"};
   Consent consent;
-  consent.stops_seen = static_cast<std::uint64_t>(*stops);
-  consent.acted_ns = std::min(clock.start_ns + from_s(*t_s), now + kRounding);
+  consent.stops_seen = static_cast<std::uint64_t>(stops);
+  consent.acted_ns = std::min(clock.start_ns + from_s(t_s), now + kRounding);
   consent.seen_ns = consent.acted_ns;
   if (consent.acted_ns >= now + kRounding)
     return Refusal{"t_s is later than now; send /state.t_s as it was received"};
@@ -89,18 +83,15 @@ Result<Request> read_request(const ServiceRow& row, std::string_view json, std::
   auto fields = parse_request(json);
   if (!fields) return Refusal{"the request must be a JSON object"};
   if (const Result<> checked = check(row, *fields); !checked) return checked.refusal();
+  Arguments arguments(std::move(*fields));
   Consent consent;
   if (row.rules.consents) {
-    const Result<Consent> given = take_consent(*fields, clock, now);
+    const Result<Consent> given = consent_of(arguments, clock, now);
     if (!given) return given.refusal();
     consent = *given;
   }
   consent.by = {Door::kViewer, viewer};
-  return Request{.arguments = std::move(*fields),
-                 .consent = consent,
-                 .by = to_string(consent.by),
-                 .now = now,
-                 .state = state};
+  return Request{std::move(arguments), consent, to_string(consent.by), now, state};
 }
 
 Refusal no_such(const std::string& what, const std::string& name) {

@@ -42,7 +42,7 @@ TEST_F(RequestHandlerTest, SubscriptionsAreChecked) {
   EXPECT_EQ(errors(R"([{"id":1,"channelId":1},{"id":1,"channelId":2}])"), 1U);
   EXPECT_EQ(errors(R"([{"id":5,"channelId":1}])"), 1U) << "the channel is subscribed already";
   EXPECT_EQ(send(R"({"op":"unsubscribe","subscriptionIds":[77]})").texts.size(), 1U);
-  EXPECT_EQ(viewer_->subscriptions().size(), 1U);
+  EXPECT_EQ(viewer_->subscriptions(), 1U);
 }
 
 TEST_F(RequestHandlerTest, WhoAsksAndNeverReadsIsFailed) {
