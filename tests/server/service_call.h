@@ -16,9 +16,10 @@ inline std::string ask(WebClient& viewer, Service service, const std::string& re
   static char call = 0;
   const char number = ++call, code = static_cast<char>(service);
   viewer.call(service, request, number);
-  // The response repeats service and call; a failure names the call.
+  // Both repeat service and call; other calls of this viewer may be answered later than this one.
   const std::string response = {'\x03', code, 0, 0, 0, number, 0, 0, 0};
-  const std::string failure = "\"callId\":" + std::to_string(int{number});
+  const std::string failure = "\"serviceId\":" + std::to_string(int{code}) +
+                              ",\"callId\":" + std::to_string(int{number}) + ",";
   for (;;) {
     viewer.drain();
     for (const std::string& message : viewer.take())
