@@ -1,6 +1,17 @@
-// How the page watches the check of the tracks.
+// What the page makes of findings, and how it watches the check of the tracks.
 import { describe, expect, it } from 'vitest';
+import { verdict, type Severity } from '../../../daemon/web/state/doctor.ts';
 import { WheelsUp } from '../../../daemon/web/state/wheels_up.ts';
+
+// A robot that the page calls ready despite an error does not drive, and one that it calls not ready is searched for a fault that it has not.
+it.each([[0, 0, 0], [0, 3, 1], [1, 0, 2], [2, 1, 0]])('%i errors, %i warnings and %i notes are counted, and only an error keeps a robot from driving', (errors, warnings, notes) => {
+  const some = (n: number, severity: Severity): { severity: Severity; name: string; seen: string; fix: string }[] =>
+    Array.from({ length: n }, () => ({ severity, name: 'disk', seen: '', fix: '' }));
+  const findings = [...some(4, 'ok'), ...some(notes, 'note'), ...some(warnings, 'warning'), ...some(errors, 'error')];
+  const counts = `: ${errors} error${errors === 1 ? '' : 's'}, ${warnings} warning${warnings === 1 ? '' : 's'}, ${notes} note${notes === 1 ? '' : 's'}.`;
+  expect(verdict(findings)).toBe((errors === 0 ? 'Ready to drive' : 'Not ready to drive') + counts);
+  expect(verdict(findings, 'The tracks')).toBe(`The tracks are ${errors === 0 ? '' : 'not '}as they should be${counts}`);
+});
 
 describe('the check of the tracks', () => {
   const check = (answers: unknown[]): { calls: [string, unknown][]; progress: unknown[]; failed: string[]; seen: { yes: boolean }; up: WheelsUp } => {
