@@ -38,6 +38,26 @@ def names(value):
     return own | {name for key, below in value.items() if key not in NAMED for name in names(below)}
 
 
+def paths(value, above=""):
+    """All keys outside of lists, each after those around it: link.samples."""
+    if not isinstance(value, dict):
+        return set()
+    return {above + key for key in value} | {path for key in value for path in paths(value[key], f"{above}{key}.")}
+
+
+def astray(page, value):
+    """What a program prints below a name whose parts the page lists (`link.samples`, `.early`), and which is none of them."""
+    listed = set()
+    for cell in re.findall(r"^\| ([^|]*)", page, re.MULTILINE):
+        parent = ""
+        for name in re.findall(r"`([\w.]+)`", cell):
+            if not name.startswith("."):
+                parent = name.rpartition(".")[0]
+            listed.add(parent + name if name.startswith(".") else name)
+    parents = {name.rpartition(".")[0] for name in listed} - {""}
+    return {path for path in paths(value) - listed if path.rpartition(".")[0] in parents}
+
+
 def run(*command):
     return subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout
 
@@ -85,7 +105,8 @@ def live(programs, folder):
 def main():
     page, programs = sys.argv[1:]
     with open(page) as file:
-        marked = " ".join(re.findall(r"`([^`]+)`", file.read()))
+        text = file.read()
+    marked = " ".join(re.findall(r"`([^`]+)`", text))
     words = set(re.findall(r"\w+", marked)) | set(re.findall(r"[\w-]+", marked))
     with tempfile.TemporaryDirectory(prefix="tp100-docs-") as folder:
         record = os.path.join(folder, "runs")
@@ -99,6 +120,8 @@ def main():
         printed["--stats"], printed["doctor --json"] = live(programs, folder)
         printed["doctor --json, no robot"] = doctor(programs, os.path.join(folder, "nothing"))
     missing = [f"{where}: {name}" for where, json_value in printed.items() for name in sorted(names(json_value) - words)]
+    for where in ("tp100-sim course --json", "metrics.json", "--stats"):
+        missing += [f"{where}: {name}" for name in sorted(astray(text, printed[where]))]
     for line in missing:
         print(f"{page} does not explain {line}", file=sys.stderr)
     return 1 if missing else 0
