@@ -193,6 +193,11 @@ class InEveryState : public testing::TestWithParam<State> {
     }
     EXPECT_EQ(rig.program.state(), before);
   }
+  // Else the host takes the motors for running without a request, and reports a robot that stopped.
+  bool reports_duty() const {
+    return !rig.samples.empty() &&
+           (rig.samples.back().left_duty != 0 || rig.samples.back().right_duty != 0);
+  }
 
   const State before = GetParam();
   Rig rig;
@@ -209,6 +214,7 @@ TEST_P(InEveryState, StopSwitchesOffLatchesAndIsAcknowledged) {
   EXPECT_EQ(result(rig.acknowledges.back()), Result::kAccepted);
   rig.run(100);
   EXPECT_FALSE(rig.motors_on());
+  EXPECT_FALSE(reports_duty());
   EXPECT_EQ(rig.program.state() == State::kFaulted, before >= State::kDisarmed);
 }
 
@@ -222,6 +228,7 @@ TEST_P(InEveryState, DisarmSwitchesOffWithoutAFaultAndIsAcknowledged) {
   EXPECT_EQ(rig.acknowledges.back().token, 43U);
   rig.run(100);
   EXPECT_FALSE(rig.motors_on());
+  EXPECT_FALSE(reports_duty());
   const bool was_on = before == State::kArmed || before == State::kRunning;
   EXPECT_EQ(rig.program.state(), was_on ? State::kDisarmed : before);
   EXPECT_EQ(rig.count_logs("motors off: disarm"), was_on ? 1 : 0);
