@@ -80,6 +80,21 @@ TEST(DutyMonitor, LearnsTheDutyThatATrackTakesAndFindsTheChange) {
   }
 }
 
+// A track takes more duty while it speeds up, and less while it slows down. Were that learned as
+// usual, a robot would stop on an even drive after some braking, with a stall that is none.
+TEST(DutyMonitor, SpeedingUpAndSlowingDownTeachNoGain) {
+  constexpr double kLagS = 0.08, kMps2 = 0.3;
+  BothDuties both{0.005};
+  double mps = 0.05;
+  for (int i = 0; i < 12'000; ++i) {
+    const double wanted = i > 8000 || i / 400 % 2 == 0 ? 0.15 : 0.05;
+    const double more = std::clamp(wanted - mps, -kMps2 * both.dt_s, kMps2 * both.dt_s);
+    const double duty = kDeadBand + kFeedForward * (mps + kLagS * more / both.dt_s);
+    mps += more;
+    ASSERT_FALSE(both.update(duty, mps, 0.0, true) || both.robot_reports) << i;
+  }
+}
+
 TEST(TurnDuty, RisesAtOnceFallsSlowlyAndGrowsWithTheTurn) {
   TurnDuty<double, HostLimits<double>> duty;
   double before = 0.0;
