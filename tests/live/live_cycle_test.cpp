@@ -15,15 +15,26 @@ std::shared_ptr<const course::Course> line() {
                            "line.toml"));
 }
 
-// Whatever the robot does: its handshake, a reboot, a silence.
+// Whatever the robot does: its handshake, a reboot, a silence; and whatever people ask for.
 TEST(LiveCycle, ATurnNeitherCallsTheSystemNorLocksNorAllocates) {
-  LiveRig rig;
+  LiveRig rig(line());
   loop::SlotRing<StepRecord> first(8);
   rig.cycle.record_first(first);
-  rig.watched = true;
-  for (int i = 0; i < 400; ++i) {
-    if (i % 50 == 20)
-      rig.cycle.request(i == 320 ? OperatorRequest::kDrive : OperatorRequest::kHold);
+  rig.watched = rig.robot.drives = true;
+  for (int i = 0; i < 1600; ++i) {
+    if (i < 700 && i % 50 == 20) rig.cycle.request(OperatorRequest::kHold);
+    if (i == 800) rig.start();
+    if (i == 900) rig.cycle.request(OperatorRequest::kPause);
+    if (i == 950) rig.start(false, OperatorRequest::kResume);
+    if (i == 1200) rig.start(false, OperatorRequest::kDrive);
+    if (i > 1200) {
+      rig.cycle.velocity({.at_ns = rig.now, .speed_mps = 0.05});
+      rig.cycle.camera({.measured_ns = rig.now});
+      rig.cycle.world({.answered_ns = rig.now});
+      rig.cycle.change({LiveParameter::kAcceleration, 0.05});
+    }
+    if (i == 1400) rig.cycle.stop();
+    if (i == 1000 || i == 1400) rig.cycle.request(OperatorRequest::kHold);
     if (i == 100) rig.robot.reboot(rig.now);
     rig.robot.silent = i > 200 && i < 260;
     rig.step();
@@ -32,6 +43,8 @@ TEST(LiveCycle, ATurnNeitherCallsTheSystemNorLocksNorAllocates) {
     if (i % 50 == 0 && first.front() != nullptr) first.release();
   }
   EXPECT_NE(first.front(), nullptr);
+  EXPECT_EQ(rig.arms(), 2u) << "it runs, and is driven";
+  EXPECT_EQ(rig.robot.received.stops.size(), 1u) << "a hold in the same step does not undo it";
   EXPECT_EQ(rig.duty.heap, 0u);
   EXPECT_EQ(rig.duty.locks, 0u);
   EXPECT_EQ(rig.duty.first_system_call, -1);

@@ -56,11 +56,11 @@ class LiveRig {
     }
   }
   /// Requests a start by a person who sees the robot now; `first_only`: as the first Enter.
-  void start(bool first_only = false) {
-    cycle.request(OperatorRequest::kStart, {.acted_ns = now,
-                                            .seen_ns = now,
-                                            .stops_seen = first_only ? 0 : cycle.consents().stops(),
-                                            .first_only = first_only});
+  void start(bool first_only = false, OperatorRequest what = OperatorRequest::kStart) {
+    cycle.request(what, {.acted_ns = now,
+                         .seen_ns = now,
+                         .stops_seen = first_only ? 0 : cycle.consents().stops(),
+                         .first_only = first_only});
   }
   std::size_t arms() const { return robot.received.arms.size(); }
   LiveCycle cycle;
