@@ -16,7 +16,6 @@ namespace tp100::app {
 namespace {
 
 using testing::HasSubstr;
-using testing::StartsWith;
 
 class ReplayRecording : public testing::Test {
  protected:
@@ -60,7 +59,6 @@ TEST_F(ReplayRecording, WritesAPoseForEachStepThatGotASample) {
   record_run(file());
   ASSERT_EQ(run_replay(options()), 0);
   const std::string text = test::read_bytes(poses());
-  EXPECT_THAT(text, StartsWith("t_s,x_m,y_m,z_m,roll_rad,pitch_rad,yaw_rad,vx_mps,"));
   EXPECT_GT(std::count(text.begin(), text.end(), '\n'), 300);
   // The folder of a run is accepted in place of its recording.
   ReplayOptions folder = options();
