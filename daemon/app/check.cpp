@@ -119,14 +119,14 @@ std::string check_file(const std::string& path) {
     case FileKind::kCamera:
       return text_of(course::parse_camera(file.text, file.path), path);
     case FileKind::kView:
-      throw SetupError(path +
-                       ": a view file of tp100-camera, which checks it itself; run tp100-camera "
-                       "SOURCE --view " +
-                       path);
+      throw UserError(path +
+                      ": a view file of tp100-camera, which checks it itself; run tp100-camera "
+                      "SOURCE --view " +
+                      path);
     case FileKind::kCampaign:
-      throw SetupError(
-          path + ": a campaign of tp100-sim, which checks it itself; run tp100-sim campaign " +
-          path + " --out FOLDER --todo 1");
+      throw UserError(path +
+                      ": a campaign of tp100-sim, which checks it itself; run tp100-sim campaign " +
+                      path + " --out FOLDER --todo 1");
     case FileKind::kConfiguration:
       break;
   }
@@ -145,7 +145,7 @@ int run_check(const std::vector<std::string>& files, bool json) {
       }
       const std::string found = check_file(path);
       std::printf("%s: OK, %s\n", path.c_str(), found.c_str());
-    } catch (const SetupError& error) {
+    } catch (const UserError& error) {
       std::fprintf(stderr, "%s\n", error.what());
       status = 2;
     }

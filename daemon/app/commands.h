@@ -42,7 +42,7 @@ struct RunOptions {
 };
 
 /// The command. 0: course completed; 1: aborted, interrupted or --duration passed. Throws
-/// SetupError.
+/// UserError.
 int run_run(const RunOptions& options);
 
 // `tp100d ports`: lists the serial ports.
@@ -54,7 +54,7 @@ std::string ports_text(const std::vector<link::PortInfo>& ports,
                        const std::vector<std::string>& stable_names,
                        const std::vector<link::PassedOver>& passed_over);
 
-/// The command. Returns 0. Throws SetupError.
+/// The command. Returns 0. Throws UserError.
 int run_ports();
 
 // `tp100d check`: validates files.
@@ -62,10 +62,10 @@ int run_ports();
 /// Kinds of files that a user writes.
 enum class FileKind { kConfiguration, kCourse, kRobot, kCamera, kView, kCampaign };
 
-/// Infers the kind of a file from its keys. Throws SetupError if the text is not TOML. Pure.
+/// Infers the kind of a file from its keys. Throws UserError if the text is not TOML. Pure.
 FileKind file_kind(const std::string& text, const std::string& file);
 
-/// Summarizes a valid file in one line. Throws SetupError for any other, and for view files and
+/// Summarizes a valid file in one line. Throws UserError for any other, and for view files and
 /// campaigns, which only tp100-camera and tp100-sim can check. Also checks the robot and the course
 /// that a configuration names.
 std::string check_file(const std::string& path);
@@ -85,7 +85,7 @@ struct DoctorOptions {
   bool json = false;
 };
 
-/// The command. 0: nothing prevents the robot from driving; 1: something does. Throws SetupError.
+/// The command. 0: nothing prevents the robot from driving; 1: something does. Throws UserError.
 int run_doctor(const DoctorOptions& options);
 
 // The guided calibration of `tp100d identify --drive`: drives one calibration course after the
@@ -110,7 +110,7 @@ struct GuidedDrives {
 /// Drives all courses. On a physical port each drive waits for Enter (unless `go`). Where no camera
 /// sees it, the end of a drive is asked for on standard output and read from standard input. A
 /// drive that is not completed ends the calibration; earlier ones stay in the folder. Throws
-/// SetupError.
+/// UserError.
 GuidedDrives drive_guided(const GuidedOptions& options, const course::Robot& robot);
 
 /// The same with manoeuvres that it chooses (identify/next_manoeuvre.h), inside the fence of the
@@ -139,7 +139,7 @@ struct IdentifyOptions {
 
 /// The command. Prints the report; writes a file only if everything succeeded. Returns the exit
 /// status: 1 if a drive was not completed or, with `by_itself`, a confidence interval stayed too
-/// wide. Throws SetupError.
+/// wide. Throws UserError.
 int run_identify(const IdentifyOptions& options);
 
 // `tp100d replay`: runs a recording through the step, and writes a CSV file of poses.
@@ -153,7 +153,7 @@ struct ReplayOptions {
 
 /// The command. Returns 0 if every result was reproduced (within kRounding on another kind of
 /// processor), or if other parameters were requested; 1, without writing anything, if a result
-/// differs or steps are missing. Throws SetupError. One row per step that received a sample.
+/// differs or steps are missing. Throws UserError. One row per step that received a sample.
 int run_replay(const ReplayOptions& options);
 
 // `tp100d export`: recordings as files that other programs read.
@@ -172,7 +172,7 @@ struct ExportOptions {
   std::string out;  ///< folder; empty: beside the recording. For one run only
 };
 
-/// The command. Throws SetupError.
+/// The command. Throws UserError.
 int run_export(const ExportOptions& options);
 
 // `tp100d report` and `tp100d compare`: recordings as pages, figures and numbers.
@@ -183,7 +183,7 @@ struct ReportOptions {
   bool background = false;        ///< see become_background()
 };
 
-/// Writes report.html, metrics.json and a .svg for each figure. Throws SetupError.
+/// Writes report.html, metrics.json and a .svg for each figure. Throws UserError.
 int run_report(const ReportOptions& options);
 
 struct CompareOptions {
@@ -193,7 +193,7 @@ struct CompareOptions {
 };
 
 /// Writes compare.html, compare.json (the metrics of each run) and a .svg for each figure. Throws
-/// SetupError.
+/// UserError.
 int run_compare(const CompareOptions& options);
 
 // `tp100d recover`: rebuilds a complete recording from a truncated or corrupted one.
@@ -212,10 +212,10 @@ struct Recovered {
 };
 
 /// Copies all intact content of `in` to `out`, with indexes and statistics; does not change `in`.
-/// Throws SetupError.
+/// Throws UserError.
 Recovered recover(const std::string& in, const std::string& out);
 
-/// The command. 0: written, or nothing to recover. Throws SetupError.
+/// The command. 0: written, or nothing to recover. Throws UserError.
 int run_recover(const RecoverOptions& options);
 
 }  // namespace tp100::app

@@ -209,7 +209,7 @@ void examine_tracks(Examination& all, const DoctorOptions& options) {
                                      {probe.port, probe.serial, probe.session, all.robot.drive},
                                      terminal, stop);
                                }));
-  } catch (const SetupError& error) {
+  } catch (const UserError& error) {
     append(all.findings, doctor::robot_findings({.port = probe.port, .open_error = error.what()}));
   }
 }

@@ -185,8 +185,8 @@ void export_images(const Recording& recording, const std::filesystem::path& fold
                        },
                    .topics = {kImageTopic}});
   if (images == 0)
-    throw SetupError(recording.path() +
-                     ": has no images; run tp100-camera with an [image] section in its view file");
+    throw UserError(recording.path() +
+                    ": has no images; run tp100-camera with an [image] section in its view file");
   times.commit();
 }
 
@@ -216,11 +216,11 @@ int run_export(const ExportOptions& options) {
   if (!wanted.csv && !wanted.tum && wanted.ros2.empty() && wanted.images.empty())
     wanted.csv = wanted.tum = true;
   if (wanted.runs.size() > 1 && !wanted.out.empty())
-    throw SetupError("--out is for one run; without it the files go beside each recording");
+    throw UserError("--out is for one run; without it the files go beside each recording");
   if (wanted.runs.size() > 1 && !wanted.ros2.empty())
-    throw SetupError("--ros2 is for one run: a bag has one recording");
+    throw UserError("--ros2 is for one run: a bag has one recording");
   if (wanted.runs.size() > 1 && !wanted.images.empty())
-    throw SetupError("--images is for one run: its folder has the images of one recording");
+    throw UserError("--images is for one run: its folder has the images of one recording");
   for (const std::string& run : wanted.runs) export_run(run, wanted);
   return 0;
 }

@@ -34,7 +34,7 @@ std::optional<double> ask(const std::string& question) {
     std::fflush(stdout);
     std::string line;
     if (!std::getline(std::cin, line))
-      throw SetupError(
+      throw UserError(
           "identify --drive: no camera recorded the drive, and standard input ended before the "
           "measured values; give --camera, or enter the values");
     if (line.find_first_not_of(" \t\r") == std::string::npos) return std::nullopt;
@@ -100,7 +100,7 @@ class Base {
                              options.robot.empty() ? assumed_.configuration.robot : options.robot);
   }
 
-  /// Throws SetupError: two recordings have different robots.
+  /// Throws UserError: two recordings have different robots.
   void take(const record::Recording& recording) {
     if (given_) return;
     const config::RunFiles files = recorded_files(recording);
@@ -109,8 +109,8 @@ class Base {
       assumed_ = {files.robot,
                   config::parse_configuration(files.configuration.text, files.configuration.path)};
     } else if (files.robot.text != assumed_.robot.text) {
-      throw SetupError(recording.path() + ": was recorded with a different robot file than " +
-                       first_ + "; leave one of them out, or name the robot with --robot");
+      throw UserError(recording.path() + ": was recorded with a different robot file than " +
+                      first_ + "; leave one of them out, or name the robot with --robot");
     }
   }
   const Assumed& assumed() const { return assumed_; }
@@ -156,7 +156,7 @@ std::string camera_of(const RunOptions& run, const config::Configuration& config
 GuidedDrives driven(const IdentifyOptions& options, const course::Robot& robot,
                     const config::Configuration& configuration) {
   if (!options.runs.empty() || !options.measured.empty())
-    throw SetupError("identify: --drive makes its own runs; leave out RUN and --measured");
+    throw UserError("identify: --drive makes its own runs; leave out RUN and --measured");
   GuidedOptions guided = options.guided;
   guided.run.config = options.config;
   guided.run.robot = options.robot;
@@ -234,7 +234,7 @@ GuidedDrives drive_guided(const GuidedOptions& options, const course::Robot& rob
 GuidedDrives drive_by_itself(const GuidedOptions& options, const course::Robot& robot,
                              const config::Configuration& configuration) {
   if (options.courses.size() > 1)
-    throw SetupError("identify --auto: more than one --course; give the one whose fence applies");
+    throw UserError("identify --auto: more than one --course; give the one whose fence applies");
   text::make_folder(options.folder, "--runs-dir");
   const course::TextFile area = course::read_bundled(
       course::Bundled::kCourses, options.courses.empty() ? kAutoArea : options.courses.front());
@@ -268,9 +268,9 @@ GuidedDrives drive_by_itself(const GuidedOptions& options, const course::Robot& 
     if (!settings.camera) {
       ask_for_end(drive->measured);
     } else if (drive->camera.empty()) {
-      throw SetupError("identify --auto: no camera poses arrived during " + manoeuvre->name +
-                       "; start tp100-camera with --to this machine, or leave out --camera "
-                       "and measure by hand");
+      throw UserError("identify --auto: no camera poses arrived during " + manoeuvre->name +
+                      "; start tp100-camera with --to this machine, or leave out --camera "
+                      "and measure by hand");
     }
     next.take(std::move(*drive));
     so_far.model = next.tracks();
@@ -287,9 +287,9 @@ GuidedDrives drive_by_itself(const GuidedOptions& options, const course::Robot& 
 int run_identify(const IdentifyOptions& options) {
   if (options.background) become_background();
   if (!options.drive && options.runs.empty())
-    throw SetupError("identify: give recordings (RUN...), or --drive to make them");
+    throw UserError("identify: give recordings (RUN...), or --drive to make them");
   if (options.by_itself && !options.drive)
-    throw SetupError("identify: --auto works only with --drive; give both");
+    throw UserError("identify: --auto works only with --drive; give both");
   Base assumed(options);
   std::vector<identify::RecordedDrive> drives;
   std::optional<identify::AutoProgress> progress;

@@ -87,8 +87,8 @@ Recovered recover(const std::string& in, const std::string& out) {
   if (file.error() != 0) {
     std::error_code ignored;
     fs::remove(out, ignored);
-    throw SetupError(out + ": cannot be written (" + std::strerror(file.error()) +
-                     "); check free space, or give another --out");
+    throw UserError(out + ": cannot be written (" + std::strerror(file.error()) +
+                    "); check free space, or give another --out");
   }
   recovered.messages = copier.messages;
   recovered.corrupted = end.corrupted;

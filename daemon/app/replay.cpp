@@ -26,7 +26,7 @@ struct Wanted {
   std::optional<bool> paper{};  ///< of the model: as eqs 1-5 with the paper's constants, or not
 };
 
-/// The model that a name on the command line denotes. Throws SetupError for an unknown name.
+/// The model that a name on the command line denotes. Throws UserError for an unknown name.
 Wanted wanted_model(const std::string& name) {
   if (name == "paper") return {.paper = true};
   if (name == "extended") return {.paper = false};
@@ -38,8 +38,8 @@ Wanted wanted_model(const std::string& name) {
     names.push_back(to_string(source));
     others += (source == kPoseSources.back() ? " or " : ", ") + std::string(names.back());
   }
-  throw SetupError("--model '" + text::one_line(name) + "' is unknown" +
-                   text::suggestion(name, names) + "; use paper, extended" + others);
+  throw UserError("--model '" + text::one_line(name) + "' is unknown" +
+                  text::suggestion(name, names) + "; use paper, extended" + others);
 }
 
 constexpr const char* kHeader =
@@ -96,11 +96,11 @@ config::RunFiles recorded_files(const Recording& recording) {
   files.configuration = file(config::kConfigurationFile, config::kConfigurationFile);
   files.robot = file(config::kRobotFile, recording.fact("robot") + ".toml");
   if (files.robot.text.empty())
-    throw SetupError(recording.path() + ": contains no robot file, so it cannot be replayed");
+    throw UserError(recording.path() + ": contains no robot file, so it cannot be replayed");
   files.course = file(config::kCourseFile, recording.fact("course") + ".toml");
   const auto setup = value_in(bridge::kSetupNames, recording.fact("setup"));
   if (!setup)
-    throw SetupError(recording.path() + ": does not name the set-up, so it cannot be replayed");
+    throw UserError(recording.path() + ": does not name the set-up, so it cannot be replayed");
   files.setup = *setup;
   // Recordings without this fact are from a time with one kind only.
   files.world = value_in(bridge::kWorldKindNames, recording.fact("world")).value_or(files.world);

@@ -14,7 +14,7 @@
 
 namespace tp100::app {
 
-/// The files of a recorded run. Throws SetupError: they are missing or invalid.
+/// The files of a recorded run. Throws UserError: they are missing or invalid.
 config::RunFiles recorded_files(const record::Recording& recording);
 
 /// Result of a replay.

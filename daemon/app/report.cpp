@@ -76,7 +76,7 @@ void become_background() {
 int run_report(const ReportOptions& options) {
   if (options.background) become_background();
   if (options.runs.size() > 1 && !options.out.empty())
-    throw SetupError("--out is for one run; without it the files go beside each recording");
+    throw UserError("--out is for one run; without it the files go beside each recording");
   for (const std::string& path : options.runs) {
     const report::RecordedRun run = read(path);
     const auto judged = report::judged(run);
@@ -94,7 +94,7 @@ int run_report(const ReportOptions& options) {
 int run_compare(const CompareOptions& options) {
   if (options.background) become_background();
   if (options.runs.size() < 2 || options.runs.size() > kMaxRuns)
-    throw SetupError("compare: give two to " + std::to_string(kMaxRuns) + " recordings");
+    throw UserError("compare: give two to " + std::to_string(kMaxRuns) + " recordings");
   std::vector<report::ComparedRun> runs;
   std::vector<std::optional<report::RunFigures>> judged;
   std::string metrics = "{\"runs\": [\n";

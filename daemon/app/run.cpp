@@ -45,8 +45,8 @@ config::RunSetup setup_run(const config::RunFiles& files, const RunOptions& opti
 
 int run_run(const RunOptions& options) {
   if (options.duration_s && !(*options.duration_s > 0.0 && *options.duration_s < 1e9)) {
-    throw SetupError("--duration " + text::number_text(*options.duration_s) +
-                     ": out of range; give seconds, above 0 and below 1e9");
+    throw UserError("--duration " + text::number_text(*options.duration_s) +
+                    ": out of range; give seconds, above 0 and below 1e9");
   }
   const config::RunFiles files = files_of(options);
   return live::run_daemon({files, setup_run(files, options)}, {.stats_path = options.stats,

@@ -40,7 +40,7 @@ class Cycle {
   /// inputs from before.
   static constexpr HostNs kRestartPeriodNs = 60 * kNsPerS;
 
-  /// Throws SetupError if parameters and course do not fit together.
+  /// Throws UserError if parameters and course do not fit together.
   Cycle(const link::SessionSettings& settings, const bridge::Parameters& parameters,
         std::shared_ptr<const course::Course> course);
   Cycle(const Cycle&) = delete;

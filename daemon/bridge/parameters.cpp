@@ -37,14 +37,14 @@ StepInputs::Changes live_values(const Parameters& parameters) {
 
 void require_consistent(const Parameters& parameters, const course::Course* course) {
   if (course != nullptr && course->speed_mps > parameters.drive.max_track_mps) {
-    throw SetupError("course " + course->name + ": speed_mps " + std::to_string(course->speed_mps) +
-                     " is above this robot's drive.max_track_mps " +
-                     std::to_string(parameters.drive.max_track_mps) +
-                     "; lower the course's speed or use another robot");
+    throw UserError("course " + course->name + ": speed_mps " + std::to_string(course->speed_mps) +
+                    " is above this robot's drive.max_track_mps " +
+                    std::to_string(parameters.drive.max_track_mps) +
+                    "; lower the course's speed or use another robot");
   }
   if (parameters.world.owns_pose && parameters.world.kind != WorldKind::kInternal &&
       parameters.setup == Setup::kTerrain) {
-    throw SetupError(
+    throw UserError(
         "world.authority = \"world\": on set-up terrain the real floor determines the pose; use "
         "flat or stand, or authority = \"bridge\"");
   }

@@ -83,7 +83,7 @@ inline model::TrackParameters paper_parameters(const model::TrackParameters& val
   return {.turning_threshold_radps = values.turning_threshold_radps};
 }
 
-/// Throws SetupError if they do not fit together; `course` may be null.
+/// Throws UserError if they do not fit together; `course` may be null.
 void require_consistent(const Parameters& parameters, const course::Course* course);
 /// The robot on a path at `speed_mps`, with the steering pose in force.
 control::DriveModel drive_of(const Parameters& parameters, double speed_mps);

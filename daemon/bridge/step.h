@@ -25,7 +25,7 @@ struct Outputs {
 class Step {
  public:
   /// `course` may be null: then there are no runs, but poses, and the robot can be driven by hand.
-  /// Throws SetupError if parameters and course do not fit together.
+  /// Throws UserError if parameters and course do not fit together.
   Step(const Parameters& parameters, std::shared_ptr<const course::Course> course);
   ~Step();
   Step(Step&&) noexcept;

@@ -58,8 +58,8 @@ class PipeSource : public Source {
   char one();
   bool fill();
   void read(std::span<unsigned char> bytes);
-  SetupError fault(const std::string& what) const {
-    return SetupError(name_ + ": image " + std::to_string(images_ + 1) + ": " + what);
+  UserError fault(const std::string& what) const {
+    return UserError(name_ + ": image " + std::to_string(images_ + 1) + ": " + what);
   }
 
   int descriptor_;
@@ -81,7 +81,7 @@ bool PipeSource::fill() {
   } while (got < 0 && errno == EINTR);
   if (waiting[1].revents != 0) throw Stopped();
   if (got > 0) got = ::read(descriptor_, buffer_.data(), buffer_.size());
-  if (got < 0) throw SetupError(name_ + ": cannot be read (" + std::strerror(errno) + ")");
+  if (got < 0) throw UserError(name_ + ": cannot be read (" + std::strerror(errno) + ")");
   if (got == 0) return false;
   begin_ = 0;
   end_ = static_cast<std::size_t>(got);

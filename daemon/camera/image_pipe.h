@@ -20,7 +20,7 @@ namespace tp100::camera {
 
 /// Reads from `descriptor`, which it closes unless it is standard input; `name` is for messages.
 /// next() blocks, and returns false at the end, or within an image once `options.stop_fd` can be
-/// read; it throws SetupError for anything but such images.
+/// read; it throws UserError for anything but such images.
 std::unique_ptr<Source> open_image_pipe(int descriptor, const std::string& name,
                                         const SourceOptions& options);
 

@@ -13,7 +13,7 @@ namespace tp100::camera {
 
 class ImageSender {
  public:
-  /// Throws SetupError.
+  /// Throws UserError.
   ImageSender(const link::UdpAddress& to, const ImageStream& settings);
 
   /// Sends an image that was taken at `taken_ns` (monotonic clock), unless the last one is too

@@ -40,7 +40,7 @@ bool is_opencv_file(const std::string& path, const std::string& text) {
 }
 
 [[noreturn]] void fail(const std::string& path, const std::string& what) {
-  throw SetupError(path + ": " + what + "; make the file with tp100-camera --calibrate-lens");
+  throw UserError(path + ": " + what + "; make the file with tp100-camera --calibrate-lens");
 }
 
 Lens parse_opencv(const std::string& text, const std::string& path) {

@@ -29,7 +29,7 @@ struct Lens {
 Lens opencv_lens(const cv::Mat& matrix, const cv::Mat& distortion, cv::Size size);
 
 /// Reads a lens file: TOML as written by write_lens, or OpenCV's YAML or XML with camera_matrix,
-/// distortion_coefficients, image_width and image_height. Throws SetupError, also for a lens whose
+/// distortion_coefficients, image_width and image_height. Throws UserError, also for a lens whose
 /// distortion folds the image over.
 Lens read_lens(const std::string& path);
 

@@ -74,9 +74,9 @@ CalibrationBoard CalibrationBoard::parse(const std::string& text) {
   const bool markers =
       !charuco || (size_in_range(marker_m) && marker_m < square_m && columns * rows / 2 <= 50);
   if (!(chess || charuco) || !sizes || !markers) {
-    throw SetupError("--board " + text::one_line(text) +
-                     ": not a board; use chessboard:9x6:0.025 (inner corners, square in m) or "
-                     "charuco:7x5:0.04:0.03 (squares, square and marker in m; at most 50 markers)");
+    throw UserError("--board " + text::one_line(text) +
+                    ": not a board; use chessboard:9x6:0.025 (inner corners, square in m) or "
+                    "charuco:7x5:0.04:0.03 (squares, square and marker in m; at most 50 markers)");
   }
   board.inner_ = chess ? cv::Size(columns, rows) : cv::Size(columns - 1, rows - 1);
   board.square_m_ = square_m;
@@ -144,8 +144,8 @@ cv::Mat CalibrationBoard::draw(double pixels_per_m) const {
 std::string marker_svg(const View& view, int id) {
   const cv::Ptr<cv::aruco::Dictionary> dictionary = dictionary_named(view.dictionary);
   if (id < 0 || id >= dictionary->bytesList.rows)
-    throw SetupError("marker " + std::to_string(id) + ": dictionary " + view.dictionary +
-                     " ends at " + std::to_string(dictionary->bytesList.rows - 1));
+    throw UserError("marker " + std::to_string(id) + ": dictionary " + view.dictionary +
+                    " ends at " + std::to_string(dictionary->bytesList.rows - 1));
   const int modules = dictionary->markerSize + 2;
   cv::Mat bits;
   cv::aruco::drawMarker(dictionary, id, modules, bits);
@@ -175,10 +175,10 @@ std::string marker_svg(const View& view, int id) {
 
 LensFit fit_lens(const std::vector<BoardCorners>& views, cv::Size size) {
   if (views.size() < kFewestViews) {
-    throw SetupError("the board is seen in " + std::to_string(views.size()) + " images, " +
-                     std::to_string(kFewestViews) +
-                     " are needed; show it tilted, near and far, in every corner of the image, "
-                     "and check --board");
+    throw UserError("the board is seen in " + std::to_string(views.size()) + " images, " +
+                    std::to_string(kFewestViews) +
+                    " are needed; show it tilted, near and far, in every corner of the image, "
+                    "and check --board");
   }
   std::vector<std::vector<cv::Point3f>> board;
   std::vector<std::vector<cv::Point2f>> pixels;
@@ -192,11 +192,11 @@ LensFit fit_lens(const std::vector<BoardCorners>& views, cv::Size size) {
     rms_px = cv::calibrateCamera(board, pixels, size, matrix, distortion, cv::noArray(),
                                  cv::noArray(), deviations, cv::noArray(), cv::noArray());
   } catch (const cv::Exception&) {
-    throw SetupError("no lens fits the images of the board; take more images from other angles");
+    throw UserError("no lens fits the images of the board; take more images from other angles");
   }
   if (!(rms_px <= kLargestRmsPx)) {
-    throw SetupError("the corners miss the lens by " + std::to_string(rms_px) +
-                     " px; check --board, keep the board flat and the images sharp");
+    throw UserError("the corners miss the lens by " + std::to_string(rms_px) +
+                    " px; check --board, keep the board flat and the images sharp");
   }
   LensFit fit{opencv_lens(matrix, distortion, size), views.size(), cover(views, size),
               deviations.at<double>(0)};
@@ -212,8 +212,8 @@ int calibrate_lens(const std::string& source, const SourceOptions& options,
   if (!any_time.fps) any_time.fps = 1.0;
   const auto images = open_source(source, any_time);
   if (!images->ends())
-    throw SetupError(
-        source + ": record the board first; --calibrate-lens takes a folder, a video or a pipe");
+    throw UserError(source +
+                    ": record the board first; --calibrate-lens takes a folder, a video or a pipe");
   std::vector<BoardCorners> views;
   BoardCorners last;
   cv::Size size;
@@ -221,7 +221,7 @@ int calibrate_lens(const std::string& source, const SourceOptions& options,
   while (images->next(image)) {
     if (size.empty()) size = image.grey.size();
     if (image.grey.size() != size)
-      throw SetupError(source + ": images of several sizes; keep those of one");
+      throw UserError(source + ": images of several sizes; keep those of one");
     BoardCorners found = pattern.find(image.grey);
     if (found.pixels.empty() || !moved(found, last)) continue;
     last = found;

@@ -23,7 +23,7 @@ class CalibrationBoard {
  public:
   /// "chessboard:9x6:0.025": 9 by 6 inner corners, squares of 25 mm.
   /// "charuco:7x5:0.04:0.03": 7 by 5 squares of 40 mm, markers of 30 mm, dictionary 4x4_50.
-  /// Throws SetupError.
+  /// Throws UserError.
   static CalibrationBoard parse(const std::string& text);
 
   /// The corners in a grey image of 8 bits; empty if the board is not found.
@@ -42,7 +42,7 @@ class CalibrationBoard {
 };
 
 /// The robot's marker as an SVG drawing in true size, with its white rim and an arrow to the front.
-/// Throws SetupError if the dictionary has no such marker.
+/// Throws UserError if the dictionary has no such marker.
 std::string marker_svg(const View& view, int id);
 
 /// A calibrated lens and its quality.
@@ -53,14 +53,14 @@ struct LensFit {
   double focal_sd_px = 0;  ///< standard deviation of the focal length
 };
 
-/// Fits a lens to the corners of at least kFewestViews images of one size. Throws SetupError.
+/// Fits a lens to the corners of at least kFewestViews images of one size. Throws UserError.
 LensFit fit_lens(const std::vector<BoardCorners>& views, cv::Size size);
 
 inline constexpr std::size_t kFewestViews = 6;
 /// More views take time and do not improve the result.
 inline constexpr std::size_t kMaxViews = 60;
 
-/// The command. Returns 0; throws SetupError.
+/// The command. Returns 0; throws UserError.
 int calibrate_lens(const std::string& source, const SourceOptions& options,
                    const std::string& board, const std::string& out);
 

@@ -89,10 +89,10 @@ int print_board(const Options& options) {
 int run_monitor(Options& options) {
   WatchOptions& watch_options = options.watch;
   if (watch_options.view.empty() && !options.images_only)
-    throw SetupError(
+    throw UserError(
         "no --view; copy config/view.toml, fill it in and pass it, or send --images-only");
   if (options.images_only && (!watch_options.view.empty() || !watch_options.tum.empty()))
-    throw SetupError("--images-only: no poses are found; leave out --view and --tum");
+    throw UserError("--images-only: no poses are found; leave out --view and --tum");
   if (watch_options.send.empty() && watch_options.tum.empty())
     watch_options.send = "udp:" + std::to_string(link::kCameraPort);
   SourceOptions& images = watch_options.images;
@@ -102,7 +102,7 @@ int run_monitor(Options& options) {
            2 ||
        used != static_cast<int>(options.size.size()) || images.width_px < 16 ||
        images.height_px < 16 || images.width_px > 16384 || images.height_px > 16384))
-    throw SetupError("--size " + text::one_line(options.size) + ": not a size; use 1920x1080");
+    throw UserError("--size " + text::one_line(options.size) + ": not a size; use 1920x1080");
   return watch(watch_options);
 }
 

@@ -40,7 +40,7 @@ FloorMonitor::FloorMonitor(const Lens& lens, const View& view)
     return;
   }
   FloorFit fit = fit_floor(lens, view.floor_points);
-  if (!fit.plane) throw SetupError("floor: " + fit.problem + "; correct [[floor_point]]");
+  if (!fit.plane) throw UserError("floor: " + fit.problem + "; correct [[floor_point]]");
   plane_ = fit.plane;
 }
 
@@ -154,9 +154,9 @@ const Marker* Observer::robot_marker(const std::vector<Marker>& markers, MarkerP
 
 std::optional<MarkerPose> Observer::look(const cv::Mat& grey) {
   if (grey.cols != lens_.width_px || grey.rows != lens_.height_px) {
-    throw SetupError("images are " + std::to_string(grey.cols) + "x" + std::to_string(grey.rows) +
-                     ", the lens was calibrated at " + std::to_string(lens_.width_px) + "x" +
-                     std::to_string(lens_.height_px) + "; calibrate it at the size in use");
+    throw UserError("images are " + std::to_string(grey.cols) + "x" + std::to_string(grey.rows) +
+                    ", the lens was calibrated at " + std::to_string(lens_.width_px) + "x" +
+                    std::to_string(lens_.height_px) + "; calibrate it at the size in use");
   }
   MarkerPose pose;
   if (const auto part = near_last(); part && floor_.plane()) {

@@ -18,7 +18,7 @@ namespace tp100::camera {
 /// averaged over the first images and monitored from then on.
 class FloorMonitor {
  public:
-  /// Throws SetupError if the view's floor points do not define a plane.
+  /// Throws UserError if the view's floor points do not define a plane.
   FloorMonitor(const Lens& lens, const View& view);
 
   /// Takes the markers of an image. True: the plane was found again or has moved.
@@ -72,11 +72,11 @@ inline constexpr double kMaxSideError = 0.35;
 
 class Observer {
  public:
-  /// Throws SetupError.
+  /// Throws UserError.
   Observer(const Lens& lens, const View& view);
 
   /// Processes a grey image of 8 bits. Nothing if it does not contain the marker or the floor is
-  /// not known yet. Throws SetupError for an image of another size than the lens's.
+  /// not known yet. Throws UserError for an image of another size than the lens's.
   std::optional<MarkerPose> look(const cv::Mat& grey);
 
   const FloorMonitor& floor() const { return floor_; }

@@ -77,9 +77,9 @@ std::map<std::string, HostNs> read_times(const std::string& path) {
   for (int line = 1; std::getline(text, row); ++line) {
     if (!row.empty() && row.back() == '\r') row.pop_back();
     if (row.empty() || (line == 1 && row.starts_with("file,"))) continue;
-    const auto fail = [&](const std::string& what) -> SetupError {
-      return SetupError(path + ":" + std::to_string(line) + ": " + what +
-                        "; a line is FILE,SECONDS");
+    const auto fail = [&](const std::string& what) -> UserError {
+      return UserError(path + ":" + std::to_string(line) + ": " + what +
+                       "; a line is FILE,SECONDS");
     };
     const std::size_t comma = row.rfind(',');
     if (comma == std::string::npos) throw fail("no comma");
@@ -115,8 +115,8 @@ class FolderSource : public Source {
       image.grey.release();
     }
     if (image.grey.empty())
-      throw SetupError(text::one_line(file.path, 300) +
-                       ": cannot be read as an image; remove or repair it");
+      throw UserError(text::one_line(file.path, 300) +
+                      ": cannot be read as an image; remove or repair it");
     image.taken_ns = file.taken_ns;
     return true;
   }
@@ -129,9 +129,9 @@ class FolderSource : public Source {
 /// A video file. Times are the images' own presentation times, from 0 at the first.
 class VideoSource : public Source {
  public:
-  /// Throws SetupError.
+  /// Throws UserError.
   explicit VideoSource(const std::string& path);
-  /// Throws SetupError if the file ends before its declared number of images.
+  /// Throws UserError if the file ends before its declared number of images.
   bool next(Image& image) override;
 
  private:
@@ -160,17 +160,17 @@ VideoSource::VideoSource(const std::string& path) : path_(path) {
   } catch (const cv::Exception&) {
   }
   if (!open)
-    throw SetupError(text::one_line(path, 300) +
-                     ": cannot be read as a video; give a video file, a folder or a device");
+    throw UserError(text::one_line(path, 300) +
+                    ": cannot be read as a video; give a video file, a folder or a device");
   promised_ = capture_.get(cv::CAP_PROP_FRAME_COUNT);
 }
 
 void VideoSource::check_end() const {
   const double missing = promised_ - static_cast<double>(taken_);
   if (!(missing > std::max(kMissingCount, kMissingShare * promised_)) && taken_ > 0) return;
-  throw SetupError(text::one_line(path_, 300) + ": ends after " + std::to_string(taken_) + " of " +
-                   text::number_text(promised_) +
-                   " images; the file is corrupted, record or copy it again");
+  throw UserError(text::one_line(path_, 300) + ": ends after " + std::to_string(taken_) + " of " +
+                  text::number_text(promised_) +
+                  " images; the file is corrupted, record or copy it again");
 }
 
 bool VideoSource::next(Image& image) {
@@ -196,7 +196,7 @@ bool VideoSource::next(Image& image) {
 /// A camera device (Video4Linux).
 class DeviceSource : public Source {
  public:
-  /// Throws SetupError: device missing or busy, or size not supported.
+  /// Throws UserError: device missing or busy, or size not supported.
   DeviceSource(const std::string& device, const SourceOptions& options);
   /// False: the device is gone.
   bool next(Image& image) override;
@@ -218,9 +218,9 @@ DeviceSource::DeviceSource(const std::string& device, const SourceOptions& optio
   } catch (const cv::Exception&) {
   }
   if (!open)
-    throw SetupError(device +
-                     ": cannot be opened as a camera; check that it is there, that you may read it "
-                     "(group video) and that no other program has it");
+    throw UserError(device +
+                    ": cannot be opened as a camera; check that it is there, that you may read it "
+                    "(group video) and that no other program has it");
   // USB 2 cannot transfer uncompressed images of this size at 30 per second.
   capture_.set(cv::CAP_PROP_FOURCC, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'));
   if (options.width_px > 0) {
@@ -247,8 +247,8 @@ bool DeviceSource::next(Image& image) {
 std::unique_ptr<Source> open_fifo(const std::string& path, const SourceOptions& options) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0)
-    throw SetupError(text::one_line(path, 300) + ": cannot be opened (" + std::strerror(errno) +
-                     "); check that you may read it");
+    throw UserError(text::one_line(path, 300) + ": cannot be opened (" + std::strerror(errno) +
+                    "); check that you may read it");
   return open_image_pipe(descriptor, path, options);
 }
 
@@ -265,16 +265,16 @@ std::vector<ImageFile> list_images(const std::string& folder, std::optional<doub
     if (name == kTimes) {
       timed = true;
     } else if (!has_image_name(entry->path()) || !entry->is_regular_file()) {
-      throw SetupError(text::one_line(entry->path().string(), 300) +
-                       ": no image; keep only images and times.csv in the folder");
+      throw UserError(text::one_line(entry->path().string(), 300) +
+                      ": no image; keep only images and times.csv in the folder");
     } else if (names.push_back(name); names.size() > kMaxImages) {
-      throw SetupError(folder + ": too many images; split the folder");
+      throw UserError(folder + ": too many images; split the folder");
     }
   }
-  if (error) throw SetupError(folder + ": cannot be listed (" + error.message() + ")");
-  if (names.empty()) throw SetupError(folder + ": no images in this folder");
+  if (error) throw UserError(folder + ": cannot be listed (" + error.message() + ")");
+  if (names.empty()) throw UserError(folder + ": no images in this folder");
   if (!timed && !fps)
-    throw SetupError(folder + ": no times.csv; add it or give the rate with --fps");
+    throw UserError(folder + ": no times.csv; add it or give the rate with --fps");
   std::sort(names.begin(), names.end(), [](const std::string& a, const std::string& b) {
     return ::strverscmp(a.c_str(), b.c_str()) < 0;
   });
@@ -291,12 +291,12 @@ std::vector<ImageFile> list_images(const std::string& folder, std::optional<doub
   for (const std::string& name : names) {
     const auto found = times.find(name);
     if (found == times.end())
-      throw SetupError(times_path + ": no time for " + text::one_line(name, 200));
+      throw UserError(times_path + ": no time for " + text::one_line(name, 200));
     files.push_back({(base / name).string(), found->second});
   }
   for (const auto& [name, taken_ns] : times)
     if (std::find(names.begin(), names.end(), name) == names.end())
-      throw SetupError(times_path + ": " + text::one_line(name, 200) + " is not in the folder");
+      throw UserError(times_path + ": " + text::one_line(name, 200) + " is not in the folder");
   std::sort(files.begin(), files.end(),
             [](const ImageFile& a, const ImageFile& b) { return a.taken_ns < b.taken_ns; });
   return files;
@@ -326,8 +326,8 @@ std::unique_ptr<Source> open_source(const std::string& name, const SourceOptions
     case fs::file_type::regular:
       return std::make_unique<VideoSource>(path);
     default:
-      throw SetupError(text::one_line(path, 300) +
-                       ": no such video, folder, device or pipe; check the name");
+      throw UserError(text::one_line(path, 300) +
+                      ": no such video, folder, device or pipe; check the name");
   }
 }
 

@@ -34,7 +34,7 @@ class Source {
   Source(const Source&) = delete;
   Source& operator=(const Source&) = delete;
 
-  /// Gets the next image; false at the end. Throws SetupError for unreadable input.
+  /// Gets the next image; false at the end. Throws UserError for unreadable input.
   virtual bool next(Image& image) = 0;
   /// Whether images arrive as they are taken, not on request.
   virtual bool live() const { return false; }
@@ -43,7 +43,7 @@ class Source {
 };
 
 /// Opens `name`: a folder of images (list_images()), a device (/dev/video0, or 0 for short), a pipe
-/// (camera/image_pipe.h; - is standard input), or else a video file. Throws SetupError.
+/// (camera/image_pipe.h; - is standard input), or else a video file. Throws UserError.
 std::unique_ptr<Source> open_source(const std::string& name, const SourceOptions& options);
 
 /// An image file and its time.
@@ -55,7 +55,7 @@ struct ImageFile {
 /// Lists a folder. Names are in the order of strverscmp(3): 2 comes before 10, 09 before 10.
 /// times.csv has lines FILE,SECONDS (optionally after a header file,t_s), strictly later from line
 /// to line; images that it does not name are an error, and so is anything in the folder that is
-/// neither image, times.csv nor hidden. Without it `fps` gives the times. Throws SetupError.
+/// neither image, times.csv nor hidden. Without it `fps` gives the times. Throws UserError.
 std::vector<ImageFile> list_images(const std::string& folder, std::optional<double> fps);
 
 /// Time of an image, monotonic clock: the driver's stamp if it is valid (a monotonic time within

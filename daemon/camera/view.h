@@ -37,7 +37,7 @@ struct View {
 };
 
 /// Parses a view file. `file` is only used in messages; `lens` is returned as written. Throws
-/// SetupError (file:line:column), also for fewer than four floor points. Pure.
+/// UserError (file:line:column), also for fewer than four floor points. Pure.
 View parse_view(const std::string& text, const std::string& file);
 
 /// A commented file that parse_view reads back.

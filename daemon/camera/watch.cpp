@@ -210,7 +210,7 @@ int MarkerTracking::run() {
   bool more = true;
   try {
     while (g_stop == 0 && (more = source_->next(image))) take(image);
-  } catch (const SetupError&) {
+  } catch (const UserError&) {
     if (tum_) tum_->commit();
     throw;
   }
@@ -251,8 +251,8 @@ std::optional<std::uint32_t> ImageGaps::number(HostNs taken_ns) {
 int watch(const WatchOptions& options) {
   g_stop_fd = ::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
   if (g_stop_fd < 0)
-    throw SetupError(std::string("no descriptor for signals (") + std::strerror(errno) +
-                     "); raise ulimit -n");
+    throw UserError(std::string("no descriptor for signals (") + std::strerror(errno) +
+                    "); raise ulimit -n");
   MarkerTracking tracking(options);
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);

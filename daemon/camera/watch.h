@@ -45,7 +45,7 @@ struct WatchOptions {
 
 /// Runs to the end of a recording, or until SIGINT or SIGTERM. With `send`, a recording is played
 /// in real time, beginning now. Returns the exit status: 0, or 1 if no image shows the marker or
-/// the device is gone. Throws SetupError; the TUM file then has the poses found so far.
+/// the device is gone. Throws UserError; the TUM file then has the poses found so far.
 int watch(const WatchOptions& options);
 
 }  // namespace tp100::camera

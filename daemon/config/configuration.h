@@ -105,7 +105,7 @@ struct Configuration {
   bridge::Parameters parameters{};  ///< model and drive come from the robot: see bridge_parameters
 };
 
-/// Parses a configuration file. `file` is only used in messages. Throws SetupError
+/// Parses a configuration file. `file` is only used in messages. Throws UserError
 /// (file:line:column). Pure: reads no file itself.
 Configuration parse_configuration(const std::string& text, const std::string& file);
 

@@ -51,9 +51,9 @@ std::string with_parameters(const course::TextFile& file, const ParameterValues&
   for (const auto& [name, value] : values) {
     const auto key = std::ranges::find(expected, name, &KeyText::name);
     if (key == expected.end())
-      throw SetupError("the configuration has no '" + text::one_line(name) + "'");
+      throw UserError("the configuration has no '" + text::one_line(name) + "'");
     const auto change = written(*key, value);
-    if (!change) throw SetupError(name + " takes no value of that type");
+    if (!change) throw UserError(name + " takes no value of that type");
     key->value = value;
     changes.emplace_back(name, *change);
   }
@@ -61,8 +61,8 @@ std::string with_parameters(const course::TextFile& file, const ParameterValues&
   const std::vector<KeyText> got = keys_of(next);
   for (std::size_t i = 0; i < got.size(); ++i)
     if (shown(got[i]) != shown(expected[i]))
-      throw SetupError(file.path + ": " + got[i].name +
-                       " cannot be changed automatically; change it with a text editor");
+      throw UserError(file.path + ": " + got[i].name +
+                      " cannot be changed automatically; change it with a text editor");
   return next.text;
 }
 

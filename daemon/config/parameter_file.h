@@ -19,7 +19,7 @@ using ParameterValues = std::vector<std::pair<std::string, text::KeyText::Value>
 /// [ros2], and texts, except the names of robot and course.
 bool may_save(const text::KeyText& key);
 
-/// The text of the file with these values; every other line stays byte for byte. Throws SetupError:
+/// The text of the file with these values; every other line stays byte for byte. Throws UserError:
 /// a name that the configuration does not have, a value of another type, or a resulting text that
 /// the reader of the configuration refuses or reads as another value.
 std::string with_parameters(const course::TextFile& file, const ParameterValues& values);
@@ -29,7 +29,7 @@ struct ParameterDifference {
   std::string name, before, after;
 };
 
-/// In the order of the file; an absent key has its default. Throws SetupError: a text that the
+/// In the order of the file; an absent key has its default. Throws UserError: a text that the
 /// reader of the configuration refuses.
 std::vector<ParameterDifference> parameter_differences(const course::TextFile& before,
                                                        const course::TextFile& after);

@@ -36,22 +36,22 @@ struct LoadedRun {
   RunSetup setup;
 };
 
-/// Parses the files. Throws SetupError.
+/// Parses the files. Throws UserError.
 RunSetup parse_run(const RunFiles& files);
 
 /// The run with other files of course and robot and another set-up, and otherwise unchanged: the
-/// configuration file is not read again. Throws SetupError.
+/// configuration file is not read again. Throws UserError.
 LoadedRun with_files(const LoadedRun& run, const course::TextFile& course,
                      const course::TextFile& robot, bridge::Setup setup);
 
 /// The run's data for the interfaces to an external world.
 WorldRun world_run(const RunSetup& run);
 
-/// The value of --setup; empty: as configured. Throws SetupError.
+/// The value of --setup; empty: as configured. Throws UserError.
 bridge::Setup setup_option(const std::string& option, bridge::Setup configured);
 
 /// The value of --world: internal, files or udp:[HOST:]PORT; empty: as configured. Throws
-/// SetupError.
+/// UserError.
 bridge::WorldKind world_option(const std::string& option, bridge::WorldKind configured);
 
 /// The context of the run's messages.

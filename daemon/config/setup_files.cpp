@@ -65,12 +65,12 @@ course::TextFile read_setup_file(Bundled kind, const std::string& name_or_path,
   const std::string own = own_path(library, kind, name_or_path);
   if (is_plain_file(own)) return course::read_text_file(own);
   if (fs::exists(fs::symlink_status(own, error)))
-    throw SetupError(own + ": a link or folder, which is not followed; copy the file there");
+    throw UserError(own + ": a link or folder, which is not followed; copy the file there");
   try {
     return course::read_bundled(kind, name_or_path);
-  } catch (const SetupError& none) {
-    throw SetupError(std::string(none.what()) + "; your own are files NAME.toml in " +
-                     own_folder(library, kind));
+  } catch (const UserError& none) {
+    throw UserError(std::string(none.what()) + "; your own are files NAME.toml in " +
+                    own_folder(library, kind));
   }
 }
 
@@ -134,31 +134,30 @@ course::TextFile SetupFiles::read(Bundled kind, const std::string& name) const {
   const std::vector<Entry> entries = list(kind);
   std::vector<std::string_view> names;
   for (const Entry& entry : entries) names.push_back(entry.name);
-  throw SetupError(text::one_line(name, kMaxName) + ": no such " + noun(kind) +
-                   text::suggestion(name, names) + "; GET /api/setup lists them");
+  throw UserError(text::one_line(name, kMaxName) + ": no such " + noun(kind) +
+                  text::suggestion(name, names) + "; GET /api/setup lists them");
 }
 
 void SetupFiles::save(Bundled kind, const std::string& name, const std::string& content,
                       bool replace) const {
   const std::optional<From> from = origin(kind, name);
   if (from && *from != From::kOwn)
-    throw SetupError(name + " is not one of your own files; give it another name");
-  if (!from && !text::is_file_name(name)) throw SetupError(text::kFileNameRule);
-  if (from && !replace)
-    throw SetupError(name + " exists already; replace it, or give another name");
+    throw UserError(name + " is not one of your own files; give it another name");
+  if (!from && !text::is_file_name(name)) throw UserError(text::kFileNameRule);
+  if (from && !replace) throw UserError(name + " exists already; replace it, or give another name");
   if (library_.empty())
-    throw SetupError("there is no folder for your own files: set library in the configuration");
+    throw UserError("there is no folder for your own files: set library in the configuration");
   const std::string path = own_path(library_, kind, name);
   std::error_code error;
   const fs::file_type there =
       from ? fs::file_type::not_found : fs::symlink_status(path, error).type();
   // Only a file that is certainly not there is made anew.
   if (there == fs::file_type::none)
-    throw SetupError(name + kEnding + ": " + error.message() +
-                     "; check folder, permission and disk");
+    throw UserError(name + kEnding + ": " + error.message() +
+                    "; check folder, permission and disk");
   if (there != fs::file_type::not_found)
-    throw SetupError(name + kEnding +
-                     ": a link or folder, no plain file; delete it by hand, or give another name");
+    throw UserError(name + kEnding +
+                    ": a link or folder, no plain file; delete it by hand, or give another name");
   if (kind == Bundled::kCourses) {
     course::parse_course(content, name + kEnding);
   } else {
@@ -170,12 +169,12 @@ void SetupFiles::save(Bundled kind, const std::string& name, const std::string& 
 
 void SetupFiles::remove(Bundled kind, const std::string& name) const {
   const std::optional<From> from = origin(kind, name);
-  if (!from) throw SetupError(text::one_line(name, kMaxName) + ": no such " + noun(kind));
+  if (!from) throw UserError(text::one_line(name, kMaxName) + ": no such " + noun(kind));
   if (*from != From::kOwn)
-    throw SetupError(name + " is not one of your own files and cannot be deleted");
+    throw UserError(name + " is not one of your own files and cannot be deleted");
   std::error_code error;
   if (!fs::remove(own_path(library_, kind, name), error) || error)
-    throw SetupError(name + ": cannot be deleted (" + error.message() + ")");
+    throw UserError(name + ": cannot be deleted (" + error.message() + ")");
 }
 
 }  // namespace tp100::config

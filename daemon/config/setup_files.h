@@ -16,7 +16,7 @@ namespace tp100::config {
 std::string library_folder(const std::string& configured);
 
 /// `name_or_path` as in the configuration: a file, a bundled name or the name of a file in the
-/// user's folder. Throws SetupError.
+/// user's folder. Throws UserError.
 course::TextFile read_setup_file(course::Bundled kind, const std::string& name_or_path,
                                  const std::string& library);
 
@@ -38,15 +38,15 @@ class SetupFiles {
   /// Sorted by name; at most 500 of the user's own.
   std::vector<Entry> list(course::Bundled kind) const;
   /// The path in the result is NAME.toml, unless the file was given: viewers get no path of this
-  /// machine. Throws SetupError.
+  /// machine. Throws UserError.
   course::TextFile read(course::Bundled kind, const std::string& name) const;
   /// Checks the text as `tp100d check` does, and writes the user's file of that name, whole or not
-  /// at all; the one that it replaces stays beside it as NAME.toml.bak. Throws SetupError: the
+  /// at all; the one that it replaces stays beside it as NAME.toml.bak. Throws UserError: the
   /// text's first error as NAME.toml:line:column, a name that is not permitted or belongs to a file
   /// that is not the user's, or, without `replace`, an existing one.
   void save(course::Bundled kind, const std::string& name, const std::string& text,
             bool replace) const;
-  /// Removes one of the user's files. Throws SetupError.
+  /// Removes one of the user's files. Throws UserError.
   void remove(course::Bundled kind, const std::string& name) const;
 
  private:

@@ -9,7 +9,7 @@ namespace tp100 {
 
 /// A bad file, option or port. what() is one line: what, where (file:line:column for files), what
 /// to do. Programs print it and exit with status 2.
-class SetupError : public std::runtime_error {
+class UserError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };

@@ -58,12 +58,12 @@ std::optional<fs::path> installed_directory() {
 TextFile read_text_file(const std::string& path) {
   std::error_code error;
   if (fs::is_directory(path, error)) {
-    throw SetupError(path + ": is a directory; give the path of a file");
+    throw UserError(path + ": is a directory; give the path of a file");
   }
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   if (!file) {
-    throw SetupError(path + ": cannot be opened (" + std::strerror(errno) + "); check the path");
+    throw UserError(path + ": cannot be opened (" + std::strerror(errno) + "); check the path");
   }
   text::note_read(path);
   TextFile result{path, {}};
@@ -71,11 +71,11 @@ TextFile read_text_file(const std::string& path) {
   while (file.read(block, sizeof block) || file.gcount() > 0) {
     result.text.append(block, static_cast<std::size_t>(file.gcount()));
     if (result.text.size() > kLargestFile) {
-      throw SetupError(path + ": larger than 64 MiB; give a text file");
+      throw UserError(path + ": larger than 64 MiB; give a text file");
     }
   }
   if (file.bad()) {
-    throw SetupError(path + ": cannot be read (" + std::strerror(errno) + "); check the disk");
+    throw UserError(path + ": cannot be read (" + std::strerror(errno) + "); check the disk");
   }
   return result;
 }
@@ -108,7 +108,7 @@ TextFile read_bundled(Bundled folder, const std::string& name_or_path) {
                         text::suggestion(stem, {names.begin(), names.end()}) +
                         "; give a file or one of";
   for (const std::string& name : names) message += " " + name;
-  throw SetupError(message);
+  throw UserError(message);
 }
 
 std::string file_stem(const std::string& path) { return fs::path(path).stem().string(); }

@@ -17,7 +17,7 @@ struct TextFile {
 /// Folders of config/.
 enum class Bundled { kCourses, kRobots, kCameras };
 
-/// Reads a whole file of at most 64 MiB. Throws SetupError naming the file and why it cannot be
+/// Reads a whole file of at most 64 MiB. Throws UserError naming the file and why it cannot be
 /// read.
 TextFile read_text_file(const std::string& path);
 
@@ -29,7 +29,7 @@ std::string config_directory();
 std::vector<std::string> bundled_names(Bundled folder);
 
 /// Reads `name_or_path`: an existing file, or else the bundled file of that name (with or without
-/// .toml). Throws SetupError that lists the bundled names.
+/// .toml). Throws UserError that lists the bundled names.
 TextFile read_bundled(Bundled folder, const std::string& name_or_path);
 
 /// File name without folder and extension: the name of a course or robot.

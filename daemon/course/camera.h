@@ -56,7 +56,7 @@ std::array<text::Key<T>, 4> camera_mount_keys() {
   }};
 }
 
-/// Parses a camera file. `file` is only used in messages. Throws SetupError (file:line:column).
+/// Parses a camera file. `file` is only used in messages. Throws UserError (file:line:column).
 /// Pure: reads no file itself.
 EmulatedCamera parse_camera(const std::string& text, const std::string& file);
 

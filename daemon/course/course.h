@@ -97,7 +97,7 @@ struct Course {
   Fence fence{};
 };
 
-/// Parses a course file. `file` is only used in messages. Throws SetupError (file:line:column).
+/// Parses a course file. `file` is only used in messages. Throws UserError (file:line:column).
 /// Pure: reads no file itself.
 Course parse_course(const std::string& text, const std::string& file);
 

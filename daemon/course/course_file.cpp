@@ -158,7 +158,7 @@ Disturbance disturbance_of(text::TomlTable table) {
   return disturbance;
 }
 
-/// Throws SetupError if pieces that can be read, each for itself, do not fit together.
+/// Throws UserError if pieces that can be read, each for itself, do not fit together.
 void require_sound(const text::TomlTable& root, const std::vector<text::TomlTable>& disturbances,
                    const Course& course) {
   const Path path(course);
@@ -221,7 +221,7 @@ Draft parse_draft(const std::string& text, const std::string& file) {
     course.disturbances.push_back(disturbance_of(disturbance));
   try {
     require_sound(root, disturbances, course);
-  } catch (const SetupError& error) {
+  } catch (const UserError& error) {
     draft.error = error.what();
   }
   return draft;
@@ -229,7 +229,7 @@ Draft parse_draft(const std::string& text, const std::string& file) {
 
 Course parse_course(const std::string& text, const std::string& file) {
   Draft draft = parse_draft(text, file);
-  if (!draft.error.empty()) throw SetupError(draft.error);
+  if (!draft.error.empty()) throw UserError(draft.error);
   return std::move(draft.course);
 }
 

@@ -37,7 +37,7 @@ std::string text_of(const Pose& start, const std::vector<Segment>& path) {
 
 std::string without(const TextFile& course, std::vector<std::string_view> keys) {
   if (course.text.empty())
-    throw SetupError("there is no course, and so no fence to drive within; choose a course first");
+    throw UserError("there is no course, and so no fence to drive within; choose a course first");
   for (const char* key : {"description", "identifies", "start", "segment", "disturbance"})
     keys.emplace_back(key);
   return text::without_keys(course.text, course.path, keys);
@@ -62,7 +62,7 @@ TextFile course_to(const TextFile& course, const Goal& goal) {
     path.emplace_back(Line{length_m});
   }
   turn_to(goal.to.yaw_rad);
-  if (path.empty()) throw SetupError("the robot is there already");
+  if (path.empty()) throw UserError("the robot is there already");
   return {std::string(kGoalCourse) + ".toml",
           text::format("description = \"to (%.3f, %.3f) m, %.1f deg\"\n", goal.to.x_m, goal.to.y_m,
                        goal.to.yaw_rad * kDegPerRad) +

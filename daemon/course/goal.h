@@ -23,7 +23,7 @@ inline constexpr const char* kGoalCourse = "goal";
 /// The course file `course` with another start and path: a pivot towards the goal, a line to it and
 /// a pivot to its yaw. Fence, keep-out areas, terrain and speed stay; whether the path fits them is
 /// checked by parse_course(). Segments below a course file's smallest (1 mm, 0.1 deg) are left out.
-/// Throws SetupError: no course and so no fence, the robot is there already, or `course` is not
+/// Throws UserError: no course and so no fence, the robot is there already, or `course` is not
 /// TOML.
 TextFile course_to(const TextFile& course, const Goal& goal);
 
@@ -38,7 +38,7 @@ struct OtherPath {
 };
 
 /// The course file `course` with another path. Fence, keep-out areas and terrain stay; whether the
-/// path fits them is checked by parse_course(). Throws SetupError: no course, or it is not TOML.
+/// path fits them is checked by parse_course(). Throws UserError: no course, or it is not TOML.
 TextFile course_along(const TextFile& course, const OtherPath& other);
 
 }  // namespace tp100::course

@@ -163,7 +163,7 @@ struct Robot {
   Emulated emulated{};
 };
 
-/// Parses a robot file. `file` is only used in messages. Throws SetupError (file:line:column).
+/// Parses a robot file. `file` is only used in messages. Throws UserError (file:line:column).
 /// Pure.
 Robot parse_robot(const std::string& text, const std::string& file);
 

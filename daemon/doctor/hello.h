@@ -21,13 +21,13 @@ struct HelloReply {
 HelloReply reply_of(const wire::Hello& hello);
 
 /// Opens the port, which resets a Mega, sends nothing and prints the first hello. Returns 0 if its
-/// firmware is for this program, 1 for another one or without a hello. Throws SetupError.
+/// firmware is for this program, 1 for another one or without a hello. Throws UserError.
 int run_hello(const HelloOptions& options);
 
 // Whether a silent board has nothing but the Mega's bootloader in its flash.
 
 /// Opens the port at the bootloader's speed and requests its sign-on (STK500v2) for up to
-/// `limit_s`. Writes to the port: only for a port that sent nothing by itself. Throws SetupError.
+/// `limit_s`. Writes to the port: only for a port that sent nothing by itself. Throws UserError.
 bool bootloader_answers(const std::string& port, double limit_s);
 
 }  // namespace tp100::doctor

@@ -213,7 +213,7 @@ doctor::ProbeResult probe_robot(const ProbeOptions& options, const std::atomic<b
     }
     if (probe.bytes_in == 0 && !stop)
       probe.bootloader = bootloader_answers(options.port, kBootloaderS);
-  } catch (const SetupError& error) {
+  } catch (const UserError& error) {
     if (probe.bytes_in == 0) probe.open_error = error.what();
   }
   return probe;

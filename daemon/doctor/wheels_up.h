@@ -57,7 +57,7 @@ Findings wheels_up_broken_off(std::string seen, std::string fix);
 /// The tracks run at once: the caller must have asked whether they are free. A motion during which
 /// nobody watched is repeated when somebody watches again; after 2 s without, the test ends. The
 /// motors are off when it returns, also after `stop`. Names besides those of doctor/tracks.h:
-/// wheels-up. Throws SetupError if the port cannot be opened.
+/// wheels-up. Throws UserError if the port cannot be opened.
 Findings try_wheels_up(const WheelsUpOptions& options, Operator& person,
                        const std::atomic<bool>& stop);
 

@@ -58,7 +58,7 @@ class Row {
     return there != 0;
   }
   [[noreturn]] void fail(const std::string& what) const {
-    throw SetupError(table_.where(row_) + ": " + what);
+    throw UserError(table_.where(row_) + ": " + what);
   }
 
  private:
@@ -96,8 +96,8 @@ RecordedDrive parse_drive(std::string_view text, const std::string& file) {
   for (const std::string_view column : camera) has_camera = has_camera || table.has(column);
   for (const std::string_view column : camera)
     if (has_camera && !table.has(column))
-      throw SetupError(file + ":1: column '" + std::string(column) +
-                       "' is missing; a camera pose needs all three");
+      throw UserError(file + ":1: column '" + std::string(column) +
+                      "' is missing; a camera pose needs all three");
 
   RecordedDrive drive;
   drive.name = std::filesystem::path(file).stem().string();
@@ -117,7 +117,7 @@ RecordedDrive parse_drive(std::string_view text, const std::string& file) {
                               row.number("camera_yaw_rad", kMaxRad)});
   }
   if (drive.samples.size() < 2)
-    throw SetupError(file + ": fewer than two samples; give a recording of a whole drive");
+    throw UserError(file + ": fewer than two samples; give a recording of a whole drive");
   return drive;
 }
 
@@ -199,8 +199,8 @@ RecordedDrive recorded_drive(const record::Recording& recording, std::optional<H
   recording.visit({.step = [&](const StepRecord& record) {
     sink.take(record);
     if (sink.drive().samples.size() + sink.drive().camera.size() > kMaxSamples)
-      throw SetupError(recording.path() + ": more than " + std::to_string(kMaxSamples) +
-                       " samples are too many for one drive; record shorter ones");
+      throw UserError(recording.path() + ": more than " + std::to_string(kMaxSamples) +
+                      " samples are too many for one drive; record shorter ones");
   }});
   return sink.drive();
 }

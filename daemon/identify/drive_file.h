@@ -16,7 +16,7 @@ namespace tp100::identify {
 
 /// Reads `t_s,left_count,right_count,gyro_z_radps[,camera_x_m,camera_y_m,camera_yaw_rad]`. A row
 /// holds a sample, a camera pose (at the time its image was taken) or both; missing values are
-/// empty. The drive is named after the file, without "-samples". Throws SetupError (file:line).
+/// empty. The drive is named after the file, without "-samples". Throws UserError (file:line).
 /// Pure.
 RecordedDrive parse_drive(std::string_view text, const std::string& file);
 
@@ -25,14 +25,14 @@ std::string write_drive(const RecordedDrive& drive);
 
 /// Reads `run[,distance_m][,ahead_m][,left_m][,turned_deg][,slope_deg]`, one row per measured run;
 /// `run` counts the drives from 1, an empty cell was not measured. Adds each row to its drive.
-/// Throws SetupError (file:line). Pure.
+/// Throws UserError (file:line). Pure.
 void add_measured(std::string_view text, const std::string& file,
                   std::vector<RecordedDrive>& drives);
 
 /// The hand measurements of the drives, as add_measured reads them back; empty if there are none.
 std::string write_measured(const std::vector<RecordedDrive>& drives);
 
-/// The drive in a recording, with times as DriveSink has them. Throws SetupError.
+/// The drive in a recording, with times as DriveSink has them. Throws UserError.
 RecordedDrive recorded_drive(const record::Recording& recording,
                              std::optional<HostNs> since = std::nullopt);
 

@@ -92,13 +92,13 @@ void require_straight_run(const RecordedDrive& drive, const Prior& base) {
   const DriveMotion motion(drive, base.counts_per_metre);
   if (drive.measured.distance_m.value_or(0.0) < kLeastOnSlopeM || motion.left_m() <= 0.0 ||
       motion.right_m() <= 0.0)
-    throw SetupError(drive.name +
-                     ": on a slope a run must go forward by 0.1 m at least, nose first; leave it "
-                     "out or correct distance_m");
+    throw UserError(drive.name +
+                    ": on a slope a run must go forward by 0.1 m at least, nose first; leave it "
+                    "out or correct distance_m");
   if (std::abs(drive.measured.turned_rad.value_or(0.0)) > kMostTurnedOnSlopeRad)
-    throw SetupError(drive.name +
-                     ": turned by more than 20 deg; on a slope only straight runs "
-                     "count, leave it out");
+    throw UserError(drive.name +
+                    ": turned by more than 20 deg; on a slope only straight runs "
+                    "count, leave it out");
 }
 
 /// Slopes of the drives, ascending, each from the first of those that are alike.
@@ -110,14 +110,14 @@ std::vector<double> slopes_of(const std::vector<RecordedDrive>& drives) {
   for (const double slope_rad : all)
     if (slopes.empty() || slope_rad - slopes.back() > kSameSlopeRad) slopes.push_back(slope_rad);
   if (slopes.size() > model::kMaxSlopes)
-    throw SetupError("identify: runs on more than " + std::to_string(model::kMaxSlopes) +
-                     " slopes; leave out some");
+    throw UserError("identify: runs on more than " + std::to_string(model::kMaxSlopes) +
+                    " slopes; leave out some");
   return slopes;
 }
 
 double possible_slip(const RecordedDrive& drive, const char* track, double added) {
   if (!(added >= model::kLeastAddedSlip && added <= model::kMostAddedSlip))
-    throw SetupError(text::format(
+    throw UserError(text::format(
         "%s: its slope would add %.2f to the slip of the %s track, outside %.1f to %.1f; correct "
         "distance_m or turned_deg, or leave the run out",
         drive.name.c_str(), added, track, model::kLeastAddedSlip, model::kMostAddedSlip));
@@ -168,10 +168,10 @@ FittedRun fitted_run(const RecordedDrive& drive, const Prior& base) {
   const bool measured = m.distance_m || m.ahead_m || m.left_m || m.turned_rad;
   FittedRun run(drive, base.counts_per_metre, base.tracks.gyro_scale);
   if (run.images.empty() && !measured)
-    throw SetupError(drive.name +
-                     ": neither camera poses nor hand measurements; give --measured FILE");
+    throw UserError(drive.name +
+                    ": neither camera poses nor hand measurements; give --measured FILE");
   if (run.motion.moves_s() >= run.motion.end_s())
-    throw SetupError(drive.name + ": the robot does not move; leave this run out");
+    throw UserError(drive.name + ": the robot does not move; leave this run out");
   return run;
 }
 
@@ -203,7 +203,7 @@ ModelFit fit_of_all(const std::vector<FittedRun>& runs, const Prior& base,
 
 Identification identify(const std::vector<RecordedDrive>& drives, const Prior& base,
                         const IdentifySettings& settings) {
-  if (drives.empty()) throw SetupError("identify: no runs; give at least one recording");
+  if (drives.empty()) throw UserError("identify: no runs; give at least one recording");
   std::vector<FittedRun> runs;
   for (const RecordedDrive& drive : drives) {
     if (drive.measured.slope_rad)
@@ -212,7 +212,7 @@ Identification identify(const std::vector<RecordedDrive>& drives, const Prior& b
       runs.push_back(fitted_run(drive, base));
   }
   if (runs.empty())
-    throw SetupError("identify: only runs on slopes; give runs on level ground, too");
+    throw UserError("identify: only runs on slopes; give runs on level ground, too");
   const std::vector<double> slopes = slopes_of(drives);
 
   Identification found;

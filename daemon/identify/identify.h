@@ -40,14 +40,14 @@ struct Identification {
 };
 
 /// Estimates as many parameters as possible, starting from `base`. At least one run on level
-/// ground, each with camera poses or hand measurements; otherwise throws SetupError that names the
+/// ground, each with camera poses or hand measurements; otherwise throws UserError that names the
 /// run. What slopes add to the slip comes from the runs on slopes, each by itself: from the
 /// distance, and from the turn if it was measured; else both tracks slip alike. Deterministic;
 /// pure.
 Identification identify(const std::vector<RecordedDrive>& drives, const Prior& base,
                         const IdentifySettings& settings = {});
 
-/// A drive as a run of a fit. Throws SetupError: it has neither camera poses nor hand measurements,
+/// A drive as a run of a fit. Throws UserError: it has neither camera poses nor hand measurements,
 /// or the robot does not move.
 FittedRun fitted_run(const RecordedDrive& drive, const Prior& base);
 

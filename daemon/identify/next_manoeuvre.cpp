@@ -124,7 +124,7 @@ std::optional<OtherPath> NextManoeuvre::choose() const {
     if (any) break;
   }
   if (!any)
-    throw SetupError(text::format(
+    throw UserError(text::format(
         "%s: no manoeuvre fits into its fence of %.2f m x %.2f m from (%.2f, %.2f) m; give a "
         "course with a larger fence, or put the robot farther from its edge",
         area_.name.c_str(), area_.fence.max_x_m - area_.fence.min_x_m,

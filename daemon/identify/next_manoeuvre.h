@@ -43,18 +43,18 @@ struct AutoProgress {
 class NextManoeuvre {
  public:
   /// `area`: a course; its fence holds every manoeuvre, and the robot is put at its start first.
-  /// Throws SetupError for a bad file.
+  /// Throws UserError for a bad file.
   NextManoeuvre(const Prior& base, const course::TextFile& area, const AutoSettings& settings = {});
 
   /// The course to drive next, from where the camera last saw the robot, without a camera from the
   /// start of the area. Nothing: all intervals are narrow, the time is over, or no manoeuvre
-  /// narrows one that is too wide. Throws SetupError: no manoeuvre fits into the fence from there.
+  /// narrows one that is too wide. Throws UserError: no manoeuvre fits into the fence from there.
   std::optional<course::OtherPath> choose() const;
   /// The file of that course.
   course::TextFile course_of(const course::OtherPath& manoeuvre) const {
     return course::course_along(area_file_, manoeuvre);
   }
-  /// A drive of the chosen manoeuvre, with camera poses or hand measurements. Throws SetupError as
+  /// A drive of the chosen manoeuvre, with camera poses or hand measurements. Throws UserError as
   /// identify() does.
   void take(RecordedDrive drive);
 

@@ -97,7 +97,7 @@ std::string why_none(const AutoChoice& choice) {
 std::vector<PortInfo> list_ports() {
   sp_port** raw = nullptr;
   if (sp_list_ports(&raw) != SP_OK) {
-    throw SetupError("the serial ports cannot be listed; check that /sys is mounted");
+    throw UserError("the serial ports cannot be listed; check that /sys is mounted");
   }
   const std::unique_ptr<sp_port*, decltype(&sp_free_port_list)> list(raw, &sp_free_port_list);
   std::vector<PortInfo> ports;

@@ -66,7 +66,7 @@ AutoChoice choose_for_auto(const std::vector<PortInfo>& ports, const HolderOf& h
 /// Why nothing was chosen and what to do, in one line.
 std::string why_none(const AutoChoice& choice);
 
-/// All serial ports, as libserialport lists them; ptys are never among them. Throws SetupError.
+/// All serial ports, as libserialport lists them; ptys are never among them. Throws UserError.
 std::vector<PortInfo> list_ports();
 
 }  // namespace tp100::link

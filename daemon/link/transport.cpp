@@ -47,13 +47,13 @@ std::string owner_group(const std::string& path) {
 [[noreturn]] void fail_busy(const std::string& path) {
   const PortHolder holder = port_holder(resolved(path));
   if (holder.name.empty() && holder.others_hidden)
-    throw SetupError(path +
-                     ": port is busy, held by a program of another account or container; end it (a "
-                     "service with `sudo systemctl stop 'tp100d@*'`; `sudo tp100d doctor` names "
-                     "it) or choose another port with --port");
-  throw SetupError(path + ": port is busy" +
-                   (holder.name.empty() ? "" : ", held by " + holder.name) +
-                   "; end that program or choose another port with --port");
+    throw UserError(path +
+                    ": port is busy, held by a program of another account or container; end it (a "
+                    "service with `sudo systemctl stop 'tp100d@*'`; `sudo tp100d doctor` names "
+                    "it) or choose another port with --port");
+  throw UserError(path + ": port is busy" +
+                  (holder.name.empty() ? "" : ", held by " + holder.name) +
+                  "; end that program or choose another port with --port");
 }
 
 [[noreturn]] void fail_open(const std::string& path, int error) {
@@ -61,18 +61,18 @@ std::string owner_group(const std::string& path) {
     case ENOENT:
     case ENXIO:
     case ENODEV:
-      throw SetupError(path + ": no such port; plug the robot in, or see `tp100d ports`");
+      throw UserError(path + ": no such port; plug the robot in, or see `tp100d ports`");
     case EACCES:
     case EPERM: {
       const std::string owner = owner_group(path);
-      throw SetupError(path + ": no permission; run `sudo adduser $USER " + owner +
-                       "` and log in again");
+      throw UserError(path + ": no permission; run `sudo adduser $USER " + owner +
+                      "` and log in again");
     }
     case EBUSY:
       fail_busy(path);
     default:
-      throw SetupError(path + ": cannot be opened (" + std::strerror(error) +
-                       "); see `tp100d ports`");
+      throw UserError(path + ": cannot be opened (" + std::strerror(error) +
+                      "); see `tp100d ports`");
   }
 }
 
@@ -104,7 +104,7 @@ bool known_by_name(const fs::path& real) {
 void set_raw(int fd, const std::string& path, speed_t speed, const PortOptions& options) {
   termios settings{};
   if (::tcgetattr(fd, &settings) != 0) {
-    throw SetupError(path + ": is not a serial port; see `tp100d ports`");
+    throw UserError(path + ": is not a serial port; see `tp100d ports`");
   }
   ::cfmakeraw(&settings);
   settings.c_cflag &= ~static_cast<tcflag_t>(CSTOPB | CRTSCTS);
@@ -119,8 +119,8 @@ void set_raw(int fd, const std::string& path, speed_t speed, const PortOptions& 
   settings.c_cc[VMIN] = 1;
   settings.c_cc[VTIME] = 0;
   if (::tcsetattr(fd, TCSANOW, &settings) != 0) {
-    throw SetupError(path + ": cannot be configured (" + std::strerror(errno) +
-                     "); unplug the port and plug it in again");
+    throw UserError(path + ": cannot be configured (" + std::strerror(errno) +
+                    "); unplug the port and plug it in again");
   }
 }
 
@@ -198,7 +198,7 @@ Port open_port(const std::string& path, const PortOptions& options) {
   struct stat status {};
   if (::stat(real.c_str(), &status) != 0) fail_open(path, errno);
   if (!S_ISCHR(status.st_mode)) {
-    throw SetupError(path + ": is not a serial port; see `tp100d ports`");
+    throw UserError(path + ": is not a serial port; see `tp100d ports`");
   }
   int error = 0;
   // A process that may open the port in spite of TIOCEXCL (root) must not change the settings of
@@ -214,14 +214,14 @@ Port open_port(const std::string& path, const PortOptions& options) {
   Descriptor owner(fd);
   if (::fstat(fd, &status) != 0) fail_open(path, errno);
   const bool pseudo_terminal = is_pseudo_terminal(status.st_mode, status.st_rdev);
-  if (::isatty(fd) == 0) throw SetupError(path + ": is not a serial port; see `tp100d ports`");
+  if (::isatty(fd) == 0) throw UserError(path + ": is not a serial port; see `tp100d ports`");
   if (::flock(fd, LOCK_EX | LOCK_NB) != 0) fail_busy(path);
   ::ioctl(fd, TIOCEXCL);
   const speed_t speed = by_library ? B0 : standard_speed(options.baud);
   // A pty moves bytes at once whatever its speed is; an emulator may read that speed.
   if (speed == B0 && !by_library && !pseudo_terminal)
-    throw SetupError(path + ": cannot be set to " + std::to_string(options.baud) +
-                     " baud under this name; use the name that `tp100d ports` prints");
+    throw UserError(path + ": cannot be set to " + std::to_string(options.baud) +
+                    " baud under this name; use the name that `tp100d ports` prints");
   set_raw(fd, path, speed, options);
   if (!pseudo_terminal) ask_low_latency(fd);
   ::tcflush(fd, TCIFLUSH);

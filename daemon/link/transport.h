@@ -41,7 +41,7 @@ class Port {
   bool pseudo_terminal_ = false;
 };
 
-/// Opens `path` raw, exclusive, non-blocking and close-on-exec. Throws a SetupError that says
+/// Opens `path` raw, exclusive, non-blocking and close-on-exec. Throws a UserError that says
 /// whether the port is missing, busy (and which process holds it), forbidden or no serial port, and
 /// what to do.
 Port open_port(const std::string& path, const PortOptions& options);

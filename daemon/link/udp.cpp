@@ -21,8 +21,8 @@ constexpr std::size_t kMaxHost = 253;
 UdpAddress parse_udp(std::string_view text, const std::string& where) {
   constexpr std::string_view kScheme = "udp:";
   const auto wrong = [&] {
-    return SetupError(where + " " + tp100::text::one_line(text, 100) +
-                      ": not an address; use udp:PORT or udp:HOST:PORT, as in udp:47100");
+    return UserError(where + " " + tp100::text::one_line(text, 100) +
+                     ": not an address; use udp:PORT or udp:HOST:PORT, as in udp:47100");
   };
   if (!text.starts_with(kScheme)) throw wrong();
   std::string_view rest = text.substr(kScheme.size());
@@ -50,8 +50,8 @@ sockaddr_in resolve(const UdpAddress& address) {
   addrinfo* found = nullptr;
   const int error = ::getaddrinfo(address.host.c_str(), nullptr, &hints, &found);
   if (error != 0 || found == nullptr) {
-    throw SetupError("udp:" + tp100::text::one_line(to_string(address), 100) + ": no such host (" +
-                     ::gai_strerror(error) + "); use its IPv4 address");
+    throw UserError("udp:" + tp100::text::one_line(to_string(address), 100) + ": no such host (" +
+                    ::gai_strerror(error) + "); use its IPv4 address");
   }
   sockaddr_in out{};
   std::memcpy(&out, found->ai_addr, sizeof out);
@@ -67,8 +67,8 @@ UdpSender::UdpSender(const UdpAddress& to)
   static_assert(sizeof generic == sizeof address);
   std::memcpy(&generic, &address, sizeof generic);
   if (!socket_ || ::connect(socket_.get(), &generic, sizeof generic) != 0)
-    throw SetupError("udp:" + to_string(to) + ": cannot send there (" + std::strerror(errno) +
-                     "); choose another address");
+    throw UserError("udp:" + to_string(to) + ": cannot send there (" + std::strerror(errno) +
+                    "); choose another address");
 }
 
 bool UdpSender::send(std::string_view datagram) {

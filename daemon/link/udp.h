@@ -17,17 +17,17 @@ struct UdpAddress {
   std::uint16_t port = 0;
 };
 
-/// Reads "udp:[HOST:]PORT"; without a host: loopback. `where` begins the message of a SetupError.
+/// Reads "udp:[HOST:]PORT"; without a host: loopback. `where` begins the message of a UserError.
 UdpAddress parse_udp(std::string_view text, const std::string& where);
 /// Formats an address: "127.0.0.1:47100".
 std::string to_string(const UdpAddress& address);
-/// Looks the host up. Throws SetupError; may block.
+/// Looks the host up. Throws UserError; may block.
 sockaddr_in resolve(const UdpAddress& address);
 
 /// Sends datagrams and never waits: there may be no receiver.
 class UdpSender {
  public:
-  /// Throws SetupError.
+  /// Throws UserError.
   explicit UdpSender(const UdpAddress& to);
 
   /// False: the system did not accept the datagram.

@@ -59,14 +59,14 @@ void Connector::take_back(const loop::LostPort& lost, HostNs now) {
             (lost.error == 0 ? "end of file" : std::strerror(lost.error)) +
             "); plug the robot in again";
   }
-  if (!found_ && !settings_.wait) throw SetupError(line);
+  if (!found_ && !settings_.wait) throw UserError(line);
   say_once(line);
 }
 
 void Connector::try_open(HostNs now) {
   try {
     port_ = open_next();
-  } catch (const SetupError& error) {
+  } catch (const UserError& error) {
     if (!found_ && !settings_.wait) throw;
     came_later_ = true;
     say_once(std::string(error.what()) + "; waiting");
@@ -98,8 +98,8 @@ link::Port Connector::open_next() {
   const link::AutoChoice choice = choose();
   if (!choice.open) {
     if (robot_ && choice.passed_over.empty())
-      throw SetupError(path_ + ": the robot's port is gone; plug it in again");
-    throw SetupError(link::why_none(choice));
+      throw UserError(path_ + ": the robot's port is gone; plug it in again");
+    throw UserError(link::why_none(choice));
   }
   link::Port open = link::open_port(choice.open->path, settings_.options);
   opened_ = choice.open;

@@ -34,7 +34,7 @@ class Connector {
   Connector(ConnectorSettings settings, loop::FixedRateLoop& loop,
             std::function<void(const std::string&)> say);
 
-  /// Takes lost ports back and reopens when due. Throws SetupError if no port can be opened and
+  /// Takes lost ports back and reopens when due. Throws UserError if no port can be opened and
   /// `wait` is off.
   void tick(HostNs now);
   /// The robot sent its hello: from now on the connector never gives up.

@@ -430,7 +430,7 @@ int run_daemon(const config::LoadedRun& run, const DaemonOptions& options) {
   Daemon daemon(run, options);
   try {
     return daemon.run();
-  } catch (const SetupError&) {
+  } catch (const UserError&) {
     daemon.discard();
     throw;
   }

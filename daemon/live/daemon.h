@@ -26,7 +26,7 @@ struct DaemonOptions {
 };
 
 /// Runs until the course is completed, the run fails, the time is over or a signal arrives; disarms
-/// the robot first. Returns the exit status; throws SetupError for errors before the first session.
+/// the robot first. Returns the exit status; throws UserError for errors before the first session.
 /// Ends the process if a disk hangs.
 int run_daemon(const config::LoadedRun& run, const DaemonOptions& options);
 

@@ -25,7 +25,7 @@
 namespace tp100::live {
 
 struct DaemonParts {
-  /// Starts threads, but neither the loop's nor the server's. Throws SetupError.
+  /// Starts threads, but neither the loop's nor the server's. Throws UserError.
   DaemonParts(const config::LoadedRun& run, const DaemonOptions& options);
 
   const config::Configuration configuration;

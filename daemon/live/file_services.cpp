@@ -57,7 +57,7 @@ std::string delete_file(const SetupChanger& changer, const UserFile& file) {
   const config::RunSetup& now = changer.run()->setup;
   const std::string course = now.course == nullptr ? "" : now.course->name;
   if (file.name == (file.kind == Bundled::kRobots ? now.robot.name : course))
-    throw SetupError(file.name + " is in use; choose another one first");
+    throw UserError(file.name + " is in use; choose another one first");
   changer.files().remove(file.kind, file.name);
   return json_of({{"name", file.name}});
 }
@@ -67,7 +67,7 @@ bool is_file(const std::string& path) {
   return fs::is_regular_file(path, error);
 }
 
-/// Throws SetupError if a daemon that was started with this configuration alone could not find its
+/// Throws UserError if a daemon that was started with this configuration alone could not find its
 /// files, or if these do not fit together.
 void require_start(const course::TextFile& configuration) {
   const config::Configuration read =
@@ -105,13 +105,13 @@ std::string replaced(const course::TextFile& now, const std::string& next, bool 
   });
 }
 
-/// Throws SetupError.
+/// Throws UserError.
 course::TextFile configuration_file(const SetupChanger& changer) {
   const std::string path = changer.run()->files.configuration.path;
   if (path.empty())
-    throw SetupError("tp100d has no configuration file to save into: start it with --config FILE");
+    throw UserError("tp100d has no configuration file to save into: start it with --config FILE");
   if (!is_file(path))
-    throw SetupError(fs::path(path).filename().string() + ": the file no longer exists");
+    throw UserError(fs::path(path).filename().string() + ": the file no longer exists");
   return course::read_text_file(path);
 }
 
@@ -177,7 +177,7 @@ Result<> restore_parameters(SetupChanger& changer, const Request& request, const
   changer.disk().ask(answer, [&changer, check] {
     const course::TextFile now = configuration_file(changer);
     const std::string kept = text::kept_path(now.path);
-    if (!is_file(kept)) throw SetupError("nothing was saved yet: there is no file to restore");
+    if (!is_file(kept)) throw UserError("nothing was saved yet: there is no file to restore");
     return replaced(now, course::read_text_file(kept).text, check,
                     [&] { text::restore_file(now.path); });
   });
@@ -233,7 +233,7 @@ std::optional<std::string> setup_content(const SetupChanger& changer, std::strin
     path.remove_suffix(kEnding.size());
     try {
       return changer.files().read(kind, std::string(path)).text;
-    } catch (const SetupError&) {
+    } catch (const UserError&) {
       return std::nullopt;
     }
   }

@@ -19,11 +19,11 @@ class FirstSession {
         port_(settings.port),
         robot_(std::move(robot)) {}
 
-  /// An event of the session. Throws SetupError if it shows an incompatible robot.
+  /// An event of the session. Throws UserError if it shows an incompatible robot.
   void on_event(const SessionReport& report) const;
   /// The session's state changed at `now`.
   void on_state(SessionState state, HostNs now);
-  /// Time passes. Throws SetupError if no session was established in time.
+  /// Time passes. Throws UserError if no session was established in time.
   void check(HostNs now) const;
   /// Another robot file is now in use.
   void expect(std::string robot) { robot_ = std::move(robot); }

@@ -184,7 +184,7 @@ std::uint64_t LiveRecording::number() const { return recorder_.number(); }
 void LiveRecording::begin() {
   const auto answered = std::make_shared<std::promise<std::string>>();
   start({}, [answered](const std::string& why) { answered->set_value(why); });
-  if (const std::string why = answered->get_future().get(); !why.empty()) throw SetupError(why);
+  if (const std::string why = answered->get_future().get(); !why.empty()) throw UserError(why);
 }
 
 bool LiveRecording::finish(std::chrono::steady_clock::time_point deadline) {

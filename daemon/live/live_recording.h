@@ -30,7 +30,7 @@ inline constexpr HostNs kTailNs = kNsPerS;
 class LiveRecording : public messages::Sink {
  public:
   /// Records nothing yet. `events`, which must outlive this, hear what record.quota_mb deletes.
-  /// Throws SetupError: record.directory cannot be created.
+  /// Throws UserError: record.directory cannot be created.
   LiveRecording(const config::RunFiles& files, const config::RunSetup& run,
                 const messages::PublishClock& clock, messages::EventQueue& events);
 
@@ -68,7 +68,7 @@ class LiveRecording : public messages::Sink {
   void take_truth(HostNs at, const Pose& truth) override;
 
   // These wait for the disk:
-  /// Like start(). Throws SetupError.
+  /// Like start(). Throws UserError.
   void begin();
   /// Ends the recording and waits until it is written; false: `deadline` passed first.
   bool finish(std::chrono::steady_clock::time_point deadline);

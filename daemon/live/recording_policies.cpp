@@ -19,7 +19,7 @@ void forget(const fs::path& run) {
   if (fs::exists(run / runs::kRunNoteFile, error)) return;
   try {
     runs::delete_run(run.parent_path(), run.filename());
-  } catch (const SetupError&) {
+  } catch (const UserError&) {
     return;
   }
 }

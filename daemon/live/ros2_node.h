@@ -23,7 +23,7 @@ namespace tp100::live {
 /// network may request everything.
 std::string why_no_ros2_requests(const config::Configuration& configuration);
 
-/// The daemon's participant; null: switched off. Throws SetupError; see ros2::Participant.
+/// The daemon's participant; null: switched off. Throws UserError; see ros2::Participant.
 std::unique_ptr<ros2::Participant> ros2_participant(const config::Configuration& configuration);
 
 class Ros2Node {

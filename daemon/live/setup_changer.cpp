@@ -99,12 +99,12 @@ void SetupChanger::ask(Asked asked, server::Answer answer) {
 std::unique_ptr<SetupRequest> SetupChanger::make(const Asked& asked) {
   const std::shared_ptr<const config::LoadedRun> now = run();
   if (now->setup.parameters.world.kind != bridge::WorldKind::kInternal)
-    throw SetupError(
+    throw UserError(
         "an external world is in use (world.kind) and keeps the robot's place: restart tp100d");
   auto request = std::make_unique<SetupRequest>();
   if (asked.places) {
     if (!asked.at && now->setup.course == nullptr)
-      throw SetupError("there is no course, and so no start; choose a course");
+      throw UserError("there is no course, and so no start; choose a course");
     const Pose at = asked.at ? *asked.at : now->setup.course->start;
     request->change.place = at;
     const std::lock_guard lock(mutex_);
@@ -122,7 +122,7 @@ std::unique_ptr<SetupRequest> SetupChanger::make(const Asked& asked) {
   };
   const auto setup = asked.choice.setup ? value_in(bridge::kSetupNames, *asked.choice.setup)
                                         : std::optional(now->files.setup);
-  if (!setup) throw SetupError("setup is \"stand\", \"flat\" or \"terrain\"");
+  if (!setup) throw UserError("setup is \"stand\", \"flat\" or \"terrain\"");
   const course::TextFile course =
       asked.choice.goal ? course::course_to(now->files.course, *asked.choice.goal)
                         : file(Bundled::kCourses, asked.choice.course, now->files.course);

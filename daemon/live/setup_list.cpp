@@ -75,7 +75,7 @@ config::LoadedRun with_file(const config::LoadedRun& run, Bundled kind,
              : config::with_files(run, run.files.course, file, run.files.setup);
 }
 
-/// Throws SetupError if the run's files do not fit together.
+/// Throws UserError if the run's files do not fit together.
 void set_fit(Json& json, const config::RunSetup& run, bool is_course) {
   const bridge::Step step(run.parameters, run.course);
   if (is_course) json["duration_s"] = step.nominal_duration_s();
@@ -111,7 +111,7 @@ Json entry_json(const config::SetupFiles& files, const config::LoadedRun& run, B
       json["description"] = with.setup.robot.description;
     }
     set_fit(json, with.setup, is_course);
-  } catch (const SetupError& error) {
+  } catch (const UserError& error) {
     why = error.what();
   }
   json["in_force"] = in_force;
@@ -135,7 +135,7 @@ std::string text_of(const Json& json) {
 
 void require_fit(const config::RunSetup& run) {
   if (!run.configuration.camera.listen.empty() && run.parameters.setup == bridge::Setup::kStand)
-    throw SetupError("--camera: on a stand it sees a robot that stands still; leave it out");
+    throw UserError("--camera: on a stand it sees a robot that stands still; leave it out");
   if (run.course != nullptr) terrain::require_climbable(*run.course, run.robot);
 }
 
@@ -165,16 +165,16 @@ std::string checked_file(const config::LoadedRun& run, Bundled kind, const cours
       course::Draft draft = course::parse_draft(file.text, file.path);
       json["length_m"] = course::Path(draft.course).length_m();
       drawn = course_text(std::move(draft.course), run.setup.robot);
-      if (!draft.error.empty()) throw SetupError(draft.error);
+      if (!draft.error.empty()) throw UserError(draft.error);
     } else {
       course::parse_robot(file.text, file.path);
     }
     try {
       set_fit(json, with_file(run, kind, file).setup, is_course);
-    } catch (const SetupError& misfit) {
+    } catch (const UserError& misfit) {
       json["why_not"] = misfit.what();
     }
-  } catch (const SetupError& error) {
+  } catch (const UserError& error) {
     json["error"] = set_place(json, error.what(), file.path);
   }
   std::string text = text_of(json);

@@ -11,7 +11,7 @@ namespace tp100::live {
 /// Most points of a course's outline.
 inline constexpr std::size_t kMaxOutline = 200;
 
-/// Throws SetupError if the course, the robot and the set-up of this run do not fit together.
+/// Throws UserError if the course, the robot and the set-up of this run do not fit together.
 void require_fit(const config::RunSetup& run);
 
 /// All files with what a viewer shows of them, and whether each fits the rest of `run`, the present

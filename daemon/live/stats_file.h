@@ -48,7 +48,7 @@ class StatsFile {
   StatsFile(std::string path, record::Worker& disk, messages::EventQueue& events)
       : path_(std::move(path)), disk_(disk), events_(events) {}
   /// Writes `figures`. The first time, before anything moves, it waits for the disk and throws
-  /// SetupError on failure. Later it never waits, and newer figures replace those not written yet.
+  /// UserError on failure. Later it never waits, and newer figures replace those not written yet.
   void write(const DaemonFigures& figures);
 
  private:

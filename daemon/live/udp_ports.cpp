@@ -24,7 +24,7 @@ constexpr int kMaxAtOnce = 32;
 // Images are for people and recordings only, so a slow network does no harm.
 constexpr HostNs kMaxImageAgeNs = 2 * kNsPerS;
 
-/// Throws SetupError: unknown host.
+/// Throws UserError: unknown host.
 udp::endpoint endpoint_of(const link::UdpAddress& address) {
   const sockaddr_in resolved = link::resolve(address);
   return {boost::asio::ip::address_v4(ntohl(resolved.sin_addr.s_addr)), address.port};
@@ -98,8 +98,8 @@ struct CameraPort::State : Receiver<CameraPort::State, link::kMaxImageDatagram> 
 
   void open(const link::UdpAddress& address) {
     if (const auto error = listen_at(endpoint_of(address))) {
-      throw SetupError("camera: cannot listen at udp:" + link::to_string(address) + " (" +
-                       error.message() + "); choose another port or an address of this machine");
+      throw UserError("camera: cannot listen at udp:" + link::to_string(address) + " (" +
+                      error.message() + "); choose another port or an address of this machine");
     }
   }
   void receive(std::string_view datagram, const udp::endpoint& /*sender*/, HostNs now) {
@@ -145,9 +145,9 @@ struct WorldPort::State : Receiver<WorldPort::State, worlds::kMaxWorldDatagram> 
     world = endpoint_of(address);
     const udp::endpoint local = local_endpoint(settings.listen, world);
     if (const auto error = listen_at(local)) {
-      throw SetupError("world: cannot listen at udp:" + local.address().to_string() + ":" +
-                       std::to_string(local.port()) + " (" + error.message() +
-                       "); choose another world.listen");
+      throw UserError("world: cannot listen at udp:" + local.address().to_string() + ":" +
+                      std::to_string(local.port()) + " (" + error.message() +
+                      "); choose another world.listen");
     }
   }
   void receive(std::string_view datagram, const udp::endpoint& sender, HostNs now) {

@@ -26,7 +26,7 @@ class CameraPort {
   using Show = std::function<void(HostNs at, std::string jpeg)>;
 
   /// Listens at settings.listen, "udp:[HOST:]PORT"; without a host, only datagrams of this machine
-  /// are received. Throws SetupError: a bad address, or a port that is in use.
+  /// are received. Throws UserError: a bad address, or a port that is in use.
   CameraPort(boost::asio::io_context& context, const config::CameraSettings& settings, Give give,
              Show show);
   ~CameraPort();
@@ -41,7 +41,7 @@ class CameraPort {
 
 class WorldPort : public WorldLink {
  public:
-  /// Sends hello at the first step; `events` must outlive it. Throws SetupError: a bad address, an
+  /// Sends hello at the first step; `events` must outlive it. Throws UserError: a bad address, an
   /// unknown host, or a port that is in use.
   WorldPort(boost::asio::io_context& context, const config::WorldRun& run, config::GiveWorld give,
             messages::EventQueue& events);

@@ -34,7 +34,7 @@ std::string replace_file(const std::string& path, std::string_view text) {
   try {
     text::write_file(path, text, text::Flush::kNo);
     return {};
-  } catch (const SetupError& error) {
+  } catch (const UserError& error) {
     return error.what();
   }
 }
@@ -159,7 +159,7 @@ WorldFiles::WorldFiles(const config::WorldRun& run, config::GiveWorld give,
   worlds::require_encoder_template(settings.encoder_template, "world.encoder_template");
   worlds::require_orientation_template(settings.orientation_template, "world.orientation_template");
   if (const std::string why = replace_file(settings.encoder_file, "\n"); !why.empty())
-    throw SetupError("world.encoder_file " + why);
+    throw UserError("world.encoder_file " + why);
   state_->thread = std::thread([state = state_.get()] { state->live(); });
   ::pthread_setname_np(state_->thread.native_handle(), "world files");
 }

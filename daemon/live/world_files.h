@@ -10,7 +10,7 @@ namespace tp100::live {
 
 class WorldFiles : public WorldLink {
  public:
-  /// `give` is called in the thread of the files; `events` must outlive them. Throws SetupError: a
+  /// `give` is called in the thread of the files; `events` must outlive them. Throws UserError: a
   /// bad template, or a folder that is not writable.
   WorldFiles(const config::WorldRun& run, config::GiveWorld give, messages::EventQueue& events);
   /// Ends the thread; the files stay.

@@ -46,7 +46,7 @@ class WorldLink : public messages::Sink {
 };
 
 /// Opens the configured interface; null: the world is internal. `events` must outlive it. Throws
-/// SetupError.
+/// UserError.
 std::unique_ptr<WorldLink> open_world(boost::asio::io_context& context, const config::WorldRun& run,
                                       const config::GiveWorld& give, messages::EventQueue& events);
 

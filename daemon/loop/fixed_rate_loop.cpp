@@ -48,8 +48,8 @@ void FixedRateLoop::start() {
       ended_.store(true, std::memory_order_release);
     });
   } catch (const std::system_error& error) {
-    throw SetupError(std::string("no thread for the real-time loop (") + error.what() +
-                     "); raise the memory lock limit or set loop.lock_memory = false");
+    throw UserError(std::string("no thread for the real-time loop (") + error.what() +
+                    "); raise the memory lock limit or set loop.lock_memory = false");
   }
   while (!ready_.load(std::memory_order_acquire)) sleep_until(monotonic_now() + kNsPerMs);
 }

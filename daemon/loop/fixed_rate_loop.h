@@ -100,11 +100,11 @@ class FixedRateLoop {
   /// Most bytes read from the port at once; a flooding peer costs no more per cycle.
   static constexpr std::size_t kReadSize = 4096;
 
-  /// `client` must outlive the loop. Throws SetupError if the system provides no timer.
+  /// `client` must outlive the loop. Throws UserError if the system provides no timer.
   FixedRateLoop(const LoopSettings& settings, LoopClient& loop_client);
   ~FixedRateLoop();
 
-  /// Starts the thread; returns once it has requested its privileges. Throws SetupError if the
+  /// Starts the thread; returns once it has requested its privileges. Throws UserError if the
   /// system provides no thread.
   void start();
   /// Shuts down (see LoopClient::shut_down, at most 300 ms) and ends the thread. Any thread.

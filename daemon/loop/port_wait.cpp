@@ -42,8 +42,8 @@ PortWait::PortWait(HostNs spare_ns)
   const sigset_t set = announcements();
   if (timer_) signals_ = Descriptor(::signalfd(-1, &set, SFD_NONBLOCK | SFD_CLOEXEC));
   if (!signals_)
-    throw SetupError(std::string("no timer for the real-time loop (") + std::strerror(errno) +
-                     "); raise the limit of open files (ulimit -n)");
+    throw UserError(std::string("no timer for the real-time loop (") + std::strerror(errno) +
+                    "); raise the limit of open files (ulimit -n)");
 }
 
 void PortWait::watch(int fd) {

@@ -20,7 +20,7 @@ namespace tp100::loop {
 class PortWait {
  public:
   /// `spare_ns`: the timer expires by itself this long after a deadline that was met. With half a
-  /// period, it expires between two samples. Throws SetupError if the system provides no timer.
+  /// period, it expires between two samples. Throws UserError if the system provides no timer.
   explicit PortWait(HostNs spare_ns);
 
   /// The port to wait for from now on, non-blocking.

@@ -37,7 +37,7 @@ double steepest_tip(const ClimbGeometry& g) {
 
 void require_length(double value, const char* what) {
   if (std::isfinite(value) && value > 0.0) return;
-  throw SetupError(std::string("step climb: ") + what + " must be a positive length in metres");
+  throw UserError(std::string("step climb: ") + what + " must be a positive length in metres");
 }
 
 std::string millimetres(double metres) {
@@ -77,18 +77,18 @@ void check_climb(const ClimbGeometry& g, const BlockShape& block) {
   require_length(g.body_length_m, "body length");
   require_length(g.body_height_m, "body height");
   require_length(block.height_m, "block height");
-  if (!(block.depth_m > 0.0)) throw SetupError("step climb: block depth must be positive");
+  if (!(block.depth_m > 0.0)) throw UserError("step climb: block depth must be positive");
   const double limit = climb_limit_m(g);
   if (block.height_m > limit) {
-    throw SetupError("step climb: this robot cannot climb " + millimetres(block.height_m) +
-                     "; its limit is " + millimetres(limit) +
-                     ": lower the block or the robot's centre of mass");
+    throw UserError("step climb: this robot cannot climb " + millimetres(block.height_m) +
+                    "; its limit is " + millimetres(limit) +
+                    ": lower the block or the robot's centre of mass");
   }
   const double nose = magnitude(g.axle_spacing_m - g.com_forward_m, g.wheel_radius_m);
   if (block.height_m - g.wheel_radius_m >= nose) {
-    throw SetupError("step climb: behind a block of " + millimetres(block.height_m) +
-                     " this robot falls on its nose; below " +
-                     millimetres(nose + g.wheel_radius_m) + " it comes down");
+    throw UserError("step climb: behind a block of " + millimetres(block.height_m) +
+                    " this robot falls on its nose; below " + millimetres(nose + g.wheel_radius_m) +
+                    " it comes down");
   }
 }
 

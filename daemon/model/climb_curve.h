@@ -36,7 +36,7 @@ std::optional<double> tip_angle_rad(const ClimbGeometry& geometry, double height
 /// Square of the body's radius of gyration about its lateral axis, (l^2 + H^2) / 12. [m^2]
 double gyration_squared_m2(const ClimbGeometry& geometry);
 
-/// Throws SetupError if a length is not positive and finite, the centre of mass lies outside the
+/// Throws UserError if a length is not positive and finite, the centre of mass lies outside the
 /// axles, the block is higher than climb_limit_m, or the nose cannot reach the ground behind it.
 void check_climb(const ClimbGeometry& geometry, const BlockShape& block);
 
@@ -69,7 +69,7 @@ struct ClimbMarks {
 /// Pure functions of track travel. No allocation after construction; safe in the real-time thread.
 class ClimbCurve {
  public:
-  /// Throws SetupError as check_climb does.
+  /// Throws UserError as check_climb does.
   ClimbCurve(const ClimbGeometry& geometry, const BlockShape& block);
 
   const ClimbGeometry& geometry() const { return geometry_; }

@@ -39,7 +39,7 @@ struct ClimbState {
 /// no allocation after construction; bounded time for any input.
 class StepClimb {
  public:
-  /// Throws SetupError as check_climb does; starts at first touch.
+  /// Throws UserError as check_climb does; starts at first touch.
   StepClimb(const ClimbGeometry& geometry, const BlockShape& block);
 
   /// Flat on the ground, `distance_m` >= 0 of travel in front of first touch.

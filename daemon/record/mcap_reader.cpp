@@ -140,15 +140,15 @@ void McapReader::State::open() {
   file = Descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY));
   struct stat status {};
   if (!file || ::fstat(file.get(), &status) != 0)
-    throw SetupError(path + ": cannot be read (" + std::strerror(errno) +
-                     "); name a recording or its folder, as tp100d run --record makes them");
-  if (!S_ISREG(status.st_mode)) throw SetupError(path + ": not a file; give a recording");
+    throw UserError(path + ": cannot be read (" + std::strerror(errno) +
+                    "); name a recording or its folder, as tp100d run --record makes them");
+  if (!S_ISREG(status.st_mode)) throw UserError(path + ": not a file; give a recording");
   mark_in_use(file.get());
   size = static_cast<std::uint64_t>(status.st_size);
   Bytes buffer;
   if (size < kMcapMagic.size() ||
       !std::ranges::equal(read(0, kMcapMagic.size(), buffer), kMcapMagic))
-    throw SetupError(path + ": not a recording (no MCAP file)");
+    throw UserError(path + ": not a recording (no MCAP file)");
 }
 
 // `size` bytes at `offset`, both within the file.
@@ -159,7 +159,7 @@ Span McapReader::State::read(std::uint64_t offset, std::uint64_t bytes, Bytes& b
     return ::pread(file.get(), buffer.data() + at, left, static_cast<off_t>(offset + at));
   });
   if (error != 0)
-    throw SetupError(path + ": cannot be read (" + std::strerror(error) + "), or became shorter");
+    throw UserError(path + ": cannot be read (" + std::strerror(error) + "), or became shorter");
   return buffer;
 }
 

@@ -64,7 +64,7 @@ class McapReader {
   /// Limit of a record and of an unpacked chunk; our own have one MiB.
   static constexpr std::uint64_t kMaxSize = std::uint64_t{64} << 20;
 
-  /// Opens the file. Throws SetupError: missing, not readable, or not an MCAP file.
+  /// Opens the file. Throws UserError: missing, not readable, or not an MCAP file.
   explicit McapReader(const std::string& path);
   ~McapReader();
 

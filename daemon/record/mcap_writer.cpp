@@ -257,7 +257,7 @@ bool McapWriter::open_index() {
     const std::filesystem::path folder = std::filesystem::path(file_.path()).parent_path();
     index_ = std::make_unique<AnonymousFile>(folder.empty() ? "." : folder.string());
     return true;
-  } catch (const SetupError&) {
+  } catch (const UserError&) {
     return false;
   }
 }

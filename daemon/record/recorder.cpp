@@ -334,7 +334,7 @@ void Recorder::begin(Make make) {
   // Shared with an answer that may still be returning from the promise.
   const auto answered = std::make_shared<std::promise<std::string>>();
   ask_begin(std::move(make), [answered](const std::string& why) { answered->set_value(why); });
-  if (const std::string why = answered->get_future().get(); !why.empty()) throw SetupError(why);
+  if (const std::string why = answered->get_future().get(); !why.empty()) throw UserError(why);
 }
 
 void Recorder::begin(const RecordingSettings& recording, const RunFacts& facts) {

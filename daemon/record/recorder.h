@@ -41,7 +41,7 @@ class Recorder : public messages::Sink {
  public:
   using Clock = std::chrono::steady_clock;
   /// Creates folder and file of a recording. Called on the recorder's thread, so that no other
-  /// thread waits for the disk. Throws SetupError.
+  /// thread waits for the disk. Throws UserError.
   using Make = std::function<std::unique_ptr<RecordingWriter>()>;
   /// Receives why a request failed, in one line, or nothing. Called once, on the recorder's thread,
   /// or on the caller's if the request is refused at once. Must not block.
@@ -75,7 +75,7 @@ class Recorder : public messages::Sink {
   void message(messages::Channel channel, HostNs at, std::string_view json);
 
   // Any thread; these wait for the disk:
-  /// As ask_begin(). Throws SetupError if there is another, or the file cannot be created.
+  /// As ask_begin(). Throws UserError if there is another, or the file cannot be created.
   void begin(Make make);
   void begin(const RecordingSettings& recording, const RunFacts& facts);
   /// Ends the recording, if there is one, and waits until all that was taken is written. False: not

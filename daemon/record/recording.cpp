@@ -66,7 +66,7 @@ class Distributor : public McapHandler {
   }
 
  private:
-  [[noreturn]] void fail(const std::string& what) const { throw SetupError(path_ + ": " + what); }
+  [[noreturn]] void fail(const std::string& what) const { throw UserError(path_ + ": " + what); }
 
   void require_layout(const McapMessage& message, const std::string& layout) const {
     if (message.channel->schema != layout)
@@ -138,7 +138,7 @@ Recording::Recording(const std::string& path) : state_(std::make_unique<State>(p
   Beginning beginning;
   state_->reader.stream(beginning);
   if (beginning.facts.empty())
-    throw SetupError(state_->reader.path() + ": an MCAP file, but no recording of tp100d");
+    throw UserError(state_->reader.path() + ": an MCAP file, but no recording of tp100d");
   state_->files = std::move(beginning.files);
   state_->facts = std::move(beginning.facts);
 }
@@ -173,8 +173,8 @@ void Recording::visit(const RecordingVisitor& visitor) const {
   Distributor distributor(visitor, path(), version);
   const McapEnd end = state_->reader.stream(distributor);
   if (end.corrupted > 0)
-    throw SetupError(path() + ": corrupted, " + end.problem +
-                     "; tp100d recover saves the intact part");
+    throw UserError(path() + ": corrupted, " + end.problem +
+                    "; tp100d recover saves the intact part");
 }
 
 }  // namespace tp100::record

@@ -36,7 +36,7 @@ std::string recording_file(const std::string& path);
 
 class Recording {
  public:
-  /// `path`: a file, or the folder of a run. Throws SetupError: missing, not a recording of a run,
+  /// `path`: a file, or the folder of a run. Throws UserError: missing, not a recording of a run,
   /// or corrupted.
   explicit Recording(const std::string& path);
   ~Recording();
@@ -54,7 +54,7 @@ class Recording {
   /// Text of a file as it was loaded ("course.toml", "robot.toml", "tp100.toml"); empty: none.
   std::string file(const std::string& name) const;
 
-  /// All of it. Throws SetupError where the file is corrupted, or if its steps were recorded by a
+  /// All of it. Throws UserError where the file is corrupted, or if its steps were recorded by a
   /// version with another layout.
   void visit(const RecordingVisitor& visitor) const;
 

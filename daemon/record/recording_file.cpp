@@ -24,8 +24,8 @@ RecordingFile::RecordingFile(std::string path) : path_(std::move(path)) {
   file_ =
       Descriptor(::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOCTTY, 0666));
   if (!file_)
-    throw SetupError(path_ + ": cannot be written (" + std::strerror(errno) +
-                     "); check folder, permission and free space");
+    throw UserError(path_ + ": cannot be written (" + std::strerror(errno) +
+                    "); check folder, permission and free space");
   text::note_written(path_);
   mark_in_use(file_.get());
 }
@@ -60,8 +60,8 @@ AnonymousFile::AnonymousFile(const std::string& folder) {
   std::string path;
   file_ = Descriptor(text::make_temporary_file(folder, path));
   if (!file_)
-    throw SetupError(folder + ": nothing can be written there (" + std::strerror(errno) +
-                     "); check folder, permission and free space, or give another");
+    throw UserError(folder + ": nothing can be written there (" + std::strerror(errno) +
+                    "); check folder, permission and free space, or give another");
   ::unlink(path.c_str());
 }
 

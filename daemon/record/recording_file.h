@@ -15,7 +15,7 @@ inline constexpr const char* kRecordingFile = "run.mcap";
 /// The file of a growing recording. Appends whole records or nothing: a partial one is removed.
 class RecordingFile {
  public:
-  /// Creates the file, or truncates an existing one. Throws SetupError.
+  /// Creates the file, or truncates an existing one. Throws UserError.
   explicit RecordingFile(std::string path);
 
   /// Appends all of `bytes`, or nothing, with the cause in error(). After an error nothing more is
@@ -40,7 +40,7 @@ class RecordingFile {
 /// that ends.
 class AnonymousFile {
  public:
-  /// On the disk of `folder`. Throws SetupError.
+  /// On the disk of `folder`. Throws UserError.
   explicit AnonymousFile(const std::string& folder);
 
   /// Appends all of `bytes`, or nothing. 0 or an errno.

@@ -47,8 +47,8 @@ RecordingWriter::RecordingWriter(const RecordingSettings& settings, const RunFac
   add_channels();
   add_files(facts);
   if (file_.error() != 0)
-    throw SetupError(settings.path + ": cannot be written (" + std::strerror(file_.error()) +
-                     "); check free space");
+    throw UserError(settings.path + ": cannot be written (" + std::strerror(file_.error()) +
+                    "); check free space");
   const HostNs start = settings.clock.start_ns;
   for (const auto& [channel, text] : messages::setup_messages(messages_, start))
     message(channel, start, *text);

@@ -42,7 +42,7 @@ struct RunFacts {
 
 class RecordingWriter {
  public:
-  /// Creates the file. Throws SetupError on failure.
+  /// Creates the file. Throws UserError on failure.
   RecordingWriter(const RecordingSettings& settings, const RunFacts& facts);
 
   /// Writes a block of inputs of earlier steps (step_codec.h), before anything else.

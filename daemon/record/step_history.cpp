@@ -67,7 +67,7 @@ void StepHistory::close_block() {
       text::make_folder(settings_.folder, "folder");
       span.file = std::make_unique<AnonymousFile>(settings_.folder);
     }
-  } catch (const SetupError& error) {
+  } catch (const UserError& error) {
     return give_up(error.what());
   }
   if (const int error = span.file->append(span.open); error != 0)

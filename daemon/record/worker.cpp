@@ -18,7 +18,7 @@ namespace {
 std::string thrown() {
   try {
     throw;
-  } catch (const SetupError& error) {
+  } catch (const UserError& error) {
     return error.what();
   } catch (const std::filesystem::filesystem_error& error) {
     const std::string name = error.path1().filename().string();

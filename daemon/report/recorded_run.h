@@ -72,7 +72,7 @@ struct RecordedRun {
 /// Whether the steps kept to a clock: in virtual time every step is exactly a period.
 inline bool in_real_time(const RecordedRun& run) { return run.jitter.max_us > 0.0; }
 
-/// Reads all of `recording`. Throws SetupError.
+/// Reads all of `recording`. Throws UserError.
 RecordedRun read_run(const record::Recording& recording, const RecordedContext& run_context);
 
 }  // namespace tp100::report

@@ -73,8 +73,8 @@ class Bag {
   void finish() {
     writer_.finish();
     if (file_.error() != 0)
-      throw SetupError(file_.path() + ": cannot be written (" + std::strerror(file_.error()) +
-                       "); check free space");
+      throw UserError(file_.path() + ": cannot be written (" + std::strerror(file_.error()) +
+                      "); check free space");
   }
 
   /// Content of metadata.yaml.

@@ -11,7 +11,7 @@ namespace tp100::ros2 {
 
 /// Writes FOLDER/FOLDER_0.mcap and FOLDER/metadata.yaml, creating the folder if absent; returns
 /// their paths. A recording from virtual time also has /clock and
-/// /ground_truth. Throws SetupError.
+/// /ground_truth. Throws UserError.
 std::vector<std::string> write_bag(const record::Recording& recording,
                                    const messages::RunContext& run_context,
                                    const std::string& folder);

@@ -7,7 +7,7 @@ struct Participant::State {};
 
 Participant::Participant(const config::Ros2Settings&, const std::string&, std::span<const Topic>,
                          std::span<const Input>) {
-  throw SetupError(
+  throw UserError(
       "ROS 2's topics: this program was built without Cyclone DDS; scripts/build installs it and "
       "builds with it; or leave out ros2.enabled and --ros2");
 }

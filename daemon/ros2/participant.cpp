@@ -136,8 +136,8 @@ dds_domainid_t domain_of(const config::Ros2Settings& settings) {
   if (variable.empty()) return 0;
   const int domain = text::number_in<int>(variable).value_or(-1);
   if (domain < 0 || domain > kLastDomain)
-    throw SetupError("ROS_DOMAIN_ID=" + text::one_line(variable) +
-                     ": not a domain; use a number from 0 to " + std::to_string(kLastDomain));
+    throw UserError("ROS_DOMAIN_ID=" + text::one_line(variable) +
+                    ": not a domain; use a number from 0 to " + std::to_string(kLastDomain));
   return static_cast<dds_domainid_t>(domain);
 }
 
@@ -147,8 +147,8 @@ std::string dds_configuration(const std::string& interface) {
   constexpr const char* kMayHave =
       "0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ._-:@";
   if (interface.find_first_not_of(kMayHave) != std::string::npos)
-    throw SetupError("ros2.interface = \"" + text::one_line(interface) +
-                     "\": not a network interface; `ip link` lists them");
+    throw UserError("ros2.interface = \"" + text::one_line(interface) +
+                    "\": not a network interface; `ip link` lists them");
   // The loopback interface can multicast although it does not report so; if it cannot, participants
   // are found at the ports where ROS 2's own participants look, too.
   const bool local = interface == "lo";
@@ -181,9 +181,9 @@ void receive_of_this_machine_only(const std::set<int>& before) {
   for (const int fd : datagram_sockets())
     if (!before.contains(fd) && ::setsockopt(fd, SOL_SOCKET, SO_BINDTODEVICE, kDevice.data(),
                                              socklen_t{kDevice.size()}) != 0)
-      throw SetupError("[ros2]: the sockets cannot be kept to lo (" +
-                       std::string(std::strerror(errno)) +
-                       "), and would receive from other machines; set ros2.enabled to false");
+      throw UserError("[ros2]: the sockets cannot be kept to lo (" +
+                      std::string(std::strerror(errno)) +
+                      "), and would receive from other machines; set ros2.enabled to false");
 }
 
 /// Threads started during its lifetime have small stacks. With locked memory each thread occupies
@@ -324,10 +324,10 @@ struct Participant::State {
     dds_set_log_sink(nullptr, nullptr);
     if (participant >= 0) return;
     if (domain >= 0) dds_delete(domain);
-    throw SetupError("[ros2]: cannot join domain " + std::to_string(number) + ": " +
-                     (why.empty() ? dds_strretcode(-participant) : text::one_line(why)) +
-                     "; check ros2.interface and ros2.domain, and for a service the drop-in of "
-                     "ROS2.md");
+    throw UserError("[ros2]: cannot join domain " + std::to_string(number) + ": " +
+                    (why.empty() ? dds_strretcode(-participant) : text::one_line(why)) +
+                    "; check ros2.interface and ros2.domain, and for a service the drop-in of "
+                    "ROS2.md");
   }
   /// A topic of that type, and the type that it has in this domain.
   std::pair<dds_entity_t, const ddsi_sertype*> topic(const std::string& name,
@@ -352,8 +352,8 @@ struct Participant::State {
   }
   static dds_entity_t checked(dds_entity_t entity, const std::string& name) {
     if (entity >= 0) return entity;
-    throw SetupError("[ros2]: topic " + name + " is impossible (" + dds_strretcode(-entity) +
-                     "); set ros2.enabled to false");
+    throw UserError("[ros2]: topic " + name + " is impossible (" + dds_strretcode(-entity) +
+                    "); set ros2.enabled to false");
   }
   /// Announces the node, its publishers and subscriptions to ROS 2's graph.
   void announce(const std::string& node) {

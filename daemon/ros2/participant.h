@@ -17,7 +17,7 @@ class Participant {
  public:
   /// Joins the domain as `node`, which publishes `published` and subscribes to `taken`. Its threads
   /// inherit the caller's scheduling and processors: call it from an ordinary thread, before a
-  /// real-time loop starts. Throws SetupError: no such interface or domain, or this build has no
+  /// real-time loop starts. Throws UserError: no such interface or domain, or this build has no
   /// DDS.
   Participant(const config::Ros2Settings& settings, const std::string& node,
               std::span<const Topic> published, std::span<const Input> taken = {});

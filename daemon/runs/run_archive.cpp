@@ -57,12 +57,12 @@ void write_run(text::JsonWriter& json, const Run& run, bool active) {
 /// A temporary folder within `folder`, which no list shows; removed at the end.
 class WorkFolder {
  public:
-  /// Throws SetupError.
+  /// Throws UserError.
   explicit WorkFolder(const std::string& folder)
       : open_(text::make_temporary_folder(folder, path_)) {
     if (!open_)
-      throw SetupError(std::string("no folder for the report can be made (") +
-                       std::strerror(errno) + "); check permission and free space");
+      throw UserError(std::string("no folder for the report can be made (") + std::strerror(errno) +
+                      "); check permission and free space");
   }
   ~WorkFolder() {
     std::error_code ignored;
@@ -77,13 +77,13 @@ class WorkFolder {
   const Descriptor open_;  // tells other programs that the folder is in use
 };
 
-/// Puts a file in the place of another, or of a link. Throws SetupError.
+/// Puts a file in the place of another, or of a link. Throws UserError.
 void move_file(const fs::path& from, const fs::path& to) {
   std::error_code error;
   fs::rename(from, to, error);
   if (error)
-    throw SetupError(to.filename().string() + ": cannot be kept beside the run (" +
-                     error.message() + ")");
+    throw UserError(to.filename().string() + ": cannot be kept beside the run (" + error.message() +
+                    ")");
 }
 
 std::string report_json(const std::string& run, const std::string& url) {
@@ -100,9 +100,9 @@ void require_run(const std::vector<Run>& runs, const std::string& name, const st
   const auto found =
       std::find_if(runs.begin(), runs.end(), [&](const Run& each) { return each.folder == name; });
   if (found == runs.end())
-    throw SetupError(text::one_line(name) + ": no such run; GET /api/runs lists them");
-  if (name == active) throw SetupError(name + " is being recorded; end the recording first");
-  if (!found->has_recording) throw SetupError(name + ": has no recording run.mcap");
+    throw UserError(text::one_line(name) + ": no such run; GET /api/runs lists them");
+  if (name == active) throw UserError(name + " is being recorded; end the recording first");
+  if (!found->has_recording) throw UserError(name + ": has no recording run.mcap");
 }
 
 }  // namespace
@@ -168,7 +168,7 @@ void RunArchive::change_note(const std::string& run, const RunNoteChange& change
 
 void RunArchive::remove(const std::string& run, const Answer& answer) {
   disk_.ask(without_paths(answer), [this, run] {
-    if (run == settings_.active()) throw SetupError(run + " is being recorded; end that first");
+    if (run == settings_.active()) throw UserError(run + " is being recorded; end that first");
     delete_run(settings_.folder, run);
     return text::json_object([&](text::JsonWriter& json) { json.field("run", run); });
   });
@@ -222,7 +222,7 @@ std::string RunArchive::make_report(const std::string& run, const std::string& w
   const std::string active = settings_.active();
   require_run(runs, run, active);
   if (!with.empty()) require_run(runs, with, active);
-  if (with == run) throw SetupError("compare needs two different runs");
+  if (with == run) throw UserError("compare needs two different runs");
   // Marks the recordings as in use until the program has opened them.
   const record::UsedFile used(recording(run)), other(recording(with.empty() ? run : with));
   const WorkFolder work(settings_.folder);
@@ -231,7 +231,7 @@ std::string RunArchive::make_report(const std::string& run, const std::string& w
                                         work.path(),       settings_.folder + "/" + run};
   if (!with.empty()) arguments.push_back(settings_.folder + "/" + with);
   if (const std::string why = process_.run(arguments, settings_.limit); !why.empty())
-    throw SetupError(why);
+    throw UserError(why);
   const fs::path beside = fs::path(settings_.folder) / run;
   if (!with.empty()) {
     const std::string name = "compare-" + text::file_name_of(with, kMaxCompared) + ".html";
@@ -264,7 +264,7 @@ std::string RunArchive::make_robot(const std::vector<std::string>& names,
     arguments.push_back(settings_.folder + "/" + name);
   }
   if (const std::string why = process_.run(arguments, settings_.limit, found); !why.empty())
-    throw SetupError(without(why, work.path() + "/"));
+    throw UserError(without(why, work.path() + "/"));
   return text::json_object([&](text::JsonWriter& json) {
     json.key("found").raw(course::read_text_file(found).text);
     json.field("text", course::read_text_file(robot).text);

@@ -65,14 +65,14 @@ bool is_folder(const fs::path& path) {
   return ::lstat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode);
 }
 
-/// Reads the note from a regular file, following no link. Throws SetupError.
+/// Reads the note from a regular file, following no link. Throws UserError.
 RunNote read_note(const fs::path& path) {
   std::string text(kMaxNoteFile + 1, '\0');
   std::ifstream file(path, std::ios::binary);
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(file.gcount()));
   if (text.size() > kMaxNoteFile)
-    throw SetupError(std::string(kRunNoteFile) + ": too long; write a shorter one");
+    throw UserError(std::string(kRunNoteFile) + ": too long; write a shorter one");
   return parse_run_note(text, kRunNoteFile);
 }
 
@@ -88,9 +88,9 @@ bool look_at(const fs::path& folder, Run& run) {
     if (name == kRunNoteFile) {
       run.has_note = true;
       try {
-        if (!S_ISREG(status.st_mode)) throw SetupError(name + ": not a file");
+        if (!S_ISREG(status.st_mode)) throw UserError(name + ": not a file");
         run.note = read_note(at->path());
-      } catch (const SetupError& wrong) {
+      } catch (const UserError& wrong) {
         run.note_error = wrong.what();
       }
     }
@@ -110,24 +110,24 @@ bool look_at(const fs::path& folder, Run& run) {
   return true;
 }
 
-/// The path of a run's folder. Throws SetupError.
+/// The path of a run's folder. Throws UserError.
 fs::path run_path(const std::string& folder, const std::string& run) {
   fs::path path = fs::path(folder) / run;
   if (folder.empty() || !text::is_found_name(run) || !is_folder(path))
-    throw SetupError(text::one_line(run) + ": no such run; GET /api/runs lists them");
+    throw UserError(text::one_line(run) + ": no such run; GET /api/runs lists them");
   return path;
 }
 
 /// Opens a recording that nobody else uses, and that nobody can mark as in use while it is open.
-/// Throws SetupError.
+/// Throws UserError.
 Descriptor own_recording(const fs::path& path, const std::string& run) {
   Descriptor file(::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
   struct stat status {};
   if (!file || ::fstat(file.get(), &status) != 0 || !S_ISREG(status.st_mode))
-    throw SetupError(run + ": has no run.mcap, so it may be something else; delete it by hand");
+    throw UserError(run + ": has no run.mcap, so it may be something else; delete it by hand");
   if (::flock(file.get(), LOCK_EX | LOCK_NB) != 0)
-    throw SetupError(run + ": is open: it is being recorded, replayed, reported or downloaded; " +
-                     "try again later");
+    throw UserError(run + ": is open: it is being recorded, replayed, reported or downloaded; " +
+                    "try again later");
   return file;
 }
 
@@ -195,17 +195,17 @@ RunNote change_note(const std::string& folder, const std::string& run,
   look_at(path, found);
   // A note that cannot be read is replaced.
   RunNote note = changed(found.note, change);
-  if (const std::string why = why_not(note); !why.empty()) throw SetupError(why);
+  if (const std::string why = why_not(note); !why.empty()) throw UserError(why);
   const fs::path file = path / kRunNoteFile;
   // A link or a pipe would be written through, to somewhere else.
   std::error_code error;
   const fs::file_status status = fs::symlink_status(file, error);
   if (fs::exists(status) && !fs::is_regular_file(status))
-    throw SetupError(run + "/" + kRunNoteFile + ": not a file; delete it by hand");
+    throw UserError(run + "/" + kRunNoteFile + ": not a file; delete it by hand");
   if (!note.empty())
     text::write_file(file.string(), write_run_note(note));
   else if (!fs::remove(file, error) && error)
-    throw SetupError(run + "/" + kRunNoteFile + ": cannot be deleted (" + error.message() + ")");
+    throw UserError(run + "/" + kRunNoteFile + ": cannot be deleted (" + error.message() + ")");
   return note;
 }
 
@@ -219,8 +219,8 @@ void delete_run(const std::string& folder, const std::string& run) {
   std::vector<fs::path> files;
   for (fs::directory_iterator at(path, error), end; !error && at != end; at.increment(error)) {
     if (is_folder(at->path()))
-      throw SetupError(run + ": there is a folder in it, " +
-                       text::one_line(at->path().filename().string()) + "; delete it by hand");
+      throw UserError(run + ": there is a folder in it, " +
+                      text::one_line(at->path().filename().string()) + "; delete it by hand");
     files.push_back(at->path());
   }
   // The note, which protects the run, is deleted late, and the recording, without which nothing is
@@ -233,8 +233,8 @@ void delete_run(const std::string& folder, const std::string& run) {
     if (!error) fs::remove(file, error);
   if (!error) fs::remove(path, error);
   if (error)
-    throw SetupError(run + ": cannot be deleted (" + error.message() +
-                     "); check the folder's permissions");
+    throw UserError(run + ": cannot be deleted (" + error.message() +
+                    "); check the folder's permissions");
 }
 
 FreedSpace free_space(const std::string& folder, std::uint64_t max_bytes, std::string_view only) {
@@ -256,7 +256,7 @@ FreedSpace free_space(const std::string& folder, std::uint64_t max_bytes, std::s
       delete_run(folder, run.folder);
       freed.deleted.push_back(run.folder);
       freed.bytes -= run.bytes;
-    } catch (const SetupError& error) {
+    } catch (const UserError& error) {
       if (failure.empty()) failure = error.what();
     }
   }
@@ -279,8 +279,8 @@ std::string make_run_folder(const std::string& directory, std::string_view name,
   std::error_code error;
   for (int i = 2; !fs::create_directory(folder, error); ++i) {
     if (error)
-      throw SetupError(folder + ": cannot create the folder (" + error.message() +
-                       "); give another --record");
+      throw UserError(folder + ": cannot create the folder (" + error.message() +
+                      "); give another --record");
     folder = stem + "-" + std::to_string(i);
   }
   return folder;

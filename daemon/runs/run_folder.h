@@ -40,7 +40,7 @@ struct Run {
 /// All runs, newest first; an absent folder counts as empty.
 std::vector<Run> list_runs(const std::string& folder);
 
-/// Names of the regular files in the folder of a run, sorted; no links. Throws SetupError: no such
+/// Names of the regular files in the folder of a run, sorted; no links. Throws UserError: no such
 /// run.
 std::vector<std::string> files_of(const std::string& folder, const std::string& run);
 
@@ -51,10 +51,10 @@ Descriptor open_run_file(const std::string& folder, const std::string& run, cons
                          std::uint64_t& bytes);
 
 /// Changes the note of a run; a note that is then empty is removed. Returns the new note. Throws
-/// SetupError: no such run, invalid text, or an error of the disk.
+/// UserError: no such run, invalid text, or an error of the disk.
 RunNote change_note(const std::string& folder, const std::string& run, const RunNoteChange& change);
 
-/// Deletes a run with all its files. Throws SetupError, and deletes nothing: no such run, its
+/// Deletes a run with all its files. Throws UserError, and deletes nothing: no such run, its
 /// recording is open somewhere (record/recording_file.h, mark_in_use), it has none, or there is a
 /// folder in it.
 void delete_run(const std::string& folder, const std::string& run);
@@ -71,7 +71,7 @@ FreedSpace free_space(const std::string& folder, std::uint64_t max_bytes,
                       std::string_view only = {});
 
 /// Makes DIRECTORY/YYYYMMDD-HHMMSS-NAME in local time, with -2, -3, ... after NAME if that folder
-/// already exists; NAME is text::file_name_of(name). Throws SetupError.
+/// already exists; NAME is text::file_name_of(name). Throws UserError.
 std::string make_run_folder(const std::string& directory, std::string_view name,
                             std::int64_t unix_ns);
 

@@ -30,7 +30,7 @@ RunNote changed(RunNote note, const RunNoteChange& change);
 /// are valid.
 std::string why_not(const RunNote& note);
 
-/// Throws SetupError (file:line:column). `file` is only used in messages.
+/// Throws UserError (file:line:column). `file` is only used in messages.
 RunNote parse_run_note(const std::string& text, const std::string& file);
 /// A file that parse_run_note() reads back.
 std::string write_run_note(const RunNote& note);

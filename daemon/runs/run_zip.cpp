@@ -57,8 +57,8 @@ RunZip::RunZip(const std::string& folder, const std::string& run) : folder_(fold
     struct stat status {};
     if (!file || ::fstat(file.get(), &status) != 0) continue;
     if (entries_.size() == kMaxZipFiles)
-      throw SetupError(run + ": more than " + std::to_string(kMaxZipFiles) +
-                       " files; copy its folder instead");
+      throw UserError(run + ": more than " + std::to_string(kMaxZipFiles) +
+                      " files; copy its folder instead");
     entries_.push_back({.name = name,
                         .bytes = bytes,
                         .device = status.st_dev,
@@ -71,7 +71,7 @@ RunZip::RunZip(const std::string& folder, const std::string& run) : folder_(fold
   }
   size_ += directory().size();
   if (size_ > kMaxBytes)
-    throw SetupError(run + ": more than 4 GB; load its files one by one, or copy its folder");
+    throw UserError(run + ": more than 4 GB; load its files one by one, or copy its folder");
   if (entries_.empty()) next_ = Next::kDirectory;
 }
 

@@ -24,7 +24,7 @@ inline constexpr std::size_t kMaxZipFiles = 1000;
 /// (record/recording_file.h).
 class RunZip {
  public:
-  /// Takes the regular files of the run as they are now, no links. Throws SetupError: no such run,
+  /// Takes the regular files of the run as they are now, no links. Throws UserError: no such run,
   /// too many files, or more than 4 GB.
   RunZip(const std::string& folder, const std::string& run);
 

@@ -141,7 +141,7 @@ doctor::Findings WheelsUpCheck::examine(const course::Robot& robot, std::string&
   loop::apply_to_this_thread({configuration_.loop.priority, configuration_.loop.cpu});
   try {
     return doctor::try_wheels_up(options, *this, stop_);
-  } catch (const SetupError& error) {
+  } catch (const UserError& error) {
     return doctor::robot_findings({.port = port, .open_error = error.what()});
   }
 }

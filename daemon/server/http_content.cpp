@@ -74,7 +74,7 @@ HttpAnswer zip_answer(const std::string& folder, std::string_view run) {
                                                            ".zip\"; filename*=UTF-8''" +
                                                            text::percent_encoded(run) + ".zip");
     return answer;
-  } catch (const SetupError& error) {
+  } catch (const UserError& error) {
     return http_text(404, error.what());
   }
 }

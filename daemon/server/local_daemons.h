@@ -40,7 +40,7 @@ std::vector<LocalDaemon> daemons_in(std::string_view table);
 std::vector<LocalDaemon> local_daemons();
 
 /// Splits the text of `server.robots` into addresses of pages, each with a '/' at the end. Throws
-/// SetupError for one that is not http://HOST or https://HOST, with or without a port.
+/// UserError for one that is not http://HOST or https://HOST, with or without a port.
 std::vector<std::string> robot_pages(std::string_view text);
 
 /// The answer to GET /api/robots for a page whose Host is `host`: `own`, the other `found` ones

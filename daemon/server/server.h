@@ -17,7 +17,7 @@ namespace tp100::server {
 
 class Server : public messages::Sink {
  public:
-  /// Listens; serves nothing before start(). Throws SetupError if the address is not available.
+  /// Listens; serves nothing before start(). Throws UserError if the address is not available.
   /// `controls` must outlive the server; its stop() is called by the sockets' thread, all else by
   /// the worker's.
   Server(ServerSettings settings, const messages::Messages& messages,

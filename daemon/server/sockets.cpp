@@ -42,8 +42,8 @@ tcp::endpoint parse_address(const std::string& text) {
     const auto port = text::number_in<std::uint16_t>(std::string_view(text).substr(colon + 1));
     if (!error && port) return {ip, *port};
   }
-  throw SetupError("--listen " + text +
-                   ": not an address; use ADDRESS:PORT like 127.0.0.1:8765, auto or off");
+  throw UserError("--listen " + text +
+                  ": not an address; use ADDRESS:PORT like 127.0.0.1:8765, auto or off");
 }
 
 }  // namespace
@@ -99,8 +99,8 @@ void Sockets::listen() {
     listening = try_listen({asked.address(), 0}, error);
   }
   if (!listening)
-    throw SetupError("--listen " + where + ": " + error.message() +
-                     "; choose another address, port 0 or auto");
+    throw UserError("--listen " + where + ": " + error.message() +
+                    "; choose another address, port 0 or auto");
   const tcp::endpoint end = acceptor_.local_endpoint();
   own_.address = end.address().to_string();
   own_.port = end.port();

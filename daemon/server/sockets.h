@@ -30,7 +30,7 @@ class Sockets {
   /// Called once a second by the sockets' thread, with all but the viewers' subscriptions.
   using Report = std::function<void(messages::ClientsFigures)>;
 
-  /// Listens; serves nothing before start(). Throws SetupError if the address is not available.
+  /// Listens; serves nothing before start(). Throws UserError if the address is not available.
   /// `work` is the worker's; it and all others must outlive this object. `failed`: as of
   /// run_handlers(), called by the sockets' thread.
   Sockets(ServerSettings settings, Controls& controls, boost::asio::io_context& work,

@@ -34,8 +34,8 @@ bool meets(const course::Path& path, const Outline& outline, double half_width_m
 
 [[noreturn]] void refuse(const course::Course& course, const course::Robot& robot,
                          const std::string& piece, const std::string& why) {
-  throw SetupError("course " + course.name + ": " + piece + " cannot be climbed by robot " +
-                   robot.name + ": " + why);
+  throw UserError("course " + course.name + ": " + piece + " cannot be climbed by robot " +
+                  robot.name + ": " + why);
 }
 
 }  // namespace

@@ -35,11 +35,11 @@ const mode_t kMask = [] {
 }();
 
 [[noreturn]] void fail(const std::string& path, int error) {
-  throw SetupError(path + ": cannot be written (" + std::strerror(error) +
-                   "); check folder, permission and free space");
+  throw UserError(path + ": cannot be written (" + std::strerror(error) +
+                  "); check folder, permission and free space");
 }
 
-/// The content of a small file. Throws SetupError.
+/// The content of a small file. Throws UserError.
 std::string content_of(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) fail(path, errno);
@@ -161,7 +161,7 @@ int move(const std::string& from, const std::string& to) {
   return ::rename(from.c_str(), to.c_str()) == 0 ? 0 : errno;
 }
 
-/// Throws SetupError.
+/// Throws UserError.
 void swap_files(const std::string& path, const std::string& kept) {
   if (::renameat2(AT_FDCWD, path.c_str(), AT_FDCWD, kept.c_str(), RENAME_EXCHANGE) == 0) return;
   if (errno != EINVAL && errno != ENOSYS && errno != ENOTSUP) fail(path, errno);
@@ -172,20 +172,20 @@ void swap_files(const std::string& path, const std::string& kept) {
   if (const int error = move(kept, third); error != 0) fail(path, error);
   try {
     write_like(kept, now, like);
-  } catch (const SetupError&) {
+  } catch (const UserError&) {
     move(third, kept);
     throw;
   }
   if (const int error = move(third, path); error != 0) fail(path, error);
 }
 
-/// Throws SetupError.
+/// Throws UserError.
 void require_plain(const std::string& path) {
   struct stat status {};
   if (::lstat(path.c_str(), &status) != 0) {
     if (errno != ENOENT) fail(path, errno);
   } else if (!S_ISREG(status.st_mode)) {
-    throw SetupError(path + ": a link or folder, no plain file; delete it by hand");
+    throw UserError(path + ": a link or folder, no plain file; delete it by hand");
   }
 }
 
@@ -282,7 +282,7 @@ void require_not_read(const std::string& path) {
   }
   for (const std::string& input : read)
     if (::stat(input.c_str(), &in) == 0 && in.st_dev == out.st_dev && in.st_ino == out.st_ino)
-      throw SetupError(
+      throw UserError(
           path +
           ": this file is read, so nothing is written over it; give another path for the result");
 }
@@ -292,8 +292,8 @@ void make_folder(const std::string& path, const std::string& option) {
   std::error_code error;
   std::filesystem::create_directories(path, error);
   if (error)
-    throw SetupError(path + ": cannot create the folder (" + error.message() + "); give another " +
-                     option);
+    throw UserError(path + ": cannot create the folder (" + error.message() + "); give another " +
+                    option);
 }
 
 std::int64_t written_unix_s(const std::string& path) {

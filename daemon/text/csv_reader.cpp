@@ -72,7 +72,7 @@ class CsvReader {
 
  private:
   [[noreturn]] void fail(std::size_t line, const std::string& what) const {
-    throw SetupError(table_.file_ + ":" + std::to_string(line) + ": " + what);
+    throw UserError(table_.file_ + ":" + std::to_string(line) + ": " + what);
   }
 
   std::string required_names() const {

@@ -40,7 +40,7 @@ struct CsvColumns {
 /// Parses the text of a CSV file (RFC 4180: commas, optional quotes). Accepts CRLF, a byte-order
 /// mark, other columns, blank lines at the end and a missing final line break; rejects a missing or
 /// repeated column, a row of another width, a value that is not a finite number, time that does not
-/// increase, an open quote and a file without rows. Throws SetupError "file:line: what"; the header
+/// increase, an open quote and a file without rows. Throws UserError "file:line: what"; the header
 /// is line 1. Pure.
 CsvTable parse_csv(std::string_view text, const std::string& file, const CsvColumns& columns);
 

@@ -55,7 +55,7 @@ std::string toml_value(const TomlValue& value);
 /// `text` as comment lines of at most 100 columns.
 std::string toml_comment(std::string_view text);
 
-/// Reads every key of `keys`; absent ones keep their value. Throws SetupError.
+/// Reads every key of `keys`; absent ones keep their value. Throws UserError.
 template <class T>
 void read_keys(TomlTable& table, std::span<const Key<T>> keys, T& values) {
   for (const Key<T>& key : keys) {

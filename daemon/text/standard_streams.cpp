@@ -110,7 +110,7 @@ int run_program(const char* program, const std::function<int()>& run) {
   claim_standard_streams();
   try {
     return finish_standard_output(program, run());
-  } catch (const SetupError& error) {
+  } catch (const UserError& error) {
     return report_error(program, error.what());
   } catch (const std::exception& error) {
     return report_error(program,

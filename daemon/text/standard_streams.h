@@ -25,7 +25,7 @@ int report_usage_error(const char* program, std::string_view what, int argc = 0,
                        char** argv = nullptr, const std::vector<Subcommand>& known = {});
 
 /// Body of a program's main(): claims the standard streams, calls `run` and returns its exit
-/// status. A SetupError is a user error: status 2. Any other exception is a defect: status 3.
+/// status. A UserError is a user error: status 2. Any other exception is a defect: status 3.
 int run_program(const char* program, const std::function<int()>& run);
 
 /// Opens /dev/null in place of each closed standard stream, so that no port or file of the program

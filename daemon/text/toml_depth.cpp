@@ -52,8 +52,8 @@ void refuse_deep_keys(std::string_view text, const std::string& file) {
     if (c == '\n') ++line;
     if (std::string_view("\n=,[]{}").find(c) != std::string_view::npos) dots = 0;
     if (c == '.' && ++dots > kMaxDots)
-      throw SetupError(file + ":" + std::to_string(line) + ":1: more than " +
-                       std::to_string(kMaxDots) + " dots in a key; no key is nested that deep");
+      throw UserError(file + ":" + std::to_string(line) + ":1: more than " +
+                      std::to_string(kMaxDots) + " dots in a key; no key is nested that deep");
   }
 }
 

@@ -6,7 +6,7 @@
 
 namespace tp100::text {
 
-/// Throws SetupError (file:line:column) if a key of the text has more than 32 dots, which the
+/// Throws UserError (file:line:column) if a key of the text has more than 32 dots, which the
 /// reader of TOML would follow by recursion. Pure.
 void refuse_deep_keys(std::string_view text, const std::string& file);
 

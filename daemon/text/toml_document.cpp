@@ -87,7 +87,7 @@ struct TomlTable::State {
       for (std::size_t i = 0; i < asked.size(); ++i)
         what += (i ? ", " : "") + (i < 12 ? asked[i] : std::string("..."));
     }
-    throw SetupError(what);
+    throw UserError(what);
   }
 
   [[noreturn]] void missing(std::string_view key) const {
@@ -97,7 +97,7 @@ struct TomlTable::State {
     if (const auto above = parent.lock(); above && !table)
       for (const std::string_view other : above->unasked())
         if (nearest_name(other, {own_name}) == own_name) above->unknown(other, own_name);
-    throw SetupError(at(file, where) + "missing key " + full(key) + "; it has no default");
+    throw UserError(at(file, where) + "missing key " + full(key) + "; it has no default");
   }
 
   const toml::node& need(std::string_view key) {
@@ -108,14 +108,14 @@ struct TomlTable::State {
 
   [[noreturn]] void wrong_type(std::string_view key, const toml::node& node,
                                std::string_view expected) const {
-    throw SetupError(at(file, node.source().begin) + full(key) + " is " + type_name(node) +
-                     ", expected " + std::string(expected));
+    throw UserError(at(file, node.source().begin) + full(key) + " is " + type_name(node) +
+                    ", expected " + std::string(expected));
   }
 
   void check_range(std::string_view key, const toml::node& node, double value, Range range) const {
     if (value >= range.min && value <= range.max) return;
-    throw SetupError(at(file, node.source().begin) + full(key) + " is " + number_text(value) +
-                     ", allowed " + range_and_unit(key, range));
+    throw UserError(at(file, node.source().begin) + full(key) + " is " + number_text(value) +
+                    ", allowed " + range_and_unit(key, range));
   }
 
   double number(std::string_view key, const toml::node& node, Range range) const {
@@ -142,9 +142,9 @@ struct TomlTable::State {
     const std::string& value = node.as_string()->get();
     if (std::find(choices.begin(), choices.end(), value) != choices.end()) return value;
     const std::string_view meant = nearest_name(value, choices);
-    throw SetupError(at(file, node.source().begin) + full(key) + " is " + in_quotes(value) +
-                     (meant.empty() ? "" : "; did you mean " + in_quotes(meant) + "?") +
-                     " Allowed: " + names);
+    throw UserError(at(file, node.source().begin) + full(key) + " is " + in_quotes(value) +
+                    (meant.empty() ? "" : "; did you mean " + in_quotes(meant) + "?") +
+                    " Allowed: " + names);
   }
 
   static std::shared_ptr<State> child(const std::shared_ptr<State>& of_state, std::string_view key,
@@ -179,14 +179,14 @@ namespace {
 
 toml::table parse(const std::string& text, const std::string& file) {
   if (text.size() > kMaxTomlSize)
-    throw SetupError(file + ": larger than " + std::to_string(kMaxTomlSize / 1024) +
-                     " kB, too large for a file of this program");
+    throw UserError(file + ": larger than " + std::to_string(kMaxTomlSize / 1024) +
+                    " kB, too large for a file of this program");
   refuse_deep_keys(text, file);
   try {
     return toml::parse(text, file);
   } catch (const toml::parse_error& error) {
-    throw SetupError(at(file, error.source().begin) +
-                     "not TOML: " + one_line(error.description(), 200));
+    throw UserError(at(file, error.source().begin) +
+                    "not TOML: " + one_line(error.description(), 200));
   }
 }
 
@@ -204,8 +204,8 @@ toml::table& holder_of(toml::table& root, std::string_view& name, const std::str
     name.remove_prefix(dot + 1);
     const auto [place, made] = table->emplace<toml::table>(part);
     if (!place->second.is_table())
-      throw SetupError(file + ": " + in_quotes(part) + " is not a table, so it has no " +
-                       in_quotes(name));
+      throw UserError(file + ": " + in_quotes(part) + " is not a table, so it has no " +
+                      in_quotes(name));
     table = place->second.as_table();
   }
   return *table;
@@ -350,7 +350,7 @@ std::vector<std::string> TomlTable::keys() const {
 
 void TomlTable::fail(std::string_view key, const std::string& what) const {
   const toml::node* node = state_->table ? state_->table->get(key) : nullptr;
-  throw SetupError(at(state_->file, node ? node->source().begin : state_->where) + what);
+  throw UserError(at(state_->file, node ? node->source().begin : state_->where) + what);
 }
 
 void TomlTable::finish() const { state_->finish(); }

@@ -38,7 +38,7 @@ class TomlDocument;
 /// empty.
 class TomlTable {
  public:
-  /// The value of `key`, or `fallback` if absent. `range` in the key's own unit. Throws SetupError.
+  /// The value of `key`, or `fallback` if absent. `range` in the key's own unit. Throws UserError.
   double number(std::string_view key, double fallback, Range range);
   /// Same, but the key is required.
   double required_number(std::string_view key, Range range);
@@ -74,10 +74,10 @@ class TomlTable {
   /// Names of all keys, known or not, sorted.
   std::vector<std::string> keys() const;
 
-  /// Throws SetupError at `key` (or at the table if absent): "file:line:column: what".
+  /// Throws UserError at `key` (or at the table if absent): "file:line:column: what".
   [[noreturn]] void fail(std::string_view key, const std::string& what) const;
 
-  /// Throws SetupError for the first key of this table, or of a table taken from it, that was never
+  /// Throws UserError for the first key of this table, or of a table taken from it, that was never
   /// requested.
   void finish() const;
 
@@ -90,7 +90,7 @@ class TomlTable {
 /// Values by their full names ("drive.speed_kp").
 using NamedValues = std::vector<std::pair<std::string, TomlValue>>;
 
-/// `text` with these values replaced or added; comments are lost. Throws SetupError: text that is
+/// `text` with these values replaced or added; comments are lost. Throws UserError: text that is
 /// not TOML, or a name that leads through a value that is not a table.
 std::string with_values(const std::string& text, const std::string& file,
                         const NamedValues& values);
@@ -98,12 +98,12 @@ std::string with_values(const std::string& text, const std::string& file,
 /// Same as a person does it: everything else, comments, order and line ends included, stays byte
 /// for byte. A key that is absent is added behind the last key of its table; a table that is
 /// absent, at the end. Names are bare keys joined by dots, without repetition. Also throws
-/// SetupError for a name of a table, and for a table that is written on one line and lacks the key.
+/// UserError for a name of a table, and for a table that is written on one line and lacks the key.
 /// Pure.
 std::string with_values_in_place(const std::string& text, const std::string& file,
                                  const NamedValues& values);
 
-/// `text` without these keys of its root, tables among them; comments are lost. Throws SetupError:
+/// `text` without these keys of its root, tables among them; comments are lost. Throws UserError:
 /// text that is not TOML.
 std::string without_keys(const std::string& text, const std::string& file,
                          const std::vector<std::string_view>& names);
@@ -111,7 +111,7 @@ std::string without_keys(const std::string& text, const std::string& file,
 /// A parsed file.
 class TomlDocument {
  public:
-  /// Throws SetupError for text that is not TOML, or larger than kMaxTomlSize. `file` is only used
+  /// Throws UserError for text that is not TOML, or larger than kMaxTomlSize. `file` is only used
   /// in messages.
   TomlDocument(const std::string& text, const std::string& file);
   TomlTable root() const { return root_; }

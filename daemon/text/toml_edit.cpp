@@ -73,8 +73,8 @@ class Editor {
 
  private:
   [[noreturn]] void fail(std::string_view name, const char* what) const {
-    throw SetupError(file_ + ": '" + one_line(name) + "' " + what +
-                     "; change it with a text editor");
+    throw UserError(file_ + ": '" + one_line(name) + "' " + what +
+                    "; change it with a text editor");
   }
 
   /// Null: absent.

@@ -53,20 +53,20 @@ void walk(std::string_view pattern, Text on_text, Name on_name) {
   }
 }
 
-/// Throws SetupError unless the pattern is short enough and has only names that are `known`.
+/// Throws UserError unless the pattern is short enough and has only names that are `known`.
 template <class Known>
 void require_names(std::string_view pattern, const std::string& where, Known known,
                    const char* valid) {
   if (pattern.size() > kMaxTemplate)
-    throw SetupError(where + ": longer than " + std::to_string(kMaxTemplate) + " characters");
+    throw UserError(where + ": longer than " + std::to_string(kMaxTemplate) + " characters");
   const std::size_t last = pattern.rfind('{');
   if (last != std::string_view::npos && pattern.find('}', last) == std::string_view::npos)
-    throw SetupError(where + ": a { without its }");
+    throw UserError(where + ": a { without its }");
   walk(
       pattern, [](std::string_view) {},
       [&](std::string_view name) {
         if (!known(name))
-          throw SetupError(where + ": {" + std::string(name) + "} is no value; use " + valid);
+          throw UserError(where + ": {" + std::string(name) + "} is no value; use " + valid);
       });
 }
 
@@ -245,7 +245,7 @@ void require_orientation_template(std::string_view pattern, const std::string& w
         return index_of(name).has_value();
       },
       "x, y, z, roll, pitch, yaw, or {} for a number to skip");
-  if (!pitch) throw SetupError(where + ": has no {pitch}, without which there is no slope");
+  if (!pitch) throw UserError(where + ": has no {pitch}, without which there is no slope");
 }
 
 std::optional<Orientation> orientation_of(std::string_view text, std::string_view pattern,

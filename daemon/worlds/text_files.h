@@ -13,7 +13,7 @@
 
 namespace tp100::worlds {
 
-/// Throws SetupError if `pattern` is too long or contains an unknown {name}. `where` begins the
+/// Throws UserError if `pattern` is too long or contains an unknown {name}. `where` begins the
 /// message.
 void require_encoder_template(std::string_view pattern, const std::string& where);
 
@@ -33,7 +33,7 @@ struct Orientation {
   bool has_place = false;  ///< has x, y and z
 };
 
-/// Throws SetupError if `pattern` is too long, contains an unknown {name} or has no {pitch}.
+/// Throws UserError if `pattern` is too long, contains an unknown {name} or has no {pitch}.
 /// `where` begins the message.
 void require_orientation_template(std::string_view pattern, const std::string& where);
 

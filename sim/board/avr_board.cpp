@@ -64,7 +64,7 @@ void AvrBoard::fill_eeprom() {
 void AvrBoard::preset_clock() {
   const auto symbol = image_.symbols.find("timer0_overflow_count");
   if (symbol == image_.symbols.end()) {
-    throw SetupError(image_.path + ": no symbol timer0_overflow_count; give an ELF file");
+    throw UserError(image_.path + ": no symbol timer0_overflow_count; give an ELF file");
   }
   overflow_count_ = static_cast<std::uint16_t>(symbol->second & 0xFFFFU);
   avr_irq_register_notify(

@@ -39,7 +39,7 @@ struct AvrBoardCounters {
 class AvrBoard final : public Board {
  public:
   /// `imu` answers at I2C address 0x68; null: no device answers. It must outlive the board. The
-  /// board has no power until the first reset(). Throws SetupError.
+  /// board has no power until the first reset(). Throws UserError.
   AvrBoard(const AvrBoardSettings& settings, I2cSlave* imu);
   AvrBoard(const AvrBoard&) = delete;
   AvrBoard& operator=(const AvrBoard&) = delete;

@@ -27,7 +27,7 @@ AvrCore& owner(avr_t* avr) { return *static_cast<AvrCore*>(avr->custom.data); }
 avr_t* make_chip() {
   avr_global_logger_set(say_nothing);
   avr_t* avr = avr_make_mcu_by_name("atmega2560");
-  if (avr == nullptr) throw SetupError("libsimavr: does not know the atmega2560; reinstall it");
+  if (avr == nullptr) throw UserError("libsimavr: does not know the atmega2560; reinstall it");
   avr_init(avr);
   return avr;
 }
@@ -157,8 +157,8 @@ void AvrCore::run_until(CpuCycles until) {
 avr_io_t* AvrCore::module(const char* kind, const std::function<bool(avr_io_t*)>& is) const {
   for (avr_io_t* io = avr_->io_port; io != nullptr; io = io->next)
     if (std::strcmp(io->kind, kind) == 0 && is(io)) return io;
-  throw SetupError(std::string("libsimavr: its atmega2560 lacks a ") + kind +
-                   "; install libsimavr-dev 1.6");
+  throw UserError(std::string("libsimavr: its atmega2560 lacks a ") + kind +
+                  "; install libsimavr-dev 1.6");
 }
 
 CpuCycles AvrCore::cycle() const { return avr_->cycle + offset_; }

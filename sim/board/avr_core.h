@@ -21,7 +21,7 @@ class AvrCore {
   static constexpr std::uint32_t kHz = 16'000'000;
   static constexpr CpuCycles kNever = ~CpuCycles{0};
 
-  /// Throws SetupError.
+  /// Throws UserError.
   explicit AvrCore(const AvrImage& image);
   ~AvrCore();
   AvrCore(const AvrCore&) = delete;
@@ -52,7 +52,7 @@ class AvrCore {
   std::uint32_t program_counter() const;
   bool asleep() const;
   avr_t* chip() const { return avr_; }
-  /// The chip's module of that kind ("uart", "port", ...) that `is` accepts. Throws SetupError.
+  /// The chip's module of that kind ("uart", "port", ...) that `is` accepts. Throws UserError.
   avr_io_t* module(
       const char* kind,
       const std::function<bool(avr_io_t*)>& is = [](avr_io_t*) { return true; }) const;

@@ -26,7 +26,7 @@ using Bytes = std::vector<std::uint8_t>;
 constexpr std::uint32_t kDataBase = 0x800000;
 
 [[noreturn]] void refuse(const std::string& path, const std::string& what) {
-  throw SetupError(path + ": " + what + "; give the tp100.elf or tp100.hex of a build");
+  throw UserError(path + ": " + what + "; give the tp100.elf or tp100.hex of a build");
 }
 
 Bytes read_file(const std::string& path) {
@@ -176,9 +176,9 @@ std::string built_firmware() {
   }
   const fs::path built = fs::path(TP100_FIRMWARE_DIR) / "tp100.elf";
   if (fs::exists(built, error)) return built.string();
-  throw SetupError(built.string() +
-                   ": no firmware image; build one with scripts/build dev tp100_image, or use "
-                   "--board native");
+  throw UserError(built.string() +
+                  ": no firmware image; build one with scripts/build dev tp100_image, or use "
+                  "--board native");
 }
 
 std::string stock_bootloader() {
@@ -186,7 +186,7 @@ std::string stock_bootloader() {
       "/usr/share/arduino/hardware/arduino/avr/bootloaders/stk500v2/stk500boot_v2_mega2560.hex";
   std::error_code error;
   if (fs::exists(path, error)) return path;
-  throw SetupError(path + ": no bootloader; install the package arduino-core-avr");
+  throw UserError(path + ": no bootloader; install the package arduino-core-avr");
 }
 
 }  // namespace tp100::sim

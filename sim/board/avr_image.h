@@ -19,14 +19,14 @@ struct AvrImage {
   std::map<std::string, std::uint32_t> symbols;
 };
 
-/// Reads an ELF file or, if it ends in ".hex", an Intel HEX file. Throws SetupError.
+/// Reads an ELF file or, if it ends in ".hex", an Intel HEX file. Throws UserError.
 AvrImage read_avr_image(const std::string& path);
 
 /// The firmware built with this program: <prefix>/share/tp100/tp100.hex of an installed program,
-/// else the one of the build tree. Throws SetupError with how to build it.
+/// else the one of the build tree. Throws UserError with how to build it.
 std::string built_firmware();
 
-/// Arduino's bootloader for the Mega 2560 as Debian ships it. Throws SetupError.
+/// Arduino's bootloader for the Mega 2560 as Debian ships it. Throws UserError.
 std::string stock_bootloader();
 
 }  // namespace tp100::sim

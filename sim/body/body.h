@@ -47,7 +47,7 @@ class Body {
 
 /// Makes the body with the contact law of `values` at `start`: on the floor, or with height and
 /// tilt if `start` is on `terrain`. `on_stand`: the tracks spin freely and the body does not move.
-/// `seed` determines an uneven floor. Throws SetupError if that body cannot stand on this terrain.
+/// `seed` determines an uneven floor. Throws UserError if that body cannot stand on this terrain.
 std::unique_ptr<Body> make_body(const course::Emulated& values, const Pose& start, bool on_stand,
                                 const course::Terrain& terrain = {}, std::uint64_t seed = 1);
 

@@ -34,10 +34,10 @@ Vector2d rotation_velocity(double rate, const Vector2d& arm) {
 }
 
 void refuse(const char* what, const course::Place& place) {
-  throw SetupError("--body shear: the " + std::string(what) + " at (" +
-                   text::number_text(place.x_m) + ", " + text::number_text(place.y_m) +
-                   ") is really on the floor, and this body drives on level ground only; use "
-                   "--body ode, or --setup flat, where it is virtual");
+  throw UserError("--body shear: the " + std::string(what) + " at (" +
+                  text::number_text(place.x_m) + ", " + text::number_text(place.y_m) +
+                  ") is really on the floor, and this body drives on level ground only; use "
+                  "--body ode, or --setup flat, where it is virtual");
 }
 
 }  // namespace

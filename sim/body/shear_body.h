@@ -32,7 +32,7 @@ namespace tp100::sim {
 class ShearBody final : public Body {
  public:
   /// Parameters as for make_body. Of surfaces and of an uneven floor, only the friction is used.
-  /// Throws SetupError for ramps and blocks.
+  /// Throws UserError for ramps and blocks.
   ShearBody(const course::Emulated& values, const Pose& start, bool on_stand,
             const course::Terrain& terrain = {}, const UnevenFloor& floor = {});
 

@@ -57,7 +57,7 @@ Json figures_of(const PlannedRun& run, const std::string& record) {
 }
 
 /// Drives one run in virtual time. `record`: folder for its recording; empty: none. Throws only
-/// exceptions other than SetupError.
+/// exceptions other than UserError.
 CampaignRun drive(const PlannedRun& run, const std::string& record) {
   CampaignRun done;
   Json json = {{"index", run.index}, {"seed", run.options.seed}};
@@ -66,7 +66,7 @@ CampaignRun drive(const PlannedRun& run, const std::string& record) {
     std::visit([&sampled, &key = name](const auto& one) { sampled[key] = one; }, value);
   try {
     json["result"] = figures_of(run, record);
-  } catch (const SetupError& error) {
+  } catch (const UserError& error) {
     json["refused"] = done.refused = error.what();
   }
   done.json = json.dump() + "\n";
@@ -106,15 +106,15 @@ std::optional<Range> read_range(std::string_view text, std::uint64_t runs) {
 std::vector<Range> ranges_of(const std::optional<std::string>& text, std::uint64_t runs) {
   if (!text) return {{0, runs - 1}};
   if (text->empty())
-    throw SetupError(
+    throw UserError(
         "--index is empty; give runs as 3, 3-7 or 3,5-7,12, or leave --index out for all runs");
   std::vector<Range> ranges;
   for (std::size_t begin = 0; begin <= text->size();) {
     const std::size_t end = std::min(text->find(',', begin), text->size());
     const auto range = read_range(std::string_view(*text).substr(begin, end - begin), runs);
     if (!range)
-      throw SetupError("--index " + text::one_line(*text) + ": not runs of this campaign; give " +
-                       "them as 3, 3-7 or 3,5-7,12, from 0 to " + std::to_string(runs - 1));
+      throw UserError("--index " + text::one_line(*text) + ": not runs of this campaign; give " +
+                      "them as 3, 3-7 or 3,5-7,12, from 0 to " + std::to_string(runs - 1));
     ranges.push_back(*range);
     begin = end + 1;
   }

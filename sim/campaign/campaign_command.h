@@ -18,11 +18,11 @@ struct CampaignCommand {
 
 /// Drives the runs that are not done yet, one after the other; with `record` also those that are.
 /// Any number of such commands may work in one folder at once. Returns 0 if all of them are done, 1
-/// if some were refused. Throws SetupError.
+/// if some were refused. Throws UserError.
 int run_campaign(const CampaignCommand& command);
 
 /// Writes merged.json, runs.csv and index.html into the folder of a campaign, from the runs that
-/// are done. Returns 0 if all are done, 1 if some are missing or were refused. Throws SetupError.
+/// are done. Returns 0 if all are done, 1 if some are missing or were refused. Throws UserError.
 int run_merge(const std::string& folder);
 
 }  // namespace tp100::sim

@@ -101,7 +101,7 @@ class Finding {
     std::string& content = origin_[text::one_line(name, kLongestName)];
     try {
       content = digest(read());
-    } catch (const SetupError&) {
+    } catch (const UserError&) {
       content = kNone;
     }
   }
@@ -114,7 +114,7 @@ class Finding {
     try {
       for (const std::string& robot : configured_robots(spec_))
         add_bundled("robot", course::Bundled::kRobots, robot);
-    } catch (const SetupError&) {
+    } catch (const UserError&) {
       // The configuration's error is reported already.
     }
   }
@@ -177,14 +177,14 @@ CampaignFolder::CampaignFolder(std::string path, std::string spec_text, Origin o
   // Written before the spec: a program that finds the spec also finds the origin.
   const bool begun = fs::exists(spec_path());
   if (begun && course::read_text_file(spec_path()).text != spec_text_)
-    throw SetupError(path_ + ": holds the runs of another campaign (its spec.toml differs); give " +
-                     "another --out, or delete it");
+    throw UserError(path_ + ": holds the runs of another campaign (its spec.toml differs); give " +
+                    "another --out, or delete it");
   if (fs::exists(origin_path)) {
     origin_ = read_origin(course::read_text_file(origin_path).text);
     require(origin);
   } else if (begun) {
-    throw SetupError(path_ + ": does not say which program drove its runs (no origin.txt); give " +
-                     "another --out to drive all of them with this one");
+    throw UserError(path_ + ": does not say which program drove its runs (no origin.txt); give " +
+                    "another --out to drive all of them with this one");
   } else {
     origin_ = std::move(origin);
     text::write_file(origin_path, origin_text(origin_));
@@ -195,14 +195,14 @@ CampaignFolder::CampaignFolder(std::string path, std::string spec_text, Origin o
 void CampaignFolder::require(const Origin& origin) const {
   const std::string differs = difference(origin_, origin);
   if (differs.empty()) return;
-  throw SetupError(path_ + ": its runs were made with different inputs (" +
-                   text::one_line(differs, kMaxDifferenceText) +
-                   "); restore that, or give another --out to drive all runs again");
+  throw UserError(path_ + ": its runs were made with different inputs (" +
+                  text::one_line(differs, kMaxDifferenceText) +
+                  "); restore that, or give another --out to drive all runs again");
 }
 
 CampaignFolder CampaignFolder::existing(const std::string& path) {
   if (!fs::exists(path + "/spec.toml"))
-    throw SetupError(path + ": holds no campaign (no spec.toml in it); give the --out of one");
+    throw UserError(path + ": holds no campaign (no spec.toml in it); give the --out of one");
   return CampaignFolder(path, course::read_text_file(path + "/spec.toml").text);
 }
 

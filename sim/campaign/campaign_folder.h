@@ -30,22 +30,22 @@ std::string difference(const Origin& before, const Origin& now);
 /// programs may work in it at once, and any of them may be killed: files are created atomically.
 class CampaignFolder {
  public:
-  /// Creates the folder, or opens an existing one. Throws SetupError if it cannot be written,
+  /// Creates the folder, or opens an existing one. Throws UserError if it cannot be written,
   /// belongs to a campaign with another spec, or has runs of another origin.
   CampaignFolder(std::string path, std::string spec_text, Origin origin);
-  /// Opens an existing folder. Throws SetupError if it holds no campaign.
+  /// Opens an existing folder. Throws UserError if it holds no campaign.
   static CampaignFolder existing(const std::string& path);
 
   const std::string& path() const { return path_; }
   const std::string& spec_text() const { return spec_text_; }
   /// Path of the spec, for messages.
   std::string spec_path() const { return path_ + "/spec.toml"; }
-  /// Throws SetupError that names the differences from the origin of this folder's runs.
+  /// Throws UserError that names the differences from the origin of this folder's runs.
   void require(const Origin& origin) const;
   bool has(std::uint64_t index) const;
-  /// Throws SetupError.
+  /// Throws UserError.
   void put(std::uint64_t index, const std::string& json) const;
-  /// The text of a run's file; empty if the run is not done. Throws SetupError.
+  /// The text of a run's file; empty if the run is not done. Throws UserError.
   std::string get(std::uint64_t index) const;
 
  private:

@@ -39,7 +39,7 @@ text::TomlValue draw(const Variable& variable, const SampleKey& by);
 
 /// Reads the variables in `table` and its nested tables, by full name, in alphabetical order: each
 /// a value, or one of { uniform = [LOW, HIGH] }, { normal = [MEAN, SD] }, { list = [...] }. Throws
-/// SetupError.
+/// UserError.
 std::vector<Variable> read_variables(text::TomlTable table, const std::string& prefix = "");
 
 /// One run, fully determined.
@@ -62,7 +62,7 @@ struct CampaignSpec {
   std::vector<Variable> robot;          ///< keys of the robot's file
 };
 
-/// Throws SetupError (file:line:column). Pure.
+/// Throws UserError (file:line:column). Pure.
 CampaignSpec parse_campaign(const std::string& text, const std::string& file);
 
 /// Run `index` of the campaign. Lists are crossed: the first in alphabetical order changes with

@@ -191,7 +191,7 @@ MergedRun parse_run_file(const std::string& text, const std::string& file) {
       run.figures.erase("seed");
     }
   } catch (const Json::exception&) {
-    throw SetupError(file + ": not the file of a run; delete it and run the campaign again");
+    throw UserError(file + ": not the file of a run; delete it and run the campaign again");
   }
   return run;
 }

@@ -58,7 +58,7 @@ struct Merged {
   std::vector<std::pair<std::string, std::size_t>> causes() const;
 };
 
-/// Parses a run's file. Throws SetupError naming `file` if it is not one.
+/// Parses a run's file. Throws UserError naming `file` if it is not one.
 MergedRun parse_run_file(const std::string& text, const std::string& file);
 
 /// Combines `runs`, ordered by index, at most as many as the spec has. Pure.

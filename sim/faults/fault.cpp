@@ -14,8 +14,8 @@ namespace {
 constexpr double kMaxS = 1e6;
 
 [[noreturn]] void refuse(std::string_view text, const std::string& why) {
-  throw SetupError("--fault " + text::one_line(std::string(text)) + ": " + why +
-                   "; see tp100-sim faults");
+  throw UserError("--fault " + text::one_line(std::string(text)) + ": " + why +
+                  "; see tp100-sim faults");
 }
 
 std::optional<double> number_of(std::string_view text) {

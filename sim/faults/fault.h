@@ -135,7 +135,7 @@ struct PlannedFault {
 };
 
 /// Parses NAME[:NUMBER][:WORD][@T[+D]]: from T s after the port was opened (default 0), for D s
-/// (default: for ever). Throws SetupError.
+/// (default: for ever). Throws UserError.
 PlannedFault parse_fault(std::string_view text);
 std::vector<PlannedFault> parse_faults(const std::vector<std::string>& texts);
 

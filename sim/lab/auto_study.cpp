@@ -90,8 +90,8 @@ AutoCalibration calibrate_by_itself(const Loaded& loaded, const course::TextFile
                       .seed = seed + kManoeuvreStride * result.manoeuvres.size(),
                       .sink = &sink});
     if (!run.finished)
-      throw SetupError(manoeuvre->name + ": " + loaded.robot.name + " did not finish it (" +
-                       run.cause + ")");
+      throw UserError(manoeuvre->name + ": " + loaded.robot.name + " did not finish it (" +
+                      run.cause + ")");
     identify::RecordedDrive drive = sink.drive();
     drive.name = manoeuvre->name;
     result.calibration.drives.push_back({drive, sink.truth()});
@@ -120,7 +120,7 @@ int run_auto(const AutoCommand& command) {
       try {
         of = calibrate_by_itself(loaded, area,
                                  command.options.seed + static_cast<std::uint64_t>(run));
-      } catch (const SetupError& error) {
+      } catch (const UserError& error) {
         // Go on with the other robots.
         std::printf("%-14s %s\n", loaded.robot.name.c_str(), error.what());
         ++failed;

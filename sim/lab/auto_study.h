@@ -22,7 +22,7 @@ struct AutoCalibration {
 };
 
 /// Drives manoeuvre after manoeuvre inside the fence of `area` as an unidentified robot, each from
-/// where the camera saw the last one end, each with noise of its own. Throws SetupError if a
+/// where the camera saw the last one end, each with noise of its own. Throws UserError if a
 /// manoeuvre was not finished, or none fits into the fence.
 AutoCalibration calibrate_by_itself(const Loaded& loaded, const course::TextFile& area,
                                     std::uint64_t seed);
@@ -36,7 +36,7 @@ struct AutoCommand {
 
 /// tp100-lab identify: studies all bundled robots, or the one named, and the sampled ones. Prints a
 /// line per robot, then the median of the seconds and how often the intervals contained the truth.
-/// Returns 0 if all intervals of every robot became narrow, else 1. Throws SetupError.
+/// Returns 0 if all intervals of every robot became narrow, else 1. Throws UserError.
 int run_auto(const AutoCommand& command);
 
 }  // namespace tp100::sim

@@ -42,7 +42,7 @@ SlopeSlip measure_slope(const course::EmulatedBody& values, double slope_rad, do
 
 /// `tp100-lab slope`: drives 0, 4 ... 28 deg at kSlopeTrackMps and prints the slip of both tracks
 /// beside the paper's table. `robot`: bundled name or file; empty: the reference robot. Returns 0
-/// if it climbed every slope, else 1. Throws SetupError.
+/// if it climbed every slope, else 1. Throws UserError.
 int run_slope(const std::string& robot);
 
 }  // namespace tp100::sim

@@ -27,11 +27,11 @@ struct Calibration {
 };
 
 /// Drives the calibration courses and boards, as tp100-sim calibrate does, and identifies the
-/// robot. Throws SetupError.
+/// robot. Throws UserError.
 Calibration calibrate(const Loaded& loaded, int repeats, std::uint64_t seed);
 
 /// Calibrates the robot, writes its file `<name>.toml` with the result into `folder` and returns
-/// the robot of that file. Throws SetupError.
+/// the robot of that file. Throws UserError.
 course::Robot calibrated_robot(const Loaded& loaded, int repeats, std::uint64_t seed,
                                const std::string& folder);
 
@@ -42,7 +42,7 @@ struct JudgeCommand {
 
 /// tp100-lab calibrate: calibrates and prints how far each value is from the truth and how often
 /// its interval contained it. Returns 0 if every calibration met the stated accuracy, else 1.
-/// Throws SetupError.
+/// Throws UserError.
 int run_judge(const JudgeCommand& command);
 
 }  // namespace tp100::sim

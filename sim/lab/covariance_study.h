@@ -17,7 +17,7 @@ namespace tp100::sim {
 course::Robot placed_by_hand(course::Robot robot, bool uneven);
 
 /// The bundled robots on a body, ode or shear. On shear each is identified there, and its file
-/// written to `folder`. Throws SetupError.
+/// written to `folder`. Throws UserError.
 std::vector<course::Robot> robots_on(const std::string& body, const std::string& folder);
 
 struct CovarianceStudy {

@@ -62,7 +62,7 @@ RandomDrive drive_random(std::uint64_t seed) {
   std::vector<TrialRun> runs;
   try {
     runs = run_trial(trial);
-  } catch (const SetupError& error) {
+  } catch (const UserError& error) {
     drive.refused = error.what();
     return drive;
   }

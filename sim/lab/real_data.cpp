@@ -27,7 +27,7 @@ std::size_t end_of_window(const text::CsvTable& table, std::size_t begin) {
 }
 
 RealMotion window(const text::CsvTable& table, std::size_t begin, std::size_t end) {
-  if (end - begin < 2) throw SetupError(table.where(begin) + ": a window of one sample");
+  if (end - begin < 2) throw UserError(table.where(begin) + ": a window of one sample");
   RealMotion motion;
   motion.row = static_cast<int>(table["window"][begin]);
   motion.column = static_cast<int>(table["step"][begin]);
@@ -39,8 +39,8 @@ RealMotion window(const text::CsvTable& table, std::size_t begin, std::size_t en
     };
     const auto change = [&](const char* column) { return table[column][i] - table[column][i - 1]; };
     if (std::abs(change("t_s") - motion.dt_s) > kUniformS || motion.dt_s <= 0.0)
-      throw SetupError(table.where(i) + ": t_s does not increase in even steps");
-    if (change("step") != 0.0) throw SetupError(table.where(i) + ": step changes in a window");
+      throw UserError(table.where(i) + ": t_s does not increase in even steps");
+    if (change("step") != 0.0) throw UserError(table.where(i) + ": step changes in a window");
     motion.speeds.push_back(
         {mean("left_wheel_mps"), mean("right_wheel_mps"), mean("gyro_z_radps")});
     motion.path_m += magnitude(change("x_m"), change("y_m"));
@@ -62,7 +62,7 @@ RealRobot parse_maxxii(const course::TextFile& file) {
     const std::size_t column = i % kRightSpeeds;
     const double left_mps = table["left_track_mps"][i], right_mps = table["right_track_mps"][i];
     if (left_mps != table["left_track_mps"][i - column])
-      throw SetupError(table.where(i) + ": left_track_mps changes before its ninth row");
+      throw UserError(table.where(i) + ": left_track_mps changes before its ninth row");
     const double left_ground_mps = left_mps - table["left_slip_mps"][i];
     const double right_ground_mps = right_mps - table["right_slip_mps"][i];
     const double forward_mps = (left_ground_mps + right_ground_mps) / 2.0;
@@ -74,8 +74,8 @@ RealRobot parse_maxxii(const course::TextFile& file) {
                    (right_ground_mps - left_ground_mps) / kMaxxiiGaugeM}});
   }
   if (table.rows() % kRightSpeeds != 0)
-    throw SetupError(table.where(table.rows() - 1) +
-                     ": the last left_track_mps does not have nine rows");
+    throw UserError(table.where(table.rows() - 1) +
+                    ": the last left_track_mps does not have nine rows");
   return robot;
 }
 

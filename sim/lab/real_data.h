@@ -35,14 +35,14 @@ struct RealRobot {
 };
 
 /// The tracked robot MAXXII: stationary points, nine right speeds for every left one. Throws
-/// SetupError "file:line: what". Pure.
+/// UserError "file:line: what". Pure.
 RealRobot parse_maxxii(const course::TextFile& file);
 
 /// Clearpath's Husky: windows of a drive. Yaw is made continuous; the speeds of an interval are the
-/// mean of its two samples. Throws SetupError "file:line: what". Pure.
+/// mean of its two samples. Throws UserError "file:line: what". Pure.
 RealRobot parse_husky(const course::TextFile& file);
 
-/// Reads both from the bundled files. Throws SetupError that names a missing or corrupted file.
+/// Reads both from the bundled files. Throws UserError that names a missing or corrupted file.
 std::vector<RealRobot> read_real_robots();
 
 }  // namespace tp100::sim

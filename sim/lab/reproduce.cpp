@@ -95,7 +95,7 @@ bool climbs(const course::Course& course, const course::Robot& robot) {
   try {
     terrain::require_climbable(course, robot);
     return true;
-  } catch (const SetupError& error) {
+  } catch (const UserError& error) {
     std::fprintf(stderr, "left out: %s\n", error.what());
     return false;
   }
@@ -272,14 +272,14 @@ int run_reproduce(const ReproduceCommand& command) {
       "paper",   "state",    "robots", "uneven", "covariance", "constants",
       "sampled", "held-out", "real",   "avr",    "random"};
   if (!all && std::ranges::find(kParts, command.part) == kParts.end())
-    throw SetupError("--part " + text::one_line(command.part) + ": unknown" +
-                     text::suggestion(command.part, {kParts.begin(), kParts.end()}) +
-                     "; give paper, state, robots, uneven, covariance, constants, sampled, "
-                     "held-out, real, avr, random or all");
+    throw UserError("--part " + text::one_line(command.part) + ": unknown" +
+                    text::suggestion(command.part, {kParts.begin(), kParts.end()}) +
+                    "; give paper, state, robots, uneven, covariance, constants, sampled, "
+                    "held-out, real, avr, random or all");
   if (shear && !all && command.part != "covariance" && command.part != "constants")
-    throw SetupError("--part " + command.part +
-                     ": --body shear has courses and robots of its own; leave --part out, "
-                     "or give covariance or constants");
+    throw UserError("--part " + command.part +
+                    ": --body shear has courses and robots of its own; leave --part out, "
+                    "or give covariance or constants");
   text::make_folder(command.out);
   Reproduction what;
   what.reference = reference;

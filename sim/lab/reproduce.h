@@ -33,7 +33,7 @@ struct ReproduceCommand {
 
 /// Drives the part on all processors, writes index.html, results.json and the trajectories into the
 /// folder and prints the table of limits. Returns 0 if every limit holds and every run was
-/// completed, else 1. Throws SetupError.
+/// completed, else 1. Throws UserError.
 int run_reproduce(const ReproduceCommand& command);
 
 // The results of a reproduction, as one page and as one JSON object.

@@ -206,7 +206,7 @@ course::Course held_out_course(std::string_view kind, std::uint64_t seed) {
                    course::Arc{draw.between(1.3, 1.7), -side * draw.between(60, 120) * kRadPerDeg},
                    draw.line(0.2, 0.4)};
   } else {
-    throw SetupError(
+    throw UserError(
         "no course of kind " + std::string(kind) +
         " to draw; there are 1-straight, 1-curve, 1-sharp, 2, 3, spiral, squares and wide");
   }

@@ -15,7 +15,7 @@ namespace tp100::sim {
 /// lines 0.3-1.8 m, arcs of 0.28-0.5 m radius and 60-200 deg, turns on the spot of 45-135 deg,
 /// disturbances of 2-4 cm and 5-15 deg, ramps of 12-28 deg and 40-80 mm, blocks of 15-37 mm. Or
 /// "spiral": ten half turns of 0.12 m and up to 1.1 m radius; "squares": twice around 0.8-1.2 m
-/// with turns on the spot; "wide": arcs of 0.6-0.8 m and 1.3-1.7 m. Throws SetupError for another
+/// with turns on the spot; "wide": arcs of 0.6-0.8 m and 1.3-1.7 m. Throws UserError for another
 /// name.
 course::Course held_out_course(std::string_view kind, std::uint64_t seed);
 

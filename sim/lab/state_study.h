@@ -40,7 +40,7 @@ struct ClimbCheck {
 
 /// Drives the body of `robot` without track deficit and with little creep, and the model as
 /// terrain::TerrainFollower uses it, both with tracks at `track_mps`, over a block of `height_m` by
-/// `depth_m`. Pure. Throws SetupError if the model cannot climb it.
+/// `depth_m`. Pure. Throws UserError if the model cannot climb it.
 ClimbCheck check_climb_pitch(const course::Robot& robot, double height_m, double depth_m,
                              double track_mps);
 

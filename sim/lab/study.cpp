@@ -99,7 +99,7 @@ constexpr double kTerrainReference = 0.02, kTerrainOthers = 0.03;
 
 const Limits& limits_of(const std::string& kind) {
   const auto* const found = std::ranges::find(kLimits, kind, &Limits::kind);
-  if (found == kLimits.end()) throw SetupError("no limits for a course of kind " + kind);
+  if (found == kLimits.end()) throw UserError("no limits for a course of kind " + kind);
   return *found;
 }
 

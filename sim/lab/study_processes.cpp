@@ -96,7 +96,7 @@ pid_t start_process(const std::function<int()>& body) {
   _exit(status);
 }
 
-// What a job writes: its studies, or the message of its exception and whether it is a SetupError.
+// What a job writes: its studies, or the message of its exception and whether it is a UserError.
 constexpr const char* kStudies = "studies";
 constexpr const char* kMessage = "message";
 constexpr const char* kSetup = "setup";
@@ -106,7 +106,7 @@ int run_job(const StudyProcesses::Job& job, int file) {
   nlohmann::json outcome;
   try {
     outcome[kStudies] = job();
-  } catch (const SetupError& error) {
+  } catch (const UserError& error) {
     outcome = {{kMessage, error.what()}, {kSetup, true}};
   } catch (const std::exception& error) {
     outcome = {{kMessage, error.what()}, {kSetup, false}};
@@ -168,7 +168,7 @@ std::vector<CourseStudy> StudyProcesses::results() {
     if (bytes.empty()) continue;  // ended by a signal, or not begun after another one failed
     const nlohmann::json outcome = nlohmann::json::from_cbor(bytes);
     if (const auto message = outcome.find(kMessage); message != outcome.end()) {
-      if (outcome[kSetup].get<bool>()) throw SetupError(message->get<std::string>());
+      if (outcome[kSetup].get<bool>()) throw UserError(message->get<std::string>());
       throw std::runtime_error(message->get<std::string>());
     }
     for (const nlohmann::json& study : outcome[kStudies]) all.push_back(study.get<CourseStudy>());

@@ -24,7 +24,7 @@ class StudyProcesses {
   StudyProcesses& operator=(const StudyProcesses&) = delete;
 
   /// Waits for all jobs; their studies in the jobs' order, without CourseStudy::shown. Call it
-  /// once. Throws what a job threw, as SetupError or std::runtime_error.
+  /// once. Throws what a job threw, as UserError or std::runtime_error.
   std::vector<CourseStudy> results();
 
  private:

@@ -23,7 +23,7 @@ struct RobotCommand {
   std::string ros2{};  ///< network interface for the true pose on ROS 2's topic; empty: none
 };
 
-/// Runs until SIGINT or SIGTERM. Returns the exit status. Throws SetupError.
+/// Runs until SIGINT or SIGTERM. Returns the exit status. Throws UserError.
 int run_robot(const RobotCommand& command);
 
 // tp100-sim course: a course in lockstep, in virtual time.
@@ -43,7 +43,7 @@ struct CourseCommand {
 };
 
 /// Runs, prints tables or JSON lines. Returns 0 if every run was completed, else 1. Throws
-/// SetupError.
+/// UserError.
 int run_course(const CourseCommand& command);
 
 // tp100-sim demo: the two real programs, one at each end of a pseudo-terminal.
@@ -58,7 +58,7 @@ struct DemoCommand {
 /// `tp100-sim robot` and `tp100d run`, opens the page if there is a screen, and waits until the
 /// daemon ends. Headless: drives it live first, again up to three times if a pause of the machine
 /// ended the run. Returns 0 if the live and the scored run were completed, else 1. Throws
-/// SetupError.
+/// UserError.
 int run_demo(const DemoCommand& command);
 
 }  // namespace tp100::sim

@@ -75,8 +75,8 @@ int run_course(const CourseCommand& command) {
       course::parse_course(loaded.files.course.text, loaded.files.course.path);
   const bool detected = command.camera.ends_with(".tum");
   if (detected && command.runs > 1)
-    throw SetupError("--camera " + command.camera +
-                     ": its poses belong to one drive; leave out --runs");
+    throw UserError("--camera " + command.camera +
+                    ": its poses belong to one drive; leave out --runs");
   const std::optional<course::EmulatedCamera> camera =
       command.camera.empty() || detected ? std::nullopt
                                          : std::optional(load_camera(command.camera));
@@ -86,7 +86,7 @@ int run_course(const CourseCommand& command) {
   loaded.files.world =
       config::world_option(command.world, loaded.configuration.parameters.world.kind);
   if (loaded.files.world == bridge::WorldKind::kFiles)
-    throw SetupError("world files: cannot be used in virtual time; use udp or internal");
+    throw UserError("world files: cannot be used in virtual time; use udp or internal");
   // Before the drive, so that an unwritable folder is reported at once.
   if (!command.out.empty()) text::make_folder(command.out);
   const std::unique_ptr<ros2::Participant> participant = participant_of(command);

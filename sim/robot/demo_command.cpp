@@ -33,7 +33,7 @@ class Child {
     bool quiet = false;  ///< its standard output is discarded
     bool apart = false;  ///< the terminal's Ctrl-C does not reach it
   };
-  /// Starts arguments[0]. Throws SetupError; if the program cannot be executed, the child prints
+  /// Starts arguments[0]. Throws UserError; if the program cannot be executed, the child prints
   /// the error and ends with status 127.
   Child(const std::vector<std::string>& arguments, Ways ways);
   ~Child();
@@ -63,7 +63,7 @@ Child::Child(const std::vector<std::string>& arguments, Ways ways) {
   argv.push_back(nullptr);
   const pid_t parent = getpid();
   pid_ = fork();
-  if (pid_ < 0) throw SetupError(arguments[0] + ": cannot start: " + std::strerror(errno));
+  if (pid_ < 0) throw UserError(arguments[0] + ": cannot start: " + std::strerror(errno));
   if (pid_ > 0) return;
   // The parent may have ended before the signal was requested.
   if (prctl(PR_SET_PDEATHSIG, SIGTERM) != 0 || getppid() != parent) _exit(127);
@@ -111,7 +111,7 @@ class TemporaryFolder {
   TemporaryFolder() {
     std::string pattern = (fs::temp_directory_path() / "tp100-demo-XXXXXX").string();
     if (mkdtemp(pattern.data()) == nullptr)
-      throw SetupError(pattern + ": cannot create a folder; check $TMPDIR");
+      throw UserError(pattern + ": cannot create a folder; check $TMPDIR");
     path_ = pattern;
   }
   ~TemporaryFolder() {
@@ -132,7 +132,7 @@ void wait_for(const fs::path& link, Child& robot) {
     if (!robot.running()) break;
     std::this_thread::sleep_for(50ms);
   }
-  throw SetupError("tp100-sim robot did not come up within 5 s; run it by hand to see why");
+  throw UserError("tp100-sim robot did not come up within 5 s; run it by hand to see why");
 }
 
 /// Figures that a program wrote about its run; no object if there is no file yet.
@@ -247,7 +247,7 @@ int run_demo(const DemoCommand& command) {
   const Loaded loaded = load(command.options);
   const fs::path programs = fs::read_symlink("/proc/self/exe").parent_path();
   const std::string daemon = (programs / "tp100d").string();
-  if (!fs::exists(daemon)) throw SetupError(daemon + ": not there; build the target tp100d");
+  if (!fs::exists(daemon)) throw UserError(daemon + ": not there; build the target tp100d");
 
   const std::string robot_name =
       command.options.robot.empty() ? loaded.robot.name : command.options.robot;

@@ -51,7 +51,7 @@ BoardClock clock_of(const EmulatedRobotSettings& settings) {
     if (fault.kind == fault_kind("drift")) clock.ppm += fault.number;
     if (fault.kind == fault_kind("wrap")) clock.start_us = start_before_wrap_us(fault.begin_ns);
     if (fault.kind == fault_kind("hang") && settings.board != BoardKind::kAvr)
-      throw SetupError("--fault hang: only an emulated chip can hang; add --board avr");
+      throw UserError("--fault hang: only an emulated chip can hang; add --board avr");
   }
   return clock;
 }

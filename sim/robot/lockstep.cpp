@@ -129,7 +129,7 @@ Lockstep::Lockstep(const LockstepSettings& settings)
   if (period_ns_ < kPhysicsStepNs) period_ns_ = kPhysicsStepNs;
   result_.has_camera = settings.camera || !settings.detections.empty();
   if (result_.has_camera && stand())
-    throw SetupError("--camera: on a stand it would see a robot that stands still; leave it out");
+    throw UserError("--camera: on a stand it would see a robot that stands still; leave it out");
   if (settings.camera) {
     const course::Fence& fence = settings.course.fence;
     camera_.emplace(*settings.camera, (fence.min_x_m + fence.max_x_m) / 2.0,

@@ -52,7 +52,7 @@ struct LockstepSettings {
 inline constexpr HostNs kDetectionDelayNs = 60 * kNsPerMs;
 
 /// Drives the course once. On a stand no camera is used, because the robot does not move.
-/// Deterministic except for `realtime_factor` and `loop`. Throws SetupError if course and robot do
+/// Deterministic except for `realtime_factor` and `loop`. Throws UserError if course and robot do
 /// not fit together.
 report::RunResult run_lockstep(const LockstepSettings& settings);
 

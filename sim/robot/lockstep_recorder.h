@@ -14,7 +14,7 @@ namespace tp100::sim {
 class LockstepRecorder : public messages::Sink {
  public:
   /// Records to FOLDER/COURSE-ROBOT-SEED/run.mcap; replaces an existing file. `loaded.files` must
-  /// have the course. Throws SetupError.
+  /// have the course. Throws UserError.
   LockstepRecorder(const std::string& folder, const Loaded& loaded, std::uint64_t seed);
 
   void take(const StepRecord& record) override;

@@ -32,7 +32,7 @@ struct Options {
 /// as a large number.
 std::string why_no_seed(const std::string& text);
 
-/// Everything loaded. Throws SetupError.
+/// Everything loaded. Throws UserError.
 struct Loaded {
   BoardKind board = BoardKind::kNative;
   config::Configuration configuration{};
@@ -43,10 +43,10 @@ struct Loaded {
 };
 Loaded load(const Options& options);
 
-/// A course by bundled name or file. Throws SetupError.
+/// A course by bundled name or file. Throws UserError.
 course::Course load_course(const std::string& name_or_path);
 
-/// An overhead camera by bundled name or file. Throws SetupError.
+/// An overhead camera by bundled name or file. Throws UserError.
 course::EmulatedCamera load_camera(const std::string& name_or_path);
 
 }  // namespace tp100::sim

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 
 [[noreturn]] void fail(const std::string& what) {
-  throw SetupError(what + ": " + std::strerror(errno));
+  throw UserError(what + ": " + std::strerror(errno));
 }
 
 /// True if no process serves `link` any more. If a robot was killed, its client keeps the old
@@ -44,12 +44,12 @@ void make_link(const std::string& device, const std::string& link) {
   if (fs::is_symlink(own) && dangling(device, link)) {
     fs::remove(link, error);
   } else if (fs::exists(own)) {
-    throw SetupError(link + ": exists already; give another --link or remove it");
+    throw UserError(link + ": exists already; give another --link or remove it");
   }
   fs::create_symlink(device, link, error);
   if (error)
-    throw SetupError(link + ": cannot create the link (" + error.message() +
-                     "); give another --link");
+    throw UserError(link + ": cannot create the link (" + error.message() +
+                    "); give another --link");
 }
 
 }  // namespace

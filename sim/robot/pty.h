@@ -14,7 +14,7 @@ namespace tp100::sim {
 class Pty {
  public:
   /// Creates the pty and a symbolic link to it (none if `link` is empty). Replaces a dangling link
-  /// of that name, but no existing file or live link. Throws SetupError.
+  /// of that name, but no existing file or live link. Throws UserError.
   explicit Pty(const std::string& link);
   /// Removes the link if it still points here.
   ~Pty();

@@ -41,7 +41,7 @@ namespace {
 /// The emulated overhead camera on the network: sends the datagrams that tp100-camera would send.
 class CameraStream {
  public:
-  /// Throws SetupError.
+  /// Throws UserError.
   CameraStream(const OverheadCamera& camera, const link::UdpAddress& to, std::uint64_t seed);
 
   /// Call once per physics step with the body's exact pose. `virtual_ns` is the camera's time,
@@ -244,7 +244,7 @@ std::optional<CameraStream> camera_stream(const RobotCommand& command, const Loa
                                           const course::Fence& fence) {
   if (command.camera.empty() && command.camera_to.empty()) return std::nullopt;
   if (loaded.setup == bridge::Setup::kStand)
-    throw SetupError("--camera: on a stand it would see a robot that stands still; leave it out");
+    throw UserError("--camera: on a stand it would see a robot that stands still; leave it out");
   const link::UdpAddress to = command.camera_to.empty()
                                   ? link::UdpAddress{.port = link::kCameraPort}
                                   : link::parse_udp(command.camera_to, "--camera-to");
@@ -286,13 +286,12 @@ void print_place(const Pose& truth) {
 int run_robot(const RobotCommand& command) {
   const Loaded loaded = load(command.options);
   if (command.blank && loaded.board != BoardKind::kAvr) {
-    throw SetupError("--blank: only an emulated chip can be blank; add --board avr");
+    throw UserError("--blank: only an emulated chip can be blank; add --board avr");
   }
   const std::vector<PlannedFault> faults = parse_faults(command.faults);
   for (const PlannedFault& fault : faults)
     if (fault.kind == fault_kind("host-stall"))
-      throw SetupError(
-          "--fault host-stall: only for tp100-sim course; here stop the daemon itself");
+      throw UserError("--fault host-stall: only for tp100-sim course; here stop the daemon itself");
   course::Course course;
   if (!command.course.empty()) course = load_course(command.course);
   EmulatedRobot robot({.values = loaded.robot.emulated,

@@ -30,12 +30,12 @@ WorldClient::WorldClient(const config::WorldRun& run, std::uint32_t session)
     : peer_(config::peer_settings(run, session, true)),
       world_(link::resolve(link::parse_udp(run.settings.address, "world"))),
       socket_(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0)) {
-  if (!socket_) throw SetupError(std::string("world: no socket (") + std::strerror(errno) + ")");
+  if (!socket_) throw UserError(std::string("world: no socket (") + std::strerror(errno) + ")");
   if (!run.settings.listen.empty()) {
     sockaddr_in local = link::resolve(link::parse_udp(run.settings.listen, "world.listen"));
     if (::bind(socket_.get(), generic(&local), sizeof local) != 0)
-      throw SetupError("world: cannot listen at " + run.settings.listen + " (" +
-                       std::strerror(errno) + "); choose another world.listen");
+      throw UserError("world: cannot listen at " + run.settings.listen + " (" +
+                      std::strerror(errno) + "); choose another world.listen");
   }
   greet();
 }
@@ -54,9 +54,9 @@ void WorldClient::greet() {
   }
   if (peer_.welcomed()) return;
   const std::string why = peer_.take_note();
-  throw SetupError("world: " + (why.empty() ? "no welcome within 5 s; start it, for example "
-                                              "scripts/world, or check --world"
-                                            : why));
+  throw UserError("world: " + (why.empty() ? "no welcome within 5 s; start it, for example "
+                                             "scripts/world, or check --world"
+                                           : why));
 }
 
 void WorldClient::send(const std::string& datagram) {

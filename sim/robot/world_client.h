@@ -21,7 +21,7 @@ class WorldClient {
   using Take = std::function<void(const WorldSample&)>;
 
   /// Finds the world at run.settings.address and waits for its welcome, five seconds at most.
-  /// `session` is the first session number. Throws SetupError.
+  /// `session` is the first session number. Throws UserError.
   WorldClient(const config::WorldRun& run, std::uint32_t session);
 
   /// After a step at virtual time `now`: sends the pose, if one is due, and waits for the matching

@@ -24,8 +24,8 @@ std::vector<CameraSample> read_detections(const std::string& path) {
   for (int line = 1; std::getline(rows, row); ++line) {
     if (row.empty() || row.starts_with('#')) continue;
     const auto fail = [&](const std::string& what) {
-      return SetupError(path + ":" + std::to_string(line) + ": " + what +
-                        "; tp100-camera --tum writes such files");
+      return UserError(path + ":" + std::to_string(line) + ": " + what +
+                       "; tp100-camera --tum writes such files");
     };
     std::istringstream words(row);
     std::array<double, 8> values{};  // t x y z qx qy qz qw
@@ -44,7 +44,7 @@ std::vector<CameraSample> read_detections(const std::string& path) {
       throw fail("not later than the one before");
     samples.push_back(sample);
   }
-  if (samples.empty()) throw SetupError(path + ": no detection in it");
+  if (samples.empty()) throw UserError(path + ": no detection in it");
   return samples;
 }
 

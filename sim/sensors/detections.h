@@ -9,7 +9,7 @@
 namespace tp100::sim {
 
 /// Detections in the order of their times. `measured_ns` is on the clock of the file. Throws
-/// SetupError for a file that cannot be read, has no detection, or is not in order.
+/// UserError for a file that cannot be read, has no detection, or is not in order.
 std::vector<CameraSample> read_detections(const std::string& path);
 
 }  // namespace tp100::sim

@@ -41,8 +41,8 @@ std::vector<CalibrationDrive> calibration_drives(const Loaded& loaded, int repea
                                                      .sink = &sink});
       // Finished, not completed: an unidentified robot does not end where its course does.
       if (!result.finished)
-        throw SetupError(name + ": " + loaded.robot.name + " did not finish it (" + result.cause +
-                         "); nothing can be identified");
+        throw UserError(name + ": " + loaded.robot.name + " did not finish it (" + result.cause +
+                        "); nothing can be identified");
       identify::RecordedDrive drive = sink.drive();
       drive.name = name + "-" + loaded.robot.name + "-" + std::to_string(seed) + "-" +
                    std::to_string(repeat);

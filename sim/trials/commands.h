@@ -29,7 +29,7 @@ inline constexpr int kDrivesOfAKind = 2;
 course::Robot without_model(course::Robot robot);
 
 /// Drives straight ahead, arcs and turns on the spot in both directions under an overhead camera,
-/// as an unidentified robot. Each drive has noise of its own. Throws SetupError.
+/// as an unidentified robot. Each drive has noise of its own. Throws UserError.
 std::vector<CalibrationDrive> calibration_drives(const Loaded& loaded, int repeats,
                                                  std::uint64_t seed);
 
@@ -39,7 +39,7 @@ struct CalibrateCommand {
   std::string out;               ///< folder for the recordings
 };
 
-/// Writes the recordings of calibration_drives() and slope_drives(). Returns 0. Throws SetupError.
+/// Writes the recordings of calibration_drives() and slope_drives(). Returns 0. Throws UserError.
 int run_calibrate(const CalibrateCommand& command);
 
 // tp100-sim faults.

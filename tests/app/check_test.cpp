@@ -57,7 +57,7 @@ TEST(Check, AFileOfAnotherProgramIsSentThere) {
                                       {campaign, "run tp100-sim campaign " + campaign},
                                       {least, "run tp100-sim campaign " + least}})
     EXPECT_THAT([file = path] { check_file(file); },
-                testing::ThrowsMessage<SetupError>(HasSubstr(command)));
+                testing::ThrowsMessage<UserError>(HasSubstr(command)));
 }
 
 TEST(Check, AConfigurationMustNameARobotAndACourseThatExist) {

@@ -316,7 +316,7 @@ TEST(ExportImages, TheMissingImagesAreNamedWithTheWayToGetThem) {
   record_run(run);
   EXPECT_THAT(
       [&] { run_export({.runs = {run}, .images = folder.file("images"), .out = {}}); },
-      testing::ThrowsMessage<SetupError>(
+      testing::ThrowsMessage<UserError>(
           run + ": has no images; run tp100-camera with an [image] section in its view file"));
 }
 

@@ -47,7 +47,7 @@ TEST(FuzzSeeds, AreRecordingsOfThePresentLayout) {
       EXPECT_EQ(recording.whole(), name != "cut");
       // The only chunk of the cut recording is lost because its end is missing.
       EXPECT_EQ(steps, name == "cut" ? 0 : kSteps);
-    } catch (const SetupError& error) {
+    } catch (const UserError& error) {
       ADD_FAILURE() << error.what();
     }
   }

@@ -32,7 +32,7 @@ class Report : public testing::Test {
     std::string message;
     try {
       EXPECT_EQ(run_report({.runs = {file()}, .out = {}}), 0);
-    } catch (const SetupError& error) {
+    } catch (const UserError& error) {
       message = error.what();
     }
     testing::internal::GetCapturedStdout();
@@ -209,8 +209,8 @@ TEST_F(Report, ComparesSeveralRunsAndNamesThemApart) {
   expect_offline(page);
   EXPECT_EQ(Json::parse(test::read_bytes(out + "/compare.json"))["runs"].size(), 3u);
   EXPECT_THAT(test::read_bytes(out + "/paths.svg"), HasSubstr(name + " (3)"));
-  EXPECT_THROW(run_compare({.runs = {file()}, .out = out}), SetupError);
-  EXPECT_THROW(run_report({.runs = {file(), file()}, .out = out}), SetupError);
+  EXPECT_THROW(run_compare({.runs = {file()}, .out = out}), UserError);
+  EXPECT_THROW(run_report({.runs = {file(), file()}, .out = out}), UserError);
 }
 
 }  // namespace

@@ -195,7 +195,7 @@ TEST_F(WorldStep, ItsStopIsTheOperatorsAndHoldsWhileItSaysSo) {
 TEST_F(WorldStep, ThePoseCannotBeTheWorldsOnRealTerrain) {
   parameters_.world.owns_pose = true;
   parameters_.setup = Setup::kTerrain;
-  EXPECT_THROW(tick(), SetupError);
+  EXPECT_THROW(tick(), UserError);
 }
 
 }  // namespace

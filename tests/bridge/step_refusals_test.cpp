@@ -118,7 +118,7 @@ TEST_F(StepTest, OnAStandTheGyroNeitherSteersNorHoldsUpTheStart) {
 TEST_F(StepTest, ACourseFasterThanTheRobotIsRefused) {
   auto fast = std::make_shared<course::Course>(*course_);
   fast->speed_mps = 0.25;
-  EXPECT_THROW(Step(parameters_, fast), SetupError);
+  EXPECT_THROW(Step(parameters_, fast), UserError);
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ TEST(LensCalibration, EitherBoardGivesTheLensBack) {
 }
 
 TEST(LensCalibration, TooFewImagesAreRefused) {
-  EXPECT_THROW(camera::fit_lens({}, {960, 540}), SetupError);
+  EXPECT_THROW(camera::fit_lens({}, {960, 540}), UserError);
 }
 
 TEST(CalibrationBoard, IsReadAsDocumentedAndNotOtherwise) {
@@ -64,7 +64,7 @@ TEST(CalibrationBoard, IsReadAsDocumentedAndNotOtherwise) {
        {"", "chessboard", "chessboard:9x6", "chessboard:1x6:0.025", "chessboard:9x6:0.025:1",
         "chessboard:9x6:nan", "chessboard:999999x6:0.02", "charuco:7x5:0.04:0.05",
         "charuco:20x20:0.04:0.03", "charuco:7x5:0.04:0.03x"})
-    EXPECT_THROW(camera::CalibrationBoard::parse(text), SetupError) << text;
+    EXPECT_THROW(camera::CalibrationBoard::parse(text), UserError) << text;
 }
 
 TEST(CalibrationBoard, AnImageWithoutItHasNoCorners) {

@@ -75,7 +75,7 @@ TEST_F(LensFile, WhatIsNoLensIsAnErrorOfOneLineThatNamesTheFile) {
         good.substr(0, good.size() / 2), std::string("\x00\x01\xff", 3), "fx_px = nan\n" + good}) {
     EXPECT_THAT(problem("lens.toml", text), HasSubstr("lens.toml"));
   }
-  EXPECT_THROW(camera::read_lens(folder_.file("nothing.toml")), SetupError);
+  EXPECT_THROW(camera::read_lens(folder_.file("nothing.toml")), UserError);
 }
 
 TEST_F(LensFile, ADistortionThatFoldsTheImageIsRefused) {

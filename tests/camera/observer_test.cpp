@@ -124,7 +124,7 @@ TEST(Observer, OnlyTheMarkerOfTheRightSizeIsOurs) {
 TEST(Observer, AnotherImageSizeIsAnError) {
   const SceneCamera camera;
   Observer observer(lens_of(camera), corner_view());
-  EXPECT_THROW(observer.look(cv::Mat(720, 1280, CV_8U, cv::Scalar(0))), SetupError);
+  EXPECT_THROW(observer.look(cv::Mat(720, 1280, CV_8U, cv::Scalar(0))), UserError);
 }
 
 TEST(Observer, ABumpedCameraIsNoticedAndTheFloorFoundAgain) {

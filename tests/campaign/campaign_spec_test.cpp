@@ -137,7 +137,7 @@ TEST(Variable, NonsenseIsRefusedWithItsPlace) {
         {"x = { uniform = [0, 1], sd = 1 }", "unknown key 'x.sd'"},
         {"x = { uniform = [0, nan] }", "two numbers"}})
     EXPECT_THAT([text = text] { read(text); },
-                testing::ThrowsMessage<SetupError>(testing::HasSubstr(error)));
+                testing::ThrowsMessage<UserError>(testing::HasSubstr(error)));
 }
 
 using test::TemporaryFolder;

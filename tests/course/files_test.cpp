@@ -230,8 +230,8 @@ TEST(BundledFiles, WhatIsNoFileIsNamedInOneLine) {
 TEST(CameraFile, ReadsBackWhatItWritesAndRefusesWhatItDoesNotKnow) {
   EXPECT_EQ(write_camera(parse_camera(write_camera(rough(), ""), "f"), ""),
             write_camera(rough(), ""));
-  EXPECT_THROW(parse_camera("rate_hz = 0.0\n", "f"), SetupError);
-  EXPECT_THROW(parse_camera("hight_m = 2.0\n", "f"), SetupError);
+  EXPECT_THROW(parse_camera("rate_hz = 0.0\n", "f"), UserError);
+  EXPECT_THROW(parse_camera("hight_m = 2.0\n", "f"), UserError);
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (const auto read : {tp100::read_drive, tp100::read_measured}) {
     try {
       read(text);
-    } catch (const tp100::SetupError& error) {
+    } catch (const tp100::UserError& error) {
       tp100::fuzz::require_message(error.what());
     }
   }

@@ -48,7 +48,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
        {tp100::read_configuration, tp100::read_robot, tp100::read_camera, tp100::read_course}) {
     try {
       read(text);
-    } catch (const tp100::SetupError& error) {
+    } catch (const tp100::UserError& error) {
       tp100::fuzz::require_message(error.what());
     }
   }

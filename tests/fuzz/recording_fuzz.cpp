@@ -61,7 +61,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     tp100::stream(file.path());
     tp100::visit(file.path());
-  } catch (const tp100::SetupError& error) {
+  } catch (const tp100::UserError& error) {
     tp100::fuzz::require_message(error.what());
   }
   return 0;

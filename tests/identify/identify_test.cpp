@@ -190,8 +190,8 @@ TEST(Identify, RefusesARunWithoutAnythingToCompare) {
   EXPECT_THAT(test::refusal([&] { identify({blind}, unknown()); }),
               HasSubstr("blind: neither camera poses nor hand measurements"));
   EXPECT_THROW(identify({simulated_drive(Truth{}, "still", 0.0, 0.0, 2.0, 1)}, unknown()),
-               SetupError);
-  EXPECT_THROW(identify({}, unknown()), SetupError);
+               UserError);
+  EXPECT_THROW(identify({}, unknown()), UserError);
 }
 
 std::vector<std::string> arcs_of(double gauge_m) {
@@ -363,7 +363,7 @@ TEST(DriveFile, HandMeasurementsGoToTheirRun) {
   EXPECT_EQ(write_measured(std::vector<RecordedDrive>(2)), "");
   EXPECT_EQ(test::refusal([&] { add_measured("run,left_m\n4,0\n", "m.csv", drives); }),
             "m.csv:2: run is 4, but there are runs 1 to 3");
-  EXPECT_THROW(add_measured("run,slope_deg\n3,16\n", "m.csv", drives), SetupError)
+  EXPECT_THROW(add_measured("run,slope_deg\n3,16\n", "m.csv", drives), UserError)
       << "without a distance";
 }
 

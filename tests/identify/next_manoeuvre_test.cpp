@@ -188,7 +188,7 @@ TEST(NextManoeuvre, ThePathKeepsToTheFenceFromAnyPlaceNearItsEdge) {
     std::optional<course::OtherPath> manoeuvre;
     try {
       manoeuvre = next.choose();
-    } catch (const SetupError&) {
+    } catch (const UserError&) {
       continue;  // nothing fits from there
     }
     if (!manoeuvre) continue;

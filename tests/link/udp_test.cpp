@@ -50,7 +50,7 @@ TEST(Udp, AHostIsLookedUpWithItsPortAndAWrongOneIsAnErrorAtOnce) {
   EXPECT_EQ(address.sin_family, AF_INET);
   EXPECT_EQ(address.sin_addr.s_addr, htonl(0x7f000002));
   EXPECT_EQ(address.sin_port, htons(0x1234));
-  EXPECT_THROW(resolve({.host = "::1", .port = 1}), SetupError) << "addresses are IPv4";
+  EXPECT_THROW(resolve({.host = "::1", .port = 1}), UserError) << "addresses are IPv4";
   EXPECT_THAT(test::refusal([] { resolve({.host = "no.such.host.invalid", .port = 71}); }),
               HasSubstr("udp:no.such.host.invalid:71: no such host ("));
   // Nobody asked for broadcasts.

@@ -65,7 +65,7 @@ class Run : public ::testing::Test {
     int status = -1;
     try {
       status = app::run_run(options_);
-    } catch (const SetupError& error) {
+    } catch (const UserError& error) {
       message_ = error.what();
     }
     over = true;

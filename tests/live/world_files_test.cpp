@@ -113,13 +113,13 @@ TEST_F(Files, AChangedFileIsReadAndABadOneIsCountedAndChangesNothing) {
 
 TEST_F(Files, BadSettingsAreErrorsAtTheStart) {
   run_.settings.encoder_template = "{speed}";
-  EXPECT_THROW(open(), SetupError);
+  EXPECT_THROW(open(), UserError);
   run_.settings.encoder_template = "{left}";
   run_.settings.orientation_template = "{roll}";
-  EXPECT_THROW(open(), SetupError);
+  EXPECT_THROW(open(), UserError);
   run_.settings.orientation_template = "";
   run_.settings.encoder_file = folder_.file("none/Encoder.txt");
-  EXPECT_THROW(open(), SetupError);
+  EXPECT_THROW(open(), UserError);
 }
 
 TEST_F(Files, APipeInPlaceOfTheFileStopsNothing) {

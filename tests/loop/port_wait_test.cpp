@@ -90,7 +90,7 @@ TEST(PortWait, WithoutDescriptorsItSaysWhatToRaise) {
   try {
     PortWait wait(kSpareNs);
     ADD_FAILURE() << "the timer was created without a descriptor";
-  } catch (const SetupError& error) {
+  } catch (const UserError& error) {
     EXPECT_NE(std::string(error.what()).find("ulimit -n"), std::string::npos) << error.what();
   }
   ::setrlimit(RLIMIT_NOFILE, &before);

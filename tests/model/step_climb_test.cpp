@@ -105,7 +105,7 @@ TEST(CheckClimb, RefusesWhatIsNoGeometry) {
   ClimbGeometry geometry;
   geometry.com_forward_m = 0.140;
   EXPECT_NE(refused(geometry), "");
-  EXPECT_THROW(ClimbCurve({}, {0.2, 0.1}), SetupError);
+  EXPECT_THROW(ClimbCurve({}, {0.2, 0.1}), UserError);
 }
 
 TEST(ClimbCurve, IsFiniteEvenWhereTheRearCannotReachTheGround) {

@@ -47,7 +47,7 @@ class RecordedPrograms : public testing::Test {
     std::uint64_t steps = 0;
     try {
       Recording(file).visit({.step = [&](const StepRecord&) { ++steps; }});
-    } catch (const SetupError&) {
+    } catch (const UserError&) {
     }
     return steps;
   }

@@ -61,7 +61,7 @@ std::string why_not(const std::function<void()>& action) {
 // A damaged disk, or a lack of memory, would end the daemon in the middle of a run.
 TEST(DiskWorker, WhateverAJobThrowsIsItsAnswer) {
   EXPECT_EQ(why_not([] {}), "");
-  EXPECT_EQ(why_not([] { throw SetupError("no such run"); }), "no such run");
+  EXPECT_EQ(why_not([] { throw UserError("no such run"); }), "no such run");
   EXPECT_EQ(why_not([] {
               throw std::filesystem::filesystem_error("status", "/home/me/runs/a\nb",
                                                       std::make_error_code(std::errc::io_error));

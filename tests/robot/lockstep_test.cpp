@@ -176,7 +176,7 @@ TEST(Lockstep, OnlyTheBodyOfTheSimulatorClimbsARampThatIsReallyThere) {
   LockstepSettings run = run_of("3", "uniform");
   run.robot.emulated.contact_law = course::ContactLaw::kShear;
   run.setup = bridge::Setup::kTerrain;
-  EXPECT_THROW(run_lockstep(run), SetupError);
+  EXPECT_THROW(run_lockstep(run), UserError);
 }
 
 // What a person sets up wrongly ends the run, by name, before the robot is far. Other mistakes:
@@ -242,7 +242,7 @@ TEST(CameraRun, DetectionsOfThisDriveTakeTheEmulatedCamerasPlace) {
 TEST(CameraRun, AStandIsNoPlaceForACamera) {
   LockstepSettings run = seen_run_of("1-curve", "end-loaded");
   run.setup = bridge::Setup::kStand;
-  EXPECT_THROW(run_lockstep(run), SetupError);
+  EXPECT_THROW(run_lockstep(run), UserError);
 }
 
 // Course 3, with the paper's step and ramp, where it is too much for a robot.

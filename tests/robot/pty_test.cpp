@@ -43,11 +43,11 @@ TEST_F(PtyTest, ReplacesADanglingLinkAndRemovesItsOwn) {
 
 TEST_F(PtyTest, DoesNotReplaceAFileOrALiveLink) {
   std::ofstream(link()) << "mine";
-  EXPECT_THROW(Pty pty(link()), SetupError);
+  EXPECT_THROW(Pty pty(link()), UserError);
   EXPECT_TRUE(fs::is_regular_file(link()));
   const std::string other = folder_.file("other");
   Pty first(other);
-  EXPECT_THROW(Pty second(other), SetupError);
+  EXPECT_THROW(Pty second(other), UserError);
 }
 
 }  // namespace

@@ -121,7 +121,7 @@ TEST_F(RunZipTest, AFileThatChangedMeanwhileCutsTheArchiveOff) {
 TEST_F(RunZipTest, ARecordingThatGrowsIsTakenAsItWas) {
   write_random("run.mcap", 200'000);
   RunZip zip(runs_, "a");
-  EXPECT_THROW(delete_run(runs_, "a"), SetupError) << "while it is read";
+  EXPECT_THROW(delete_run(runs_, "a"), UserError) << "while it is read";
   test::write_bytes(runs_ + "/grown", written_["a/run.mcap"] + "more");
   fs::copy_file(runs_ + "/grown", runs_ + "/a/run.mcap", fs::copy_options::overwrite_existing);
   EXPECT_TRUE(unpacked(all_of(zip)) == written_);
@@ -137,7 +137,7 @@ TEST_F(RunZipTest, NothingOutsideOfTheRunIsTaken) {
   RunZip zip(runs_, "a");
   EXPECT_TRUE(unpacked(all_of(zip)) == written_);
   for (const char* run : {"linked", "b", "..", ".", "", "a/../a"})
-    EXPECT_THROW(RunZip(runs_, run), SetupError) << run;
+    EXPECT_THROW(RunZip(runs_, run), UserError) << run;
 }
 
 TEST_F(RunZipTest, TooManyFilesAreRefused) {

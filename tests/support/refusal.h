@@ -9,12 +9,12 @@
 
 namespace tp100::test {
 
-/// The message, one line, of the SetupError that `action` throws; empty if it throws none.
+/// The message, one line, of the UserError that `action` throws; empty if it throws none.
 template <class Action>
 std::string refusal(Action action) {
   try {
     action();
-  } catch (const SetupError& error) {
+  } catch (const UserError& error) {
     EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
     return error.what();
   }

@@ -80,7 +80,7 @@ TEST_F(AtomicFile, AFolderForResultsIsMadeWithThoseAboveIt) {
   make_folder(folder_.file("new/and/newer"));
   EXPECT_TRUE(fs::is_directory(folder_.file("new/and/newer")));
   write_file(folder_.file("file"), "in the way");
-  EXPECT_THROW(make_folder(folder_.file("file/folder")), SetupError);
+  EXPECT_THROW(make_folder(folder_.file("file/folder")), UserError);
 }
 
 // A configuration with a password, readable by its owner only, would be readable by all once a
@@ -156,8 +156,8 @@ TEST_F(AtomicFile, WhereTheKeptFileBelongsNothingElseIsOverwritten) {
   write_file(path, "old");
   write_file(other, "precious");
   fs::create_symlink(other, kept_path(path));
-  EXPECT_THROW(edit_file(path, "new"), SetupError);
-  EXPECT_THROW(restore_file(path), SetupError);
+  EXPECT_THROW(edit_file(path, "new"), UserError);
+  EXPECT_THROW(restore_file(path), UserError);
   EXPECT_EQ(read(path) + read(other), "oldprecious");
   EXPECT_TRUE(fs::is_symlink(kept_path(path)));
 }
@@ -175,7 +175,7 @@ TEST_F(AtomicFile, AFileThatIsReadIsNotWrittenOver) {
        {path, link, hard, folder_.path().string() + "/./run.mcap", std::string("run.mcap")}) {
     fs::current_path(folder_.path());
     EXPECT_THAT(error_of(name, "x"), HasSubstr(name + ": this file is read")) << name;
-    EXPECT_THROW(FileReplacement{name}, SetupError) << name;
+    EXPECT_THROW(FileReplacement{name}, UserError) << name;
     fs::current_path(before);
   }
   EXPECT_EQ(read(path), "precious");

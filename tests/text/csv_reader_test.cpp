@@ -61,7 +61,7 @@ TEST(CsvReader, AnEmptyCellIsAGapWhereGapsAreAllowed) {
   EXPECT_TRUE(std::isnan(table["v"][0]));
   EXPECT_EQ(table["v"][1], 2.0);
   EXPECT_TRUE(std::isnan(table["g"][1]));
-  EXPECT_THROW(parse_csv("t_s,v\n,1\n", "f.csv", {{"t_s", "v"}, {}, {"v"}}), SetupError);
+  EXPECT_THROW(parse_csv("t_s,v\n,1\n", "f.csv", {{"t_s", "v"}, {}, {"v"}}), UserError);
 }
 
 TEST(CsvReader, RefusesABadFileAtItsLine) {

@@ -69,7 +69,7 @@ class EncoderStudy {
  public:
   /// `host_checks` false: the daemon's own checks are off, and only the firmware's remain.
   explicit EncoderStudy(bool host_checks = true) : host_checks_(host_checks) {}
-  /// Throws SetupError.
+  /// Throws UserError.
   EncoderOutcome drive(const EncoderTrial& trial);
 
  private:

@@ -58,7 +58,7 @@ struct FaultOutcome {
 };
 
 /// Drives the first 0.6 m of course 1-straight with the reference robot, and once more if the trial
-/// requires it. `sink` receives every step. Deterministic. Throws SetupError.
+/// requires it. `sink` receives every step. Deterministic. Throws UserError.
 FaultOutcome try_fault(const FaultTrial& trial, BoardKind board, messages::Sink* sink = nullptr,
                        std::uint64_t seed = 1);
 

@@ -84,11 +84,11 @@ TEST(WorldText, ABadTemplateIsAnErrorAtTheStart) {
   EXPECT_NO_THROW(require_encoder_template("{seq} {left} {right} end", "k"));
   for (const std::string& bad :
        {std::string("{wheel}"), std::string("{left"), std::string(501, 'x')})
-    EXPECT_THROW(require_encoder_template(bad, "k"), SetupError) << bad;
+    EXPECT_THROW(require_encoder_template(bad, "k"), UserError) << bad;
   for (const char* good : {"", "{pitch} {}"})
     EXPECT_NO_THROW(require_orientation_template(good, "k"));
   for (const char* bad : {"{roll}", "{pitch} {tilt}", "{pitch"})
-    EXPECT_THROW(require_orientation_template(bad, "k"), SetupError) << bad;
+    EXPECT_THROW(require_orientation_template(bad, "k"), UserError) << bad;
 }
 
 TEST(OrientationText, WhatIsIncompleteOrOutOfRangeIsRefused) {

@@ -63,7 +63,7 @@ TEST(HeldOutCourse, CanBeDrivenWhateverTheSeed) {
       EXPECT_EQ(path.length_m(), course::Path(held_out_course(kind, seed)).length_m());
     }
   }
-  EXPECT_THROW(held_out_course("4", 1), SetupError);
+  EXPECT_THROW(held_out_course("4", 1), UserError);
 }
 
 TEST(Reproduction, HasATrajectoryOfEveryStudyInAnyFolder) {
@@ -162,7 +162,7 @@ TEST(ShearStudy, ARobotIsPredictedOnceItIsIdentifiedOnThatBody) {
   EXPECT_TRUE(run.result.completed) << run.result.cause;
   EXPECT_LE(run.figures.estimates[PoseSource::kModel]->max_position_error_m,
             0.008 * course::Path(trial.course).length_m());
-  EXPECT_THROW(run_reproduce({.part = "paper", .body = "shear"}), SetupError) << "it has no parts";
+  EXPECT_THROW(run_reproduce({.part = "paper", .body = "shear"}), UserError) << "it has no parts";
 }
 
 TEST(Study, JudgesModelEstimateAndTrackingByTheirOwnLimits) {

@@ -61,7 +61,7 @@ TEST(StudyProcesses, ReturnEveryStudyInTheOrderOfTheJobs) {
 
 TEST(StudyProcesses, AJobThatFailsOrIsKilledIsAnError) {
   using Studies = std::vector<CourseStudy>;
-  StudyProcesses fails({[]() -> Studies { throw SetupError("no such robot"); },
+  StudyProcesses fails({[]() -> Studies { throw UserError("no such robot"); },
                         [] { return Studies{study_called("good")}; }});
   EXPECT_EQ(test::refusal([&] { fails.results(); }), "no such robot");
   StudyProcesses defect({[]() -> Studies { throw std::out_of_range("a defect"); }});
