@@ -85,7 +85,7 @@ class Perception {
   /// A run begins at host time `now` with the robot at a known pose.
   void begin(const Pose& start, HostNs now);
   /// A run begins where the estimates say that the robot is.
-  void go_on() { traction_estimator_.restart(); }
+  void continue_run() { traction_estimator_.restart(); }
   /// True on level ground at standstill or without a session: carry() and resume() then keep all
   /// that later results depend on.
   bool at_rest() const;

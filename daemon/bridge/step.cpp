@@ -154,8 +154,8 @@ bool Step::State::take_requests(std::span<const OperatorRequest> requests) {
         goes_on = false;
         if (path) arming.start();
         break;
-      case OperatorRequest::kGoOn:
-        if (!path || !may_go_on(arming.state(), target.progress_m, path->length_m())) break;
+      case OperatorRequest::kContinue:
+        if (!path || !may_continue(arming.state(), target.progress_m, path->length_m())) break;
         goes_on = true;
         arming.start();
         break;
@@ -216,8 +216,8 @@ StartRefusal Step::State::refusal(const StepInputs& in, HostNs now) const {
 void Step::State::begin(HostNs now) {
   const bool by_hand = arming.state() == RunState::kDriving;
   if (by_hand || goes_on) {
-    perception.go_on();
-    witnesses.go_on();
+    perception.continue_run();
+    witnesses.continue_run();
   } else {
     perception.begin(course->start, now);
     witnesses.begin();

@@ -45,7 +45,7 @@ void WitnessPoses::begin() {
 
 // Nobody knows how accurately a robot was placed that is driven without a start. Its world is where
 // the robot is assumed to be, too.
-void WitnessPoses::go_on() {
+void WitnessPoses::continue_run() {
   if (external_.ground() && !counts_from_)
     counts_from_ = perception_.estimate(PoseSource::kOdometry);
 }

@@ -37,7 +37,7 @@ class WitnessPoses {
   /// The robot is at the start of a run, or where it was placed.
   void begin();
   /// A drive by hand begins, or a run goes on.
-  void go_on();
+  void continue_run();
   /// Another `dt_s` has passed.
   void advance(double dt_s);
   /// `tracker`: of a run on a course; null: by hand.

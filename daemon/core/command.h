@@ -38,18 +38,18 @@ enum class RequestAnswer : std::uint8_t {
 
 /// An operator's request to the bridge (by keyboard, page, --go or signal).
 enum class OperatorRequest : std::uint8_t {
-  kStart,   ///< arm and begin the course; the robot stands at its start
-  kHold,    ///< disarm, keep the session
-  kStop,    ///< latch STOP on the robot; only kStart, kGoOn and kDrive clear it
-  kGoOn,    ///< as kStart, but from where the last run ended: see may_go_on()
-  kDrive,   ///< arm for driving by hand; the estimated poses continue
-  kPause,   ///< slow down on the course to a standstill; the robot stays armed
-  kResume,  ///< continue a paused run
+  kStart,     ///< arm and begin the course; the robot stands at its start
+  kHold,      ///< disarm, keep the session
+  kStop,      ///< latch STOP on the robot; only kStart, kContinue and kDrive clear it
+  kContinue,  ///< as kStart, but from where the last run ended: see may_continue()
+  kDrive,     ///< arm for driving by hand; the estimated poses continue
+  kPause,     ///< slow down on the course to a standstill; the robot stays armed
+  kResume,    ///< continue a paused run
 };
 
 /// Whether the request can make motors turn, and so needs a person's consent (core/consent.h).
 constexpr bool moves(OperatorRequest request) {
-  return request == OperatorRequest::kStart || request == OperatorRequest::kGoOn ||
+  return request == OperatorRequest::kStart || request == OperatorRequest::kContinue ||
          request == OperatorRequest::kDrive || request == OperatorRequest::kResume;
 }
 
@@ -58,7 +58,7 @@ inline constexpr std::array<EnumName<OperatorRequest>, 7> kOperatorRequestNames 
     {OperatorRequest::kStart, "start"},
     {OperatorRequest::kHold, "hold"},
     {OperatorRequest::kStop, "STOP"},
-    {OperatorRequest::kGoOn, "go on"},
+    {OperatorRequest::kContinue, "continue"},
     {OperatorRequest::kDrive, "drive by hand"},
     {OperatorRequest::kPause, "pause"},
     {OperatorRequest::kResume, "resume"},

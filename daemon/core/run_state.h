@@ -40,7 +40,7 @@ constexpr bool under_way(RunState state) { return state == RunState::kArming || 
 
 /// Whether the last run ended before the end of its course, so that it can be continued from the
 /// robot's estimated pose. `progress_m`, `length_m`: along the course.
-constexpr bool may_go_on(RunState state, double progress_m, double length_m) {
+constexpr bool may_continue(RunState state, double progress_m, double length_m) {
   return (state == RunState::kIdle || state == RunState::kAborted) && progress_m > 0.0 &&
          progress_m < length_m;
 }

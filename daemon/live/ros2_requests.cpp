@@ -84,7 +84,7 @@ void Ros2Requests::observe(const StepRecord& record, HostNs now) {
     refuse(start_->input, record.now_ns, "another request came meanwhile");
     return start_.reset();
   }
-  go_on(*start_, record.snapshot, record.now_ns);
+  advance(*start_, record.snapshot, record.now_ns);
 }
 
 // Noted late rather than early: then fewer messages count as written after a STOP was seen.
@@ -257,7 +257,7 @@ void Ros2Requests::start(const ros2::Received& received, const server::SetupChoi
                    });
 }
 
-void Ros2Requests::go_on(Start& start, const Snapshot& snapshot, HostNs now) {
+void Ros2Requests::advance(Start& start, const Snapshot& snapshot, HostNs now) {
   std::string why;
   if (!start.chosen) {
     const std::lock_guard lock(shared_->mutex);

@@ -100,7 +100,7 @@ class Ros2Requests {
   void velocity(const ros2::Received& received, HostNs now);
   void place(const ros2::Received& received, const Pose& at, HostNs now);
   void start(const ros2::Received& received, const server::SetupChoice& choice, HostNs now);
-  void go_on(Start& start, const Snapshot& snapshot, HostNs now);
+  void advance(Start& start, const Snapshot& snapshot, HostNs now);
   std::string why_not(const Start& start, const Snapshot& snapshot) const;
   void stop(HostNs now);
   void reply(HostNs now, const std::string& text);

@@ -154,7 +154,7 @@ StateFigures full_state() {
   state.robot = RobotState::kArmed;
   state.run_s = 0.5;
   state.length_m = 0.5;
-  state.pose = state.go_on_from = Pose{};
+  state.pose = state.continue_from = Pose{};
   state.battery_v = 7.5;
   state.driver = {.by = "viewer 3", .asked_by = "viewer 4"};
   state.faults = fault_bit(Fault::stop_requested);

@@ -137,7 +137,7 @@ struct StateFigures {
   std::optional<double> battery_v;
   std::optional<Pose> pose;  ///< the steering pose in the world; nothing before the first step
   /// Where the robot is estimated to be, if the last run ended before the end of its course.
-  std::optional<Pose> go_on_from;
+  std::optional<Pose> continue_from;
   bool can_start = false, can_record = false;
   std::string why_not_start;
   std::string why_not_drive;

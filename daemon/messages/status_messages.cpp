@@ -126,7 +126,7 @@ std::string state_message(HostNs now, const PublishClock& clock, const StateFigu
           .field("record", state.can_record);
     });
     if (state.pause_left_s > 0.0) json.field("pause_left_s", state.pause_left_s);
-    write_place(json, "go_on_from", state.go_on_from);
+    write_place(json, "continue_from", state.continue_from);
     json.field("why_not_start", state.why_not_start)
         .field("why_not_drive", state.why_not_drive)
         .field("confirm_start", state.confirm_start)

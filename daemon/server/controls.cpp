@@ -31,9 +31,9 @@ struct Motion {
       return Refusal{
           "from must be \"start\" (of the course) or \"here\" (where the last run ended)"};
     if (!request.state.can_start) return Refusal{request.state.why_not_start};
-    if (from == "here" && !request.state.go_on_from)
+    if (from == "here" && !request.state.continue_from)
       return Refusal{"no run ended before the end of its course; start from the course's start"};
-    const auto what = from == "here" ? OperatorRequest::kGoOn : OperatorRequest::kStart;
+    const auto what = from == "here" ? OperatorRequest::kContinue : OperatorRequest::kStart;
     return accepted(controls.move(what, request.consent, request.now));
   }
 

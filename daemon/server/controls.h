@@ -36,8 +36,8 @@ class Controls {
  public:
   virtual ~Controls() = default;
 
-  /// Sets the robot in motion: kStart, kGoOn or kResume. The consent is judged now and again by the
-  /// loop.
+  /// Sets the robot in motion: kStart, kContinue or kResume. The consent is judged now and again by
+  /// the loop.
   virtual Result<> move(OperatorRequest request, const Consent& consent, HostNs now) = 0;
   virtual Result<> hold() = 0;
   /// Pauses a run on the course; a paused one stays paused.

@@ -150,7 +150,7 @@ void Publisher::change_setup(messages::RunContext run_context,
   path_history_.clear();
   publish_setup(setup, now);
   state_.progress_m = 0.0;
-  state_.go_on_from.reset();
+  state_.continue_from.reset();
   publish_state(now, true);
 }
 
@@ -188,9 +188,9 @@ void Publisher::update_state(const StepRecord& record) {
   state_.pose = snapshot.world;
   state_.pause_left_s = snapshot.pause_left_s;
   state_.progress_m = snapshot.progress_m;
-  state_.go_on_from = may_go_on(state_.run, state_.progress_m, state_.length_m.value_or(0.0))
-                          ? std::optional(snapshot.world)
-                          : std::nullopt;
+  state_.continue_from = may_continue(state_.run, state_.progress_m, state_.length_m.value_or(0.0))
+                             ? std::optional(snapshot.world)
+                             : std::nullopt;
   state_.faults = snapshot.faults;
   state_.robot_faults = snapshot.has_sample ? snapshot.sample.faults : 0;
   state_.motors_on = snapshot.has_sample && motors_on(snapshot.sample);

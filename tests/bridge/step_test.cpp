@@ -60,7 +60,7 @@ TEST_F(StepTest, GoesOnFromWhereARunWasStopped) {
       step = std::make_unique<Step>(parameters_, course_);
       restart_.push(carried);
     }
-    tick(*step, robot, {OperatorRequest::kGoOn});
+    tick(*step, robot, {OperatorRequest::kContinue});
     double least_m = 1e9;
     RunState state = RunState::kArming;
     while (state == RunState::kArming || state == RunState::kRunning) {
@@ -79,7 +79,7 @@ TEST_F(StepTest, GoesOnFromWhereARunWasStopped) {
 
 TEST_F(StepTest, GoesOnFromNowhereElse) {
   const auto stays = [&](Step& step, KinematicRobot& robot, RunState state) {
-    tick(step, robot, {OperatorRequest::kGoOn});
+    tick(step, robot, {OperatorRequest::kContinue});
     for (int i = 0; i < 400; ++i) {
       EXPECT_EQ(tick(step, robot).snapshot.run_state, state);
       EXPECT_FALSE(robot.armed);

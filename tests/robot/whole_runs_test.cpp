@@ -311,7 +311,7 @@ const std::vector<WholeRun>& runs() {
                 start(drive, 0.4);
                 drive.request(OperatorRequest::kHold);
                 drive.step_for(2.0);
-                drive.request(OperatorRequest::kGoOn);
+                drive.request(OperatorRequest::kContinue);
                 drive.step_for(0.5);
                 drive_to_the_end(drive);
               }),

@@ -33,7 +33,7 @@ class FakeControls : public Controls {
  public:
   Result<> move(OperatorRequest request, const Consent& given, HostNs) override {
     if (request == OperatorRequest::kStart) ++starts;
-    if (request == OperatorRequest::kGoOn) ++go_ons;
+    if (request == OperatorRequest::kContinue) ++continues;
     consents.push_back(given);
     return unless(move_refusal);
   }
@@ -84,7 +84,7 @@ class FakeControls : public Controls {
   messages::RecordingFigures recording() override { return record; }
   StartConsent start_consent() override { return StartConsent::kEnter; }
 
-  std::atomic<int> starts{0}, go_ons{0}, holds{0}, stops{0};
+  std::atomic<int> starts{0}, continues{0}, holds{0}, stops{0};
   std::vector<Consent> consents;
   std::string move_refusal;
   std::shared_future<void> held{};     ///< blocks hold() until it is ready

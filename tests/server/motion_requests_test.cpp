@@ -21,7 +21,7 @@ TEST_F(RequestHandlerTest, AStartGoesOnFromHereOnlyWhereARunEndedEarly) {
   record.snapshot.progress_m = 0.1;
   step(record);
   EXPECT_EQ(refused(Service::kStart, here), "");
-  EXPECT_EQ(controls_.go_ons, 1);
+  EXPECT_EQ(controls_.continues, 1);
   EXPECT_EQ(controls_.starts, 0);
   EXPECT_EQ(refused(Service::kStart, R"({"from":"start"})"), "");
   EXPECT_EQ(controls_.starts, 1);

@@ -41,7 +41,7 @@ export class Controls {
       if (this.continues.press()) this.send(this.consent.move('resume', {}));
       return;
     }
-    if (this.state?.go_on_from !== undefined) {
+    if (this.state?.continue_from !== undefined) {
       this.question.ask(this.state);
       return;
     }

@@ -42,7 +42,7 @@ export class StartQuestion {
   /** Closes by itself when the question no longer applies; waits while nothing may start, as when the robot is carried to the start. */
   show(state: State | undefined, mayStart: boolean): void {
     if (!this.open) return;
-    const at = state?.go_on_from;
+    const at = state?.continue_from;
     if (at === undefined) {
       this.close();
       return;

@@ -141,7 +141,7 @@ export interface State {
   pause_left_s?: number;
   can: { start: boolean; drive?: boolean; pause?: boolean; resume?: boolean; hold: boolean; record: boolean };
   /** Where the robot is estimated to be, if the last run ended before the end of its course. */
-  go_on_from?: FloorPose;
+  continue_from?: FloorPose;
   why_not_start: string;
   why_not_drive?: string;
   driver?: { by: string; fresh: boolean; asked_by?: string };
