@@ -11,7 +11,7 @@
 namespace tp100::bridge {
 namespace {
 
-struct Namer {
+struct NameByIndex {
   template <class T>
   void field(const char* name, const T&) {
     if (index++ == wanted) found = std::string(name, std::strcspn(name, ","));
@@ -77,7 +77,7 @@ link::SessionSettings session_settings(const bridge::Parameters& parameters,
 
 std::string parameter_name(unsigned index) {
   wire::Parameters parameters{};
-  Namer namer{index};
+  NameByIndex namer{index};
   parameters.visit(namer);
   return namer.found;
 }

@@ -34,9 +34,10 @@ class ExternalWorld {
   bool fresh(HostNs now) const;
   /// Not fresh, or not the world with which the run began.
   bool lost(HostNs now) const;
-  /// True once after each change to stop; if `moving`, for as long as the world requests a stop.
+  /// Whether the world stops the robot: while it moves, as long as the world requests a stop; at
+  /// rest once for each request.
   bool take_stop(bool moving);
-  /// The robot has not been able to go on for half a second.
+  /// The world has held the robot for half a second.
   bool blocked() const { return blocked_s_ > kBlockedS; }
 
   /// The terrain received from the world; nothing if the bridge computes its own.

@@ -70,7 +70,7 @@ void Perception::restart() {
 }
 
 void Perception::begin(const Pose& start, HostNs now) {
-  track_model_.reset(start);
+  track_model_.begin(start);
   model_covariance_.begin();
   odometry_.begin(start);
   filter_.begin(start, now);
@@ -120,7 +120,7 @@ void Perception::resume(const CarriedState& state) {
   terrain_contacts_.resume({state.virtual_x_m, state.virtual_y_m, state.virtual_turn_rad});
   traction_estimator_.restart();
   track_model_ = make_model(parameters_);
-  track_model_.reset(state.model);
+  track_model_.begin(state.model);
   model_covariance_.resume(state.model_covariance);
   odometry_.resume(state.odometry);
   filter_.resume(state.filter);

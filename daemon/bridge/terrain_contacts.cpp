@@ -62,7 +62,7 @@ double TerrainContacts::distance_m(const TerrainInput& in, const model::Incline&
 }
 
 void TerrainContacts::set_external_terrain(const ExternalTerrain& external) {
-  external_ = external.terrain_follower;
+  external_ = external.contact;
   if (!external.transform) return;
   transform_ = *external.transform;
   transform_received_ = true;
@@ -85,9 +85,9 @@ void TerrainContacts::advance(const TerrainInput& in) {
     return;
   }
   if (transform_received_) return;
-  const double along_m = distance_m(in, world_stands().incline);
+  const double along_m = distance_m(in, world_contact().incline);
   if (!external_) virtual_.advance(world(steering), along_m, in.dt_s);
-  const double ahead_m = along_m * world_stands().incline.horizontal_fraction -
+  const double ahead_m = along_m * world_contact().incline.horizontal_fraction -
                          distance_m(in, followers_[steering_].state().incline);
   transform_.x_m += ahead_m * std::cos(steering.yaw_rad);
   transform_.y_m += ahead_m * std::sin(steering.yaw_rad);
@@ -103,24 +103,24 @@ estimation::Ground TerrainContacts::ground(PoseSource source) const {
           .hold_slip = on.climbing};
 }
 
-const terrain::ContactState& TerrainContacts::world_stands() const {
+const terrain::ContactState& TerrainContacts::world_contact() const {
   if (real()) return followers_[steering_].state();
   return external_ ? *external_ : virtual_.state();
 }
 
 Pose TerrainContacts::world(const Pose& steering) const {
   Pose pose = transform_.of(steering);
-  place(world_stands(), pose);
+  place(world_contact(), pose);
   return pose;
 }
 
 void TerrainContacts::set_attitude(PerSource<Estimate>& estimates) const {
   for (const PoseSource source : kPoseSources)
-    place(real() ? followers_[source].state() : world_stands(), estimates[source].pose);
+    place(real() ? followers_[source].state() : world_contact(), estimates[source].pose);
 }
 
 TerrainContact TerrainContacts::terrain_contact() const {
-  const terrain::ContactState& on = world_stands();
+  const terrain::ContactState& on = world_contact();
   return {.pitch_source = real()      ? PitchSource::kImu
                           : external_ ? PitchSource::kExternal
                                       : PitchSource::kVirtual,

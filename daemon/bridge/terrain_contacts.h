@@ -30,7 +30,7 @@ struct TerrainInput {
 
 /// The external world's terrain under the virtual robot; nothing without an external world.
 struct ExternalTerrain {
-  const std::optional<terrain::ContactState>& terrain_follower;
+  const std::optional<terrain::ContactState>& contact;
   const std::optional<Transform2d>& transform;
 };
 
@@ -84,7 +84,7 @@ class TerrainContacts {
 
  private:
   bool real() const { return setup_ == Setup::kTerrain; }
-  const terrain::ContactState& world_stands() const;
+  const terrain::ContactState& world_contact() const;
   double distance_m(const TerrainInput& in, const model::Incline& incline) const;
 
   Setup setup_;

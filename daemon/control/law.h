@@ -12,8 +12,8 @@ namespace tp100::control {
 /// The robot against the path. Everything is in the frame of the path's nearest point: x along the
 /// tangent, y left. SI units.
 struct PathErrors {
-  double cross_track_m = 0.0;   ///< left positive; after a rotation of the robot back to the
-                                ///< tangent
+  /// Left positive; of the turning centre, which a rotation of the robot does not move.
+  double cross_track_m = 0.0;
   double heading_rad = 0.0;     ///< robot's yaw minus the tangent's, within +-pi
   double yaw_rate_radps = 0.0;  ///< measured
   double speed_mps = 0.0;       ///< along the path, as it will be commanded; not negative

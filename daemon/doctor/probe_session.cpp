@@ -34,10 +34,10 @@ constexpr double kLookS = 0.2;
 void listen(ProbeSession& robot, const ProbeOptions& options, doctor::ProbeResult& probe) {
   const link::Session& session = robot.session();
   const auto in_state = [&session](SessionState state) { return session.state() == state; };
-  robot.turn(kFirstFrameS, [&] { return session.counters().frames_in > 0; });
+  robot.run(kFirstFrameS, [&] { return session.counters().frames_in > 0; });
   const bool answered = session.counters().frames_in > 0;
   if (answered)
-    probe.ready = robot.turn(kHandshakeS, [&] {
+    probe.ready = robot.run(kHandshakeS, [&] {
       return in_state(SessionState::kReady) || in_state(SessionState::kRefused);
     });
   probe.ready = in_state(SessionState::kReady);
@@ -48,7 +48,7 @@ void listen(ProbeSession& robot, const ProbeOptions& options, doctor::ProbeResul
   if (robot.refused_parameter() >= 0)
     probe.refused = bridge::parameter_name(static_cast<unsigned>(robot.refused_parameter()));
   if (probe.ready) {
-    robot.turn(kLookS, [] { return false; });
+    robot.run(kLookS, [] { return false; });
     if (options.link_test_s > 0.0) probe.link = robot.test_link(options.link_test_s);
     add_sample(robot.newest(), probe);
     probe.moved_unasked = robot.moved_unasked();
@@ -64,18 +64,18 @@ ProbeSession::ProbeSession(link::Port port, const link::SessionSettings& setting
   session_.open(monotonic_now());
 }
 
-bool ProbeSession::turn(double limit_s, const std::function<bool()>& enough) {
+bool ProbeSession::run(double limit_s, const std::function<bool()>& enough) {
   const HostNs end = monotonic_now() + from_s(limit_s);
   while (!enough()) {
     if (gone_ || stop_ || monotonic_now() >= end) return false;
-    turn_once();
+    cycle_once();
   }
   return true;
 }
 
 LinkTest ProbeSession::test_link(double duration_s) {
   meter_.begin(session_.counters(), monotonic_now());
-  turn(duration_s, [] { return false; });
+  run(duration_s, [] { return false; });
   return meter_.end(session_.counters(), session_.clock(), monotonic_now());
 }
 
@@ -90,7 +90,7 @@ bool ProbeSession::arm() {
   why_ = "not acknowledged";
   fix_ = "check the cable and run it again";
   session_.request(RobotRequest::kArm, monotonic_now());
-  turn(kArmLimitS, [this] { return !session_.request_pending(); });
+  run(kArmLimitS, [this] { return !session_.request_pending(); });
   return acknowledged_ && !stop_;
 }
 
@@ -98,12 +98,12 @@ bool ProbeSession::disarm() {
   command(0.0, 0.0);
   session_.request(RobotRequest::kDisarm, monotonic_now());
   const HostNs end = monotonic_now() + from_s(kDisarmLimitS);
-  while (session_.request_pending() && !gone_ && monotonic_now() < end) turn_once();
+  while (session_.request_pending() && !gone_ && monotonic_now() < end) cycle_once();
   asked_ = false;
   return !session_.request_pending() && !gone_;
 }
 
-void ProbeSession::turn_once() {
+void ProbeSession::cycle_once() {
   pollfd descriptor{port_.fd(), POLLIN, 0};
   ::poll(&descriptor, 1, 1);
   const HostNs now = monotonic_now();

@@ -18,7 +18,7 @@ namespace tp100::doctor {
 
 class ProbeSession {
  public:
-  /// `stop` ends every call of turn(), and must outlive the session.
+  /// `stop` ends every call of run(), and must outlive the session.
   ProbeSession(link::Port port, const link::SessionSettings& settings,
                const std::atomic<bool>& stop);
   ProbeSession(const ProbeSession&) = delete;
@@ -26,7 +26,7 @@ class ProbeSession {
 
   /// Reads, replies and sends commands until `enough` holds, `limit_s` has passed, the port is gone
   /// or `stop` is set. Returns whether `enough` held.
-  bool turn(double limit_s, const std::function<bool()>& enough);
+  bool run(double limit_s, const std::function<bool()>& enough);
 
   /// Sets the command from now on, initially zero. An armed robot follows it.
   void command(double speed_mps, double yaw_rate_radps);
@@ -36,7 +36,7 @@ class ProbeSession {
   /// too. False: not acknowledged.
   bool disarm();
 
-  /// Measures the link for a while, as far as turn() goes.
+  /// Measures the link for a while, as far as run() goes.
   LinkTest test_link(double duration_s);
 
   /// Called with each sample.
@@ -55,7 +55,7 @@ class ProbeSession {
   int refused_parameter() const { return refused_parameter_; }
 
  private:
-  void turn_once();
+  void cycle_once();
   void read(HostNs now);
   void take(HostNs now);
   void note(const link::SessionEvent& event);

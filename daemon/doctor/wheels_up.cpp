@@ -56,7 +56,7 @@ class WheelsUp {
 
   Findings run() {
     const auto ready = [this] { return session_.session().state() == SessionState::kReady; };
-    if (!session_.turn(kHelloLimitS, ready))
+    if (!session_.run(kHelloLimitS, ready))
       return wheels_up_broken_off(options_.port + ": no session with the robot",
                                   "run tp100d doctor without --wheels-up first");
     person_.say("both tracks run in opposite directions, then reversed");
@@ -121,13 +121,13 @@ class WheelsUp {
   }
 
   void wait(double seconds) {
-    session_.turn(seconds, [] { return false; });
+    session_.run(seconds, [] { return false; });
   }
 
   /// One motion, while somebody watches. False: nobody watches any more.
   bool move(const Motion& motion) {
     session_.command(motion.speed_mps, motion.yaw_rate_radps);
-    const bool left_alone = session_.turn(kDistanceS, [this] { return !person_.watches(); });
+    const bool left_alone = session_.run(kDistanceS, [this] { return !person_.watches(); });
     session_.command(0.0, 0.0);
     return !left_alone;
   }
@@ -137,7 +137,7 @@ class WheelsUp {
     Sums before = sums_;
     DeviceUs begun_us = last_.device_us;
     while (!move(motion)) {
-      alone_ = !session_.turn(kAloneLimitS, [this] { return person_.watches(); });
+      alone_ = !session_.run(kAloneLimitS, [this] { return person_.watches(); });
       if (!alone_) wait(kStandstillS);
       if (!still_there()) return {};
       before = sums_;
@@ -183,7 +183,7 @@ class WheelsUp {
   std::optional<std::string> answer(const Question& question) {
     person_.ask(question);
     std::optional<std::string> given;
-    session_.turn(kAnswerLimitS, [&] {
+    session_.run(kAnswerLimitS, [&] {
       given = person_.take_answer();
       return given.has_value() || person_.ended();
     });

@@ -58,7 +58,7 @@ class ModelCovariance {
   /// The samples were interrupted: the time between is unknown.
   void interrupt();
   CarriedModelCovariance carried() const;
-  /// The same, as if begin() had been called.
+  /// What carried() returns after begin(); the estimate itself stays.
   CarriedModelCovariance carried_from_start() const;
   /// As after construction, with this state.
   void resume(const CarriedModelCovariance& carried);

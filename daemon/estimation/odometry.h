@@ -68,7 +68,7 @@ class Odometry {
   /// The samples were interrupted (a new session, a new boot): the time between is unknown.
   void interrupt();
   CarriedEstimate carried() const;
-  /// The same, as if begin() had been called.
+  /// What carried() returns after begin() with these arguments; the estimate itself stays.
   CarriedEstimate carried_from(const Pose& start) const;
   /// As after construction, with this state.
   void resume(const CarriedEstimate& carried);

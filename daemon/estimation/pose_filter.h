@@ -132,7 +132,7 @@ class PoseFilter {
   void interrupt();
 
   CarriedFilter carried() const;
-  /// The same, as if begin() had been called.
+  /// What carried() returns after begin() with these arguments; the estimate itself stays.
   CarriedFilter carried_from(const Pose& start, HostNs now) const;
   /// As after construction, with this state. Camera samples from before it will be rejected.
   void resume(const CarriedFilter& state);

@@ -30,7 +30,7 @@ DeadReckoning::DeadReckoning(const ModelForm& form, const TrackParameters& param
       yaw_from_gyro_(form.yaw_from_gyro),
       tracks_(parameters_, Mode::kExtended, turn_lag_s),
       pose_(start) {
-  tracks_.reset(start);
+  tracks_.begin(start);
 }
 
 void DeadReckoning::advance(double left_mps, double right_mps, double gyro_radps, double dt_s) {

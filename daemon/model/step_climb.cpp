@@ -25,10 +25,10 @@ PlaneVector along(const PlaneVector& from, double forward, double up, double ang
 
 StepClimb::StepClimb(const ClimbGeometry& geometry, const BlockShape& block)
     : curve_(geometry, block), gyration_squared_m2_(gyration_squared_m2(geometry)) {
-  reset(0.0);
+  begin(0.0);
 }
 
-void StepClimb::reset(double distance_m) {
+void StepClimb::begin(double distance_m) {
   phase_ = ClimbPhase::kApproach;
   travel_m_ = -distance_m;
   fall_ = {0.0, 0.0};

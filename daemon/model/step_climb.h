@@ -43,7 +43,7 @@ class StepClimb {
   StepClimb(const ClimbGeometry& geometry, const BlockShape& block);
 
   /// Flat on the ground, `distance_m` >= 0 of travel in front of first touch.
-  void reset(double distance_m);
+  void begin(double distance_m);
   /// Advances by track travel `travel_m` at constant speed over `dt_s`. Travel is ground travel:
   /// the caller has subtracted the slip. dt_s <= 0 and values that are not finite change nothing.
   const ClimbState& advance(double travel_m, double dt_s);

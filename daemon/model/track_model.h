@@ -81,8 +81,8 @@ TurnShape turn_shape(double left_mps, double right_mps);
 /// Lag of the filter below, enough for encoders that give a few edges per interval. [s]
 inline constexpr double kTurnLagS = 0.1;
 
-/// The same from track speeds that are low-pass filtered. No allocation; safe in the real-time
-/// thread.
+/// The shape of a turn from track speeds that are low-pass filtered. No allocation; safe in the
+/// real-time thread.
 class TurnShapeFilter {
  public:
   explicit TurnShapeFilter(double lag_s = kTurnLagS) : lag_s_(lag_s) {}
@@ -145,7 +145,7 @@ class TrackModel {
       : parameters_(parameters), mode_(mode), turn_shape_filter_(turn_lag_s) {}
 
   /// Continues from `pose`.
-  void reset(const Pose& pose) {
+  void begin(const Pose& pose) {
     pose_ = pose;
     turn_shape_filter_.restart();
   }

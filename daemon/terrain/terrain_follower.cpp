@@ -72,7 +72,7 @@ bool TerrainFollower::begin_climb(const Pose& pose, const std::optional<Attitude
   if (std::abs(past_touch_m) > kMapErrorM) return false;
   if (measured ? measured->pitch_rad > -kNoseUpRad : past_touch_m < 0.0) return false;
   active_ = &*found;
-  active_->climb.reset(0.0);
+  active_->climb.begin(0.0);
   if (!measured) return true;
   // The nose is up already: the climb is advanced to that pitch, over which the robot covered less
   // horizontal distance than on level ground.

@@ -20,11 +20,8 @@ model::ClimbGeometry climb_geometry(const course::ShapeValues& shape);
 
 /// The robot's contact at the end of the last interval, and the ground during it.
 struct ContactState {
-  /// Its slope is minus the pitch on ramps and blocks alike. Eq 6 has no slip on a block, but the
-  /// emulated body slips on the paper's block (37 mm). With the nose up, the tracks push against
-  /// 0.41 of the weight on average and slip 0.212, instead of 0.160 on level ground (0.203 by the
-  /// slope table). With the nose down behind the block, the weight pushes with 0.22 and they slip
-  /// 0.154 (0.118 by the table, whose downhill part is our own).
+  /// Its slope is minus the pitch on ramps and blocks alike: eq 6 has no slip on a block, but the
+  /// tracks slip there as on a slope of that pitch (sim/lab/RESULTS.md).
   model::Incline incline{};
   double height_m = 0.0;  ///< of the reference point
   double pitch_rad = 0.0;

@@ -164,12 +164,12 @@ ClimbCheck check_climb_pitch(const course::Robot& robot, double height_m, double
   const model::ClimbGeometry geometry = terrain::climb_geometry(robot.shape);
   const model::BlockShape shape = {.height_m = height_m, .depth_m = depth_m};
   model::StepClimb climb(geometry, shape);
-  climb.reset(kRunUpM);
+  climb.begin(kRunUpM);
   // Eq 6, asin(s / L_a), comes to the edge sooner; from there on the climb is the same.
   model::StepClimb paper = climb;
   const double paper_riser_m = std::max(height_m - geometry.wheel_radius_m, 0.0);
   const double sooner_m = climb.curve().marks().riser_end - paper_riser_m;
-  paper.reset(kRunUpM - sooner_m);
+  paper.begin(kRunUpM - sooner_m);
   const auto paper_rad = [&](double travel_m) {
     if (travel_m >= paper_riser_m) return paper.state().pitch_rad;
     return -std::asin(std::max(travel_m, 0.0) / geometry.axle_spacing_m);

@@ -187,7 +187,7 @@ class Follower {
 TEST(ObstacleState, StepsOfEveryHeightAreSteps) {
   for (const double height_m : {0.020, 0.025, 0.030, 0.037}) {
     model::StepClimb climb({}, {.height_m = height_m, .depth_m = 0.1});
-    climb.reset(0.05);
+    climb.begin(0.05);
     Follower follower;
     for (int i = 0; i < 1600; ++i) {
       follower.lean(-climb.advance(kSpeedMps * kDt, kDt).pitch_rad);

@@ -347,7 +347,7 @@ class TurnMonitorAlone : public testing::Test {
     return verdict;
   }
   void restart() {
-    monitor.reset();
+    monitor.restart();
     left_counted = right_counted = 1.0;
   }
 

@@ -59,7 +59,7 @@ std::vector<Case> cases() {
 
 std::vector<ClimbState> drive(const Case& what, double dt_s, double duration_s) {
   StepClimb climb(what.geometry, what.block);
-  climb.reset(0.02);
+  climb.begin(0.02);
   std::vector<ClimbState> states{climb.state()};
   const auto steps = static_cast<int>(duration_s / dt_s);
   for (int i = 0; i < steps; ++i) states.push_back(climb.advance(what.speed * dt_s, dt_s));

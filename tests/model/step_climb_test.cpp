@@ -214,7 +214,7 @@ TEST(StepClimb, FallsWithoutLosingEnergyWhenTheTracksStand) {
 
 TEST(StepClimb, DrivingBackOnTheWayUpRetracesIt) {
   StepClimb climb({}, {});
-  climb.reset(0.01);
+  climb.begin(0.01);
   std::vector<ClimbState> up;
   for (int i = 0; i < 140; ++i) up.push_back(climb.advance(1e-3, 1e-2));
   ASSERT_EQ(up.back().phase, ClimbPhase::kCross);

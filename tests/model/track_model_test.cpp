@@ -75,7 +75,7 @@ TEST(TrackModel, ExtendedModeIsItsEquationsInAnyTurnOnAnyGround) {
   test::Sequence any(4);
   TrackModel model(p, Mode::kExtended, 0.13);
   Pose pose{.x_m = 0.4, .y_m = -0.7, .z_m = 0.2, .yaw_rad = 0.9};
-  model.reset(pose);
+  model.begin(pose);
   double smooth_left = 0.0, smooth_right = 0.0;
   int straight = 0;
   for (int i = 0; i < 400; ++i) {
@@ -85,7 +85,7 @@ TEST(TrackModel, ExtendedModeIsItsEquationsInAnyTurnOnAnyGround) {
                      any.between(0.5, 1.0)};
     if (i == 200) {
       pose = {.x_m = 1.0, .yaw_rad = 2.0};
-      model.reset(pose);
+      model.begin(pose);
     }
     const Slip slip = slip_on(p, Mode::kExtended, on);
     const double left = left_mps * (1.0 - slip.left), right = right_mps * (1.0 - slip.right);

@@ -33,7 +33,7 @@ class SpeedLoop {
   /// for 100 ms and the track stands still. Call after measure(). [-1, 1]
   float update(float target_mps, float dt_s, const SpeedGains& gains);
   /// Clears the integrator.
-  void reset() {
+  void clear() {
     lag_m_ = 0.0f;
     standing_s_ = 0.0f;
   }

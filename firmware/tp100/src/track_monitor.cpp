@@ -76,7 +76,7 @@ MonitorValues::MonitorValues(const wire::Parameters& p)
       counts_per_ms_q8(whole(256.0f * 2e-3f * p.max_track_mps * p.counts_per_metre)),
       standing_counts(whole(kStandingM * p.counts_per_metre)) {}
 
-void DutySteps::reset() {
+void DutySteps::restart() {
   monitor_.restart();
   left_ = first_;
   known_ = false;
@@ -107,10 +107,10 @@ bool DutySteps::update(int16_t duty, int32_t counts, uint8_t dt_ms, int16_t load
                          kSoonestShare * 1e-3f * static_cast<float>(p.stall_ms));
 }
 
-TrackMonitor::TrackMonitor(uint8_t first) : steps_(first) { reset(); }
+TrackMonitor::TrackMonitor(uint8_t first) : steps_(first) { restart(); }
 
-void TrackMonitor::reset() {
-  steps_.reset();
+void TrackMonitor::restart() {
+  steps_.restart();
   known_ = false;
   last_counts_ = 0;
   jumped_ms_ = 0;
@@ -189,9 +189,9 @@ bool TrackMonitor::again() {
   return jumped_ms_ < kJumpAgainMs - kOneJumpMs;
 }
 
-TurnMonitor::TurnMonitor() : then_(), level_q4_(0), level_known_(false) { reset(); }
+TurnMonitor::TurnMonitor() : then_(), level_q4_(0), level_known_(false) { restart(); }
 
-void TurnMonitor::reset() {
+void TurnMonitor::restart() {
   balance_.restart();
   turn_duty_ = shared::TurnDuty<float, shared::RobotLimits<float>>();
   slope_rad_ = 0.0f;

@@ -28,7 +28,7 @@ struct MonitorValues {
 class DutySteps {
  public:
   /// Samples of the first step. Steps that end in different samples share the load.
-  explicit DutySteps(uint8_t first) : first_(first) { reset(); }
+  explicit DutySteps(uint8_t first) : first_(first) { restart(); }
   /// Call once per sample. `duty`: applied during the last `dt_ms` [thousandths]. `counts`: now.
   /// `load`: duty that slopes and turns may take now, beyond straight level driving [thousandths].
   /// `free`: the robot drives straight on level ground, so that the duty of a speed can be learned.
@@ -36,7 +36,7 @@ class DutySteps {
   bool update(int16_t duty, int32_t counts, uint8_t dt_ms, int16_t load, bool free,
               const MonitorValues& values, const wire::Parameters& parameters);
   /// A run begins: forgets what was learned about the track.
-  void reset();
+  void restart();
   /// Distance that the duty implies beyond what was counted and what the load explains. [m]
   float missing_m() const { return monitor_.missing_m(); }
 
@@ -62,7 +62,7 @@ class TrackMonitor {
   Verdict update(int16_t duty, int32_t counts, uint8_t dt_ms, int16_t load, bool free,
                  const MonitorValues& values, const wire::Parameters& parameters);
   /// A run begins: forgets what was learned about the track.
-  void reset();
+  void restart();
   float missing_m() const { return steps_.missing_m(); }
 
  private:
@@ -99,8 +99,8 @@ class TurnMonitor {
   Verdict update(const TurnMark& now, int16_t accel_x, float bias_radps,
                  const MonitorValues& values, const wire::Parameters& parameters);
   /// Forgets everything before this call but the level.
-  void reset();
-  /// No call of update() since reset().
+  void restart();
+  /// No call of update() since restart().
   bool idle() const { return samples_ == 0; }
   /// Duty that one track may take for a slope or an obstacle, now or shortly before. [thousandths]
   int16_t slope_load() const { return slope_load_; }

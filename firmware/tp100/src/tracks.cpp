@@ -36,17 +36,17 @@ void Tracks::restart() {
 void Tracks::begin() {
   stop();
   target_ = TrackSpeeds();
-  left_.monitor.reset();
-  right_.monitor.reset();
-  mean_steps_.reset();
-  turn_monitor_.reset();
+  left_.monitor.restart();
+  right_.monitor.restart();
+  mean_steps_.restart();
+  turn_monitor_.restart();
   phase_ = 0;
 }
 
 void Tracks::stop() {
   fail_safe_.disable();
-  left_.loop.reset();
-  right_.loop.reset();
+  left_.loop.clear();
+  right_.loop.clear();
   left_.duty = 0;
   right_.duty = 0;
 }

@@ -51,7 +51,7 @@ class Tracks {
   /// Judges both by the gyro, while it may be used; see TurnMonitor::update.
   Verdicts check_turn(const TurnMark& now, int16_t accel_x, float bias_radps);
   /// Restarts the check by the gyro; call while the gyro may not be used.
-  void forget_turn() { turn_monitor_.reset(); }
+  void forget_turn() { turn_monitor_.restart(); }
   /// Moves the tracks' targets towards this ground speed and turn rate, within their limits, and
   /// applies the duties.
   void drive(float speed_mps, float turn_radps, uint16_t dt_us);
