@@ -37,7 +37,7 @@ class PipeSource : public Source {
   PipeSource(int descriptor, const std::string& name, const SourceOptions& options)
       : descriptor_(descriptor),
         stop_fd_(options.stop_fd),
-        name_(text::one_line(name, 300)),
+        name_(one_line(name, 300)),
         delay_ns_(from_s(options.delay_s)) {}
   ~PipeSource() override {
     if (descriptor_ != STDIN_FILENO) ::close(descriptor_);
@@ -145,8 +145,7 @@ PipeSource::Header PipeSource::header() {
     const std::optional<int> value = text::number_in<int>(digits);
     const bool side = &number != &header.numbers.back();  // the largest value is checked below
     if (!value || *value < 1 || (side && *value > kMaxSide))
-      throw fault(text::one_line(digits, 40) + " is not a number from 1 to " +
-                  std::to_string(kMaxSide));
+      throw fault(one_line(digits, 40) + " is not a number from 1 to " + std::to_string(kMaxSide));
     number = *value;
   }
   const auto [width, height, most] = header.numbers;

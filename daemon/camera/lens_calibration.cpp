@@ -74,7 +74,7 @@ CalibrationBoard CalibrationBoard::parse(const std::string& text) {
   const bool markers =
       !charuco || (size_in_range(marker_m) && marker_m < square_m && columns * rows / 2 <= 50);
   if (!(chess || charuco) || !sizes || !markers) {
-    throw UserError("--board " + text::one_line(text) +
+    throw UserError("--board " + one_line(text) +
                     ": not a board; use chessboard:9x6:0.025 (inner corners, square in m) or "
                     "charuco:7x5:0.04:0.03 (squares, square and marker in m; at most 50 markers)");
   }

@@ -102,7 +102,7 @@ int run_monitor(Options& options) {
            2 ||
        used != static_cast<int>(options.size.size()) || images.width_px < 16 ||
        images.height_px < 16 || images.width_px > 16384 || images.height_px > 16384))
-    throw UserError("--size " + text::one_line(options.size) + ": not a size; use 1920x1080");
+    throw UserError("--size " + one_line(options.size) + ": not a size; use 1920x1080");
   return watch(watch_options);
 }
 

@@ -115,7 +115,7 @@ class FolderSource : public Source {
       image.grey.release();
     }
     if (image.grey.empty())
-      throw UserError(text::one_line(file.path, 300) +
+      throw UserError(one_line(file.path, 300) +
                       ": cannot be read as an image; remove or repair it");
     image.taken_ns = file.taken_ns;
     return true;
@@ -160,7 +160,7 @@ VideoSource::VideoSource(const std::string& path) : path_(path) {
   } catch (const cv::Exception&) {
   }
   if (!open)
-    throw UserError(text::one_line(path, 300) +
+    throw UserError(one_line(path, 300) +
                     ": cannot be read as a video; give a video file, a folder or a device");
   promised_ = capture_.get(cv::CAP_PROP_FRAME_COUNT);
 }
@@ -168,7 +168,7 @@ VideoSource::VideoSource(const std::string& path) : path_(path) {
 void VideoSource::check_end() const {
   const double missing = promised_ - static_cast<double>(taken_);
   if (!(missing > std::max(kMissingCount, kMissingShare * promised_)) && taken_ > 0) return;
-  throw UserError(text::one_line(path_, 300) + ": ends after " + std::to_string(taken_) + " of " +
+  throw UserError(one_line(path_, 300) + ": ends after " + std::to_string(taken_) + " of " +
                   text::number_text(promised_) +
                   " images; the file is corrupted, record or copy it again");
 }
@@ -247,7 +247,7 @@ bool DeviceSource::next(Image& image) {
 std::unique_ptr<Source> open_fifo(const std::string& path, const SourceOptions& options) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0)
-    throw UserError(text::one_line(path, 300) + ": cannot be opened (" + std::strerror(errno) +
+    throw UserError(one_line(path, 300) + ": cannot be opened (" + std::strerror(errno) +
                     "); check that you may read it");
   return open_image_pipe(descriptor, path, options);
 }
@@ -265,7 +265,7 @@ std::vector<ImageFile> list_images(const std::string& folder, std::optional<doub
     if (name == kTimes) {
       timed = true;
     } else if (!has_image_name(entry->path()) || !entry->is_regular_file()) {
-      throw UserError(text::one_line(entry->path().string(), 300) +
+      throw UserError(one_line(entry->path().string(), 300) +
                       ": no image; keep only images and times.csv in the folder");
     } else if (names.push_back(name); names.size() > kMaxImages) {
       throw UserError(folder + ": too many images; split the folder");
@@ -290,13 +290,12 @@ std::vector<ImageFile> list_images(const std::string& folder, std::optional<doub
   const std::map<std::string, HostNs> times = read_times(times_path);
   for (const std::string& name : names) {
     const auto found = times.find(name);
-    if (found == times.end())
-      throw UserError(times_path + ": no time for " + text::one_line(name, 200));
+    if (found == times.end()) throw UserError(times_path + ": no time for " + one_line(name, 200));
     files.push_back({(base / name).string(), found->second});
   }
   for (const auto& [name, taken_ns] : times)
     if (std::find(names.begin(), names.end(), name) == names.end())
-      throw UserError(times_path + ": " + text::one_line(name, 200) + " is not in the folder");
+      throw UserError(times_path + ": " + one_line(name, 200) + " is not in the folder");
   std::sort(files.begin(), files.end(),
             [](const ImageFile& a, const ImageFile& b) { return a.taken_ns < b.taken_ns; });
   return files;
@@ -326,7 +325,7 @@ std::unique_ptr<Source> open_source(const std::string& name, const SourceOptions
     case fs::file_type::regular:
       return std::make_unique<VideoSource>(path);
     default:
-      throw UserError(text::one_line(path, 300) +
+      throw UserError(one_line(path, 300) +
                       ": no such video, folder, device or pipe; check the name");
   }
 }

@@ -50,8 +50,7 @@ std::string with_parameters(const course::TextFile& file, const ParameterValues&
   text::NamedValues changes;
   for (const auto& [name, value] : values) {
     const auto key = std::ranges::find(expected, name, &KeyText::name);
-    if (key == expected.end())
-      throw UserError("the configuration has no '" + text::one_line(name) + "'");
+    if (key == expected.end()) throw UserError("the configuration has no '" + one_line(name) + "'");
     const auto change = written(*key, value);
     if (!change) throw UserError(name + " takes no value of that type");
     key->value = value;

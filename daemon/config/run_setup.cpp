@@ -56,8 +56,7 @@ WorldRun world_run(const RunSetup& run) {
 bridge::Setup setup_option(const std::string& option, bridge::Setup configured) {
   if (option.empty()) return configured;
   if (const auto setup = value_in(bridge::kSetupNames, option)) return *setup;
-  throw UserError("--setup " + text::one_line(option) +
-                  ": not a set-up; use stand, flat or terrain");
+  throw UserError("--setup " + one_line(option) + ": not a set-up; use stand, flat or terrain");
 }
 
 bridge::WorldKind world_option(const std::string& option, bridge::WorldKind configured) {
@@ -65,7 +64,7 @@ bridge::WorldKind world_option(const std::string& option, bridge::WorldKind conf
   if (option.starts_with("udp:")) return bridge::WorldKind::kUdp;
   const auto kind = value_in(bridge::kWorldKindNames, option);
   if (kind && *kind != bridge::WorldKind::kUdp) return *kind;
-  throw UserError("--world " + text::one_line(option) +
+  throw UserError("--world " + one_line(option) +
                   ": not a world; use internal, files or udp:[HOST:]PORT, as in udp:9760");
 }
 

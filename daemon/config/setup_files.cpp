@@ -134,7 +134,7 @@ course::TextFile SetupFiles::read(Bundled kind, const std::string& name) const {
   const std::vector<Entry> entries = list(kind);
   std::vector<std::string_view> names;
   for (const Entry& entry : entries) names.push_back(entry.name);
-  throw UserError(text::one_line(name, kMaxName) + ": no such " + noun(kind) +
+  throw UserError(one_line(name, kMaxName) + ": no such " + noun(kind) +
                   text::suggestion(name, names) + "; GET /api/setup lists them");
 }
 
@@ -169,7 +169,7 @@ void SetupFiles::save(Bundled kind, const std::string& name, const std::string& 
 
 void SetupFiles::remove(Bundled kind, const std::string& name) const {
   const std::optional<From> from = origin(kind, name);
-  if (!from) throw UserError(text::one_line(name, kMaxName) + ": no such " + noun(kind));
+  if (!from) throw UserError(one_line(name, kMaxName) + ": no such " + noun(kind));
   if (*from != From::kOwn)
     throw UserError(name + " is not one of your own files and cannot be deleted");
   std::error_code error;

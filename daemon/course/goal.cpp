@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/arithmetic.h"
+#include "core/error.h"
 #include "course/course.h"
 #include "text/format.h"
 #include "text/toml_document.h"
@@ -71,7 +72,7 @@ TextFile course_to(const TextFile& course, const Goal& goal) {
 
 TextFile course_along(const TextFile& course, const OtherPath& other) {
   const std::string kept = without(course, {"speed_mps"});
-  return {other.name + ".toml", "description = \"" + text::one_line(other.description) +
+  return {other.name + ".toml", "description = \"" + one_line(other.description) +
                                     "\"\nspeed_mps = " + exact(other.speed_mps) +
                                     "\nidentifies = " + (other.identifies ? "true" : "false") +
                                     "\n" + kept + text_of(other.start, other.path)};

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/arithmetic.h"
+#include "core/error.h"
 #include "text/format.h"
 #include "text/json_writer.h"
 #include "text/key.h"
@@ -201,7 +202,7 @@ std::string identified_note(const Identification& found, const std::string& base
   if (!note.empty()) note += " ";
   note += kIdentified + with_date(date) + " from the runs";
   for (std::size_t i = 0; i < found.extended.runs.size(); ++i)
-    note += (i == 0 ? " " : ", ") + text::one_line(found.extended.runs[i].name);
+    note += (i == 0 ? " " : ", ") + one_line(found.extended.runs[i].name);
   note += ".";
   const std::optional<Fit>& eqs = found.baselines[model::kEqsFitted];
   if (has_images(found.extended) && eqs)

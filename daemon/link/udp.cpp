@@ -21,7 +21,7 @@ constexpr std::size_t kMaxHost = 253;
 UdpAddress parse_udp(std::string_view text, const std::string& where) {
   constexpr std::string_view kScheme = "udp:";
   const auto wrong = [&] {
-    return UserError(where + " " + tp100::text::one_line(text, 100) +
+    return UserError(where + " " + one_line(text, 100) +
                      ": not an address; use udp:PORT or udp:HOST:PORT, as in udp:47100");
   };
   if (!text.starts_with(kScheme)) throw wrong();
@@ -50,7 +50,7 @@ sockaddr_in resolve(const UdpAddress& address) {
   addrinfo* found = nullptr;
   const int error = ::getaddrinfo(address.host.c_str(), nullptr, &hints, &found);
   if (error != 0 || found == nullptr) {
-    throw UserError("udp:" + tp100::text::one_line(to_string(address), 100) + ": no such host (" +
+    throw UserError("udp:" + one_line(to_string(address), 100) + ": no such host (" +
                     ::gai_strerror(error) + "); use its IPv4 address");
   }
   sockaddr_in out{};

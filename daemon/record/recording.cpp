@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "core/error.h"
 #include "record/recording_file.h"
 #include "record/recording_writer.h"
 #include "record/step_codec.h"
@@ -70,7 +71,7 @@ class Distributor : public McapHandler {
 
   void require_layout(const McapMessage& message, const std::string& layout) const {
     if (message.channel->schema != layout)
-      fail("its steps were recorded by version " + text::one_line(version_, 20) +
+      fail("its steps were recorded by version " + one_line(version_, 20) +
            ", which uses another layout; use that version of tp100d");
   }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/arithmetic.h"
+#include "core/error.h"
 #include "report/metrics.h"
 #include "text/format.h"
 
@@ -30,7 +31,7 @@ std::string decimals(double value, int count) {
   return std::isfinite(value) ? text::format("%.*f", count, value) : "-";
 }
 
-std::string plain(const std::string& text) { return text::one_line(text, kLongestFact); }
+std::string plain(const std::string& text) { return one_line(text, kLongestFact); }
 
 std::string title_of(const RecordedRun& run) {
   const std::string course = run.result.course.empty() ? "no course" : run.result.course;

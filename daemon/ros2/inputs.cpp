@@ -3,6 +3,7 @@
 #include <cmath>
 #include <initializer_list>
 
+#include "core/error.h"
 #include "ros2/message_types.h"
 #include "text/format.h"
 
@@ -46,7 +47,7 @@ std::optional<VelocityRequest> velocity_of(const geometry_msgs::Twist& twist, st
 std::optional<Pose> pose_of(const std_msgs::Header& header, const geometry_msgs::Pose& pose,
                             std::string& why) {
   if (!header.frame_id.empty() && header.frame_id != kMap) {
-    why = "a pose in frame '" + text::one_line(header.frame_id, kMaxShown) + "'; give it in 'map'";
+    why = "a pose in frame '" + one_line(header.frame_id, kMaxShown) + "'; give it in 'map'";
     return std::nullopt;
   }
   const geometry_msgs::Point& at = pose.position;

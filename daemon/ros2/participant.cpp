@@ -136,7 +136,7 @@ dds_domainid_t domain_of(const config::Ros2Settings& settings) {
   if (variable.empty()) return 0;
   const int domain = text::number_in<int>(variable).value_or(-1);
   if (domain < 0 || domain > kLastDomain)
-    throw UserError("ROS_DOMAIN_ID=" + text::one_line(variable) +
+    throw UserError("ROS_DOMAIN_ID=" + one_line(variable) +
                     ": not a domain; use a number from 0 to " + std::to_string(kLastDomain));
   return static_cast<dds_domainid_t>(domain);
 }
@@ -147,7 +147,7 @@ std::string dds_configuration(const std::string& interface) {
   constexpr const char* kMayHave =
       "0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ._-:@";
   if (interface.find_first_not_of(kMayHave) != std::string::npos)
-    throw UserError("ros2.interface = \"" + text::one_line(interface) +
+    throw UserError("ros2.interface = \"" + one_line(interface) +
                     "\": not a network interface; `ip link` lists them");
   // The loopback interface can multicast although it does not report so; if it cannot, participants
   // are found at the ports where ROS 2's own participants look, too.
@@ -325,7 +325,7 @@ struct Participant::State {
     if (participant >= 0) return;
     if (domain >= 0) dds_delete(domain);
     throw UserError("[ros2]: cannot join domain " + std::to_string(number) + ": " +
-                    (why.empty() ? dds_strretcode(-participant) : text::one_line(why)) +
+                    (why.empty() ? dds_strretcode(-participant) : one_line(why)) +
                     "; check ros2.interface and ros2.domain, and for a service the drop-in of "
                     "ROS2.md");
   }

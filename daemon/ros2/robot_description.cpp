@@ -3,6 +3,7 @@
 #include <string>
 #include <tuple>
 
+#include "core/error.h"
 #include "text/format.h"
 
 namespace tp100::ros2 {
@@ -35,7 +36,7 @@ std::string joint(const char* name, const char* type, const char* child, const s
 
 /// `name` without characters that have a meaning in XML.
 std::string plain(const std::string& name) {
-  std::string out = text::one_line(name);
+  std::string out = one_line(name);
   for (char& c : out)
     if (c == '<' || c == '>' || c == '&' || c == '"') c = '_';
   return out;

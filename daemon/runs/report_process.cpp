@@ -14,6 +14,7 @@
 #include <cstring>
 #include <utility>
 
+#include "core/error.h"
 #include "text/format.h"
 
 namespace tp100::runs {
@@ -81,7 +82,7 @@ bool read_all(int from, std::chrono::steady_clock::time_point until, std::string
 
 std::string last_line(std::string text) {
   while (!text.empty() && text.back() == '\n') text.pop_back();
-  return text::one_line(text.substr(text.rfind('\n') + 1), kMaxLine);
+  return one_line(text.substr(text.rfind('\n') + 1), kMaxLine);
 }
 
 }  // namespace

@@ -100,16 +100,12 @@ void require_run(const std::vector<Run>& runs, const std::string& name, const st
   const auto found =
       std::find_if(runs.begin(), runs.end(), [&](const Run& each) { return each.folder == name; });
   if (found == runs.end())
-    throw UserError(text::one_line(name) + ": no such run; GET /api/runs lists them");
+    throw UserError(one_line(name) + ": no such run; GET /api/runs lists them");
   if (name == active) throw UserError(name + " is being recorded; end the recording first");
   if (!found->has_recording) throw UserError(name + ": has no recording run.mcap");
 }
 
 }  // namespace
-
-RunArchive::RunArchive(ArchiveSettings settings) : settings_(std::move(settings)) {
-  disk_.post([this] { sweep_runs(settings_.folder); }, [](const std::string&) {});
-}
 
 std::string RunArchive::json() {
   const std::string active = settings_.active();
@@ -200,8 +196,8 @@ void RunArchive::in_process(const std::string& of, const Answer& answer,
     }
   }
   if (!busy.empty())
-    return answer(
-        "a report of " + text::one_line(busy) + " is being made; try again when it is done", "");
+    return answer("a report of " + one_line(busy) + " is being made; try again when it is done",
+                  "");
   const auto made = [this, answer = without_paths(answer)](const std::string& why,
                                                            const std::string& json) {
     {

@@ -1,15 +1,16 @@
 #pragma once
-// The recorded runs as viewers see and manage them: list, notes, deletion, reports. Threads of its
-// own wait for disks and programs.
+// The recorded runs as viewers see and manage them: list, notes, deletion, reports. A thread of
+// its own waits for the programs that make reports.
 
 #include <chrono>
 #include <cstdint>
 #include <functional>
 #include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "record/worker.h"
+#include "core/worker.h"
 #include "runs/report_process.h"
 #include "runs/run_folder.h"
 
@@ -31,10 +32,11 @@ class RunArchive {
  public:
   /// Receives why the request failed, in one line, or nothing; and its answer as JSON. Called once,
   /// from any thread, also at the archive's end.
-  using Answer = record::Worker::Answer;
+  using Answer = Worker::Answer;
 
-  /// Removes what a killed program has left in the runs, once the disk answers.
-  explicit RunArchive(ArchiveSettings settings);
+  /// The archive must outlive `disk`.
+  RunArchive(ArchiveSettings settings, Worker& disk)
+      : settings_(std::move(settings)), disk_(disk) {}
   /// Ends a report that is being made.
   ~RunArchive() { process_.stop(); }
 
@@ -65,6 +67,7 @@ class RunArchive {
   std::string recording(const std::string& run) const;
 
   const ArchiveSettings settings_;
+  Worker& disk_;
   std::mutex mutex_;    // guards what follows; never held while waiting for a disk or a program
   std::string making_;  // the run of which a report is being made; empty: none
   std::string json_;    // the newest list
@@ -72,8 +75,7 @@ class RunArchive {
   std::chrono::steady_clock::time_point read_{};
   std::uint64_t changes_ = 0, listed_ = 0;  // made here; known to the list
   ReportProcess process_;
-  // Declared last: their jobs use the others.
-  record::Worker disk_{"archive"}, reports_{"reports"};
+  Worker reports_{"reports"};  // declared last: its jobs use the others
 };
 
 }  // namespace tp100::runs

@@ -114,7 +114,7 @@ bool look_at(const fs::path& folder, Run& run) {
 fs::path run_path(const std::string& folder, const std::string& run) {
   fs::path path = fs::path(folder) / run;
   if (folder.empty() || !text::is_found_name(run) || !is_folder(path))
-    throw UserError(text::one_line(run) + ": no such run; GET /api/runs lists them");
+    throw UserError(one_line(run) + ": no such run; GET /api/runs lists them");
   return path;
 }
 
@@ -220,7 +220,7 @@ void delete_run(const std::string& folder, const std::string& run) {
   for (fs::directory_iterator at(path, error), end; !error && at != end; at.increment(error)) {
     if (is_folder(at->path()))
       throw UserError(run + ": there is a folder in it, " +
-                      text::one_line(at->path().filename().string()) + "; delete it by hand");
+                      one_line(at->path().filename().string()) + "; delete it by hand");
     files.push_back(at->path());
   }
   // The note, which protects the run, is deleted late, and the recording, without which nothing is

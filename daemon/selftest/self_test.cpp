@@ -28,9 +28,10 @@ std::string absolute(const std::string& path) {
 
 }  // namespace
 
-SelfTest::SelfTest(config::Configuration configuration, const course::Robot& robot,
+SelfTest::SelfTest(config::Configuration configuration, const course::Robot& robot, Worker& disk,
                    messages::EventQueue& events)
     : configuration_(std::move(configuration)),
+      disk_(disk),
       wheels_up_(configuration_, robot, events),
       battery_cutoff_v_(robot.drive.battery_cutoff_v) {}
 
@@ -72,10 +73,10 @@ void SelfTest::set_privileges(const std::vector<loop::Privilege>& privileges) {
   privileges_ = privileges;
 }
 
-void SelfTest::take_setup(const messages::RunContext& run_context, HostNs /*at*/) {
-  wheels_up_.choose(run_context.robot);
+void SelfTest::choose(const course::Robot& robot) {
+  wheels_up_.choose(robot);
   const std::lock_guard lock(mutex_);
-  battery_cutoff_v_ = run_context.robot.drive.battery_cutoff_v;
+  battery_cutoff_v_ = robot.drive.battery_cutoff_v;
 }
 
 void SelfTest::take(const StepRecord& record) {

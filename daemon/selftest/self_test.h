@@ -2,16 +2,15 @@
 // `tp100d doctor` from within the running daemon, for its machine and its port, with the same
 // findings. Nothing moves except in wheels_up().
 
-#include <chrono>
 #include <mutex>
 #include <string>
 #include <vector>
 
 #include "config/configuration.h"
+#include "core/worker.h"
 #include "course/robot_file.h"
 #include "loop/real_time.h"
 #include "messages/sink.h"
-#include "record/worker.h"
 #include "selftest/session_monitor.h"
 #include "selftest/wheels_up_check.h"
 #include "server/service.h"
@@ -25,8 +24,9 @@ class SelfTest : public messages::Sink {
  public:
   using Answer = server::Answer;
 
-  /// Configuration and robot in force, with the command line's values; `events` must outlive it.
-  SelfTest(config::Configuration configuration, const course::Robot& robot,
+  /// Configuration and robot in force, with the command line's values; `events` must outlive it,
+  /// and it must outlive `disk`.
+  SelfTest(config::Configuration configuration, const course::Robot& robot, Worker& disk,
            messages::EventQueue& events);
 
   /// doctor and wheels_up_watch.
@@ -39,17 +39,15 @@ class SelfTest : public messages::Sink {
   /// The privileges that were requested.
   void set_privileges(const std::vector<loop::Privilege>& privileges);
   void take(const StepRecord& record) override;
-  void take_setup(const messages::RunContext& run_context, HostNs at) override;
+  /// Another robot is in force.
+  void choose(const course::Robot& robot);
 
-  /// Answers with the findings as JSON (CHANNELS.md, doctor): port and machine from a thread that
-  /// waits for files and disks, the robot after a second, or five if it is silent. One at a time.
+  /// Answers with the findings as JSON (CHANNELS.md, doctor): port and machine from the thread that
+  /// waits for disks, the robot after a second, or five if it is silent. One at a time.
   /// Any thread; does not wait.
   void examine(DoctorPart part, Answer answer);
   /// The part that moves.
   WheelsUpCheck& wheels_up() { return wheels_up_; }
-  /// Waits for the thread of files and disks; false: `deadline` passed first, and the destructor
-  /// would wait for the disk.
-  bool idle_by(std::chrono::steady_clock::time_point deadline) { return disk_.idle_by(deadline); }
 
  private:
   void finish(const std::string& why, const std::string& json);
@@ -57,14 +55,14 @@ class SelfTest : public messages::Sink {
   std::string machine_findings() const;
 
   const config::Configuration configuration_;
+  Worker& disk_;
   WheelsUpCheck wheels_up_;
   mutable std::mutex mutex_;  // guards what follows; never held while waiting for a file
   SessionMonitor monitor_;
   double battery_cutoff_v_ = 0.0;
   std::string note_;
   std::vector<loop::Privilege> privileges_;
-  Answer answer_;                     // set: an examination is under way
-  record::Worker disk_{"self-test"};  // declared last: its jobs use the others
+  Answer answer_;  // set: an examination is under way
 };
 
 }  // namespace tp100::selftest

@@ -8,10 +8,10 @@
 #include <string>
 
 #include "config/configuration.h"
+#include "core/worker.h"
 #include "course/robot_file.h"
 #include "doctor/wheels_up.h"
 #include "messages/event_queue.h"
-#include "record/worker.h"
 #include "selftest/port_handover.h"
 #include "server/lease.h"
 #include "server/service.h"
@@ -73,9 +73,9 @@ class WheelsUpCheck : public doctor::Operator {
   std::optional<doctor::Question> question_{};
   unsigned question_number_ = 0;
   std::optional<std::string> answer_{};
-  std::string result_;                    // JSON; empty: not ended
-  std::string lost_;                      // why its viewer no longer watches
-  record::Worker check_{"tracks check"};  // declared last: its jobs use the others
+  std::string result_;            // JSON; empty: not ended
+  std::string lost_;              // why its viewer no longer watches
+  Worker check_{"tracks check"};  // declared last: its jobs use the others
 };
 
 }  // namespace tp100::selftest

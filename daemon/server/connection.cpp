@@ -17,7 +17,7 @@
 #include <utility>
 
 #include "core/clock.h"
-#include "record/worker.h"
+#include "core/worker.h"
 #include "server/local_daemons.h"
 #include "server/viewer_socket.h"
 
@@ -195,7 +195,7 @@ void Connection::ask(bool disk, std::function<Result()> job,
     back(failed(why));
   };
   if (!disk) {
-    asio::post(shared_.work, [done, broken] { record::Worker::run_here(done, broken); });
+    asio::post(shared_.work, [done, broken] { Worker::run_here(done, broken); });
   } else if (!shared_.disk.post(done, broken)) {
     return late();
   }
@@ -232,7 +232,7 @@ void Connection::ask_for_content() {
        &sources = shared_.sources] { return http_answer(kept, sources); },
       [](const std::string& why) { return http_text(500, why); },
       [this](HttpAnswer& found) { answer(std::move(found)); },
-      [this, disk] { answer(http_text(503, disk ? record::Worker::kBusy : kBusy)); });
+      [this, disk] { answer(http_text(503, disk ? Worker::kBusy : kBusy)); });
 }
 
 void Connection::upgrade(bool may_command) {

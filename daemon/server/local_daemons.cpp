@@ -116,7 +116,7 @@ std::vector<std::string> robot_pages(std::string_view text) {
     if (host.ends_with('/')) host.remove_suffix(1);
     if (!scheme || host_name(host).empty() || page.size() > kMaxPage ||
         host.find_first_not_of(kHostLetters) != std::string_view::npos)
-      throw UserError("server.robots: " + text::one_line(page) +
+      throw UserError("server.robots: " + one_line(page) +
                       ": not the address of a page; write http://HOST:PORT");
     if (!page.ends_with('/')) page += '/';
   }

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "core/error.h"
 #include "text/format.h"
 #include "text/json_writer.h"
 
@@ -95,7 +96,7 @@ Result<Request> read_request(const ServiceRow& row, std::string_view json, std::
 }
 
 Refusal no_such(const std::string& what, const std::string& name) {
-  return {"there is no " + what + " '" + text::one_line(name, kMaxShownName) + "'"};
+  return {"there is no " + what + " '" + one_line(name, kMaxShownName) + "'"};
 }
 
 std::string json_of(std::initializer_list<std::pair<const char*, std::string_view>> texts) {

@@ -17,7 +17,7 @@
 namespace boost::asio {
 class io_context;
 }
-namespace tp100::record {
+namespace tp100 {
 class Worker;
 }
 
@@ -60,7 +60,7 @@ struct SharedState {
   Broker& broker;
   RequestHandler& handler;
   HttpSources& sources;
-  record::Worker& disk;  ///< makes the answers that need it; no other thread waits for a disk
+  Worker& disk;  ///< makes the answers that need it; no other thread waits for a disk
   // A flood of one kind leaves the other alone.
   Budgets viewer_budgets{settings.units_per_s}, http_budgets{settings.units_per_s};
   std::map<std::uint32_t, std::weak_ptr<ViewerSocket>> viewers{};  // by id

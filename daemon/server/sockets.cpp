@@ -48,17 +48,17 @@ tcp::endpoint parse_address(const std::string& text) {
 
 }  // namespace
 
-void run_handlers(asio::io_context& context, const record::Worker::Failed& failed,
+void run_handlers(asio::io_context& context, const Worker::Failed& failed,
                   const std::function<void()>& after) {
   const auto run = [&] {
     while (context.run_one() > 0) after();
   };
-  while (!context.stopped()) record::Worker::run_here(run, failed);
+  while (!context.stopped()) Worker::run_here(run, failed);
 }
 
 Sockets::Sockets(ServerSettings settings, Controls& controls, asio::io_context& work,
                  Broker& broker, RequestHandler& handler, HttpSources& sources, std::string session,
-                 Report report, record::Worker::Failed failed)
+                 Report report, Worker::Failed failed)
     : shared_{.settings = std::move(settings),
               .controls = controls,
               .context = context_,

@@ -13,16 +13,16 @@
 #include <string>
 #include <thread>
 
+#include "core/worker.h"
 #include "messages/figures.h"
-#include "record/worker.h"
 #include "server/local_daemons.h"
 #include "server/shared_state.h"
 
 namespace tp100::server {
 
 /// Runs the handlers of `context` until it is stopped, and `after` after each. Nothing that one
-/// throws ends the program: `failed` gets it, as of a job of record::Worker.
-void run_handlers(boost::asio::io_context& context, const record::Worker::Failed& failed,
+/// throws ends the program: `failed` gets it, as of a job of Worker.
+void run_handlers(boost::asio::io_context& context, const Worker::Failed& failed,
                   const std::function<void()>& after);
 
 class Sockets {
@@ -35,7 +35,7 @@ class Sockets {
   /// run_handlers(), called by the sockets' thread.
   Sockets(ServerSettings settings, Controls& controls, boost::asio::io_context& work,
           Broker& broker, RequestHandler& handler, HttpSources& sources, std::string session,
-          Report report, record::Worker::Failed failed);
+          Report report, Worker::Failed failed);
 
   /// As in Server.
   const std::string& url() const { return url_; }
@@ -60,7 +60,7 @@ class Sockets {
 
   SharedState shared_;
   Report report_;
-  record::Worker::Failed failed_;
+  Worker::Failed failed_;
   LocalDaemon own_;
   std::string url_, note_;
   std::optional<Announcement> announcement_;
@@ -74,7 +74,7 @@ class Sockets {
   boost::asio::ip::tcp::acceptor acceptor_{context_};
   boost::asio::steady_timer timer_{context_};
   boost::asio::steady_timer pause_{context_};
-  record::Worker disk_{"page files", SharedState::kMaxConnections};  // its jobs post to the context
+  Worker disk_{"page files", SharedState::kMaxConnections};  // its jobs post to the context
   std::thread thread_;
 };
 

@@ -45,13 +45,6 @@ std::string number_text(double value) {
   return buffer.data();
 }
 
-std::string one_line(std::string_view text, std::size_t most) {
-  std::string line(text.substr(0, most));
-  for (char& c : line)
-    if (c < 0x20 || c > 0x7e) c = '?';
-  return text.size() > most ? line + "..." : line;
-}
-
 std::string format(const char* pattern, ...) {
   va_list arguments, again;
   va_start(arguments, pattern);

@@ -1,5 +1,5 @@
 #pragma once
-// Text for messages to the user: numbers, text from elsewhere, the name that was probably meant.
+// Text for messages to the user: numbers, and the name that was probably meant.
 
 #include <charconv>
 #include <cstddef>
@@ -11,10 +11,6 @@
 #include <vector>
 
 namespace tp100::text {
-
-/// `text` on one line: control characters and bytes outside ASCII replaced by '?', cut at `most`
-/// characters.
-std::string one_line(std::string_view text, std::size_t most = 80);
 
 /// A number in messages: at most ten significant digits.
 std::string number_text(double value);

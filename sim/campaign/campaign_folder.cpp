@@ -98,7 +98,7 @@ class Finding {
   // The run itself reports why a file cannot be read.
   template <class Read>
   void add(const std::string& name, Read read) {
-    std::string& content = origin_[text::one_line(name, kLongestName)];
+    std::string& content = origin_[one_line(name, kLongestName)];
     try {
       content = digest(read());
     } catch (const UserError&) {
@@ -196,7 +196,7 @@ void CampaignFolder::require(const Origin& origin) const {
   const std::string differs = difference(origin_, origin);
   if (differs.empty()) return;
   throw UserError(path_ + ": its runs were made with different inputs (" +
-                  text::one_line(differs, kMaxDifferenceText) +
+                  one_line(differs, kMaxDifferenceText) +
                   "); restore that, or give another --out to drive all runs again");
 }
 

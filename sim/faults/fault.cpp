@@ -14,8 +14,7 @@ namespace {
 constexpr double kMaxS = 1e6;
 
 [[noreturn]] void refuse(std::string_view text, const std::string& why) {
-  throw UserError("--fault " + text::one_line(std::string(text)) + ": " + why +
-                  "; see tp100-sim faults");
+  throw UserError("--fault " + one_line(std::string(text)) + ": " + why + "; see tp100-sim faults");
 }
 
 std::optional<double> number_of(std::string_view text) {
@@ -58,8 +57,8 @@ void take_number(std::string_view word, const InjectableFault& row, std::string_
                  PlannedFault& fault) {
   const std::optional<double> number = row.number.empty() ? std::nullopt : number_of(word);
   if (!number)
-    refuse(whole, "'" + text::one_line(std::string(word)) + "' says nothing about " +
-                      std::string(row.name));
+    refuse(whole,
+           "'" + one_line(std::string(word)) + "' says nothing about " + std::string(row.name));
   if (*number < row.least || *number > row.most)
     refuse(whole, std::string(row.number) + " is out of range");
   fault.number = *number;
@@ -68,7 +67,7 @@ void take_number(std::string_view word, const InjectableFault& row, std::string_
 HostNs time_of(std::string_view text, std::string_view whole) {
   const std::optional<double> seconds = number_of(text);
   if (!seconds || *seconds < 0.0 || *seconds > kMaxS)
-    refuse(whole, "'" + text::one_line(std::string(text)) + "' is no time in seconds");
+    refuse(whole, "'" + one_line(std::string(text)) + "' is no time in seconds");
   return from_s(*seconds);
 }
 

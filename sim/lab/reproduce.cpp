@@ -272,7 +272,7 @@ int run_reproduce(const ReproduceCommand& command) {
       "paper",   "state",    "robots", "uneven", "covariance", "constants",
       "sampled", "held-out", "real",   "avr",    "random"};
   if (!all && std::ranges::find(kParts, command.part) == kParts.end())
-    throw UserError("--part " + text::one_line(command.part) + ": unknown" +
+    throw UserError("--part " + one_line(command.part) + ": unknown" +
                     text::suggestion(command.part, {kParts.begin(), kParts.end()}) +
                     "; give paper, state, robots, uneven, covariance, constants, sampled, "
                     "held-out, real, avr, random or all");

@@ -11,7 +11,7 @@ namespace {
 
 BoardKind board_kind(const std::string& name) {
   if (const auto kind = value_in(kBoardKindNames, name)) return *kind;
-  throw UserError("--board " + text::one_line(name) + ": not a board; use native or avr");
+  throw UserError("--board " + one_line(name) + ": not a board; use native or avr");
 }
 
 /// Changes by the options to the robot's file. --body and --floor are values of the file, so that
@@ -20,13 +20,12 @@ text::NamedValues robot_values(const Options& options) {
   text::NamedValues values = options.robot_values;
   if (!options.body.empty()) {
     if (!value_in(course::kContactLawNames, options.body))
-      throw UserError("--body " + text::one_line(options.body) + ": not a body; use ode or shear");
+      throw UserError("--body " + one_line(options.body) + ": not a body; use ode or shear");
     values.emplace_back("emulated.contact_law", options.body);
   }
   if (!options.floor.empty()) {
     if (!value_in(course::kFloorNames, options.floor))
-      throw UserError("--floor " + text::one_line(options.floor) +
-                      ": not a floor; use even or uneven");
+      throw UserError("--floor " + one_line(options.floor) + ": not a floor; use even or uneven");
     values.emplace_back("emulated.floor", options.floor);
   }
   return values;

@@ -57,7 +57,7 @@ class RunArchiveTest : public ::testing::Test {
     ::chmod(folder_.file("tp100d").c_str(), 0700);
   }
   RunArchive& archive() {
-    if (!archive_) archive_.emplace(settings_);
+    if (!archive_) archive_.emplace(settings_, disk_);
     return *archive_;
   }
   /// Calls `ask` with an answer, and waits for it.
@@ -99,6 +99,7 @@ class RunArchiveTest : public ::testing::Test {
   std::string active_;
   ArchiveSettings settings_;
   std::optional<RunArchive> archive_;
+  Worker disk_{"disk"};  // its jobs use the archive
 };
 
 TEST_F(RunArchiveTest, ListsRunsWithoutAPath) {

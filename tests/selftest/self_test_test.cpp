@@ -96,7 +96,8 @@ class SelfTestOfARobot : public ::testing::Test {
   course::Robot robot_{};
   config::Configuration configuration_{};
   messages::EventQueue events_;
-  SelfTest test_{configuration_, robot_, events_};
+  SelfTest test_{configuration_, robot_, disk_, events_};
+  Worker disk_{"disk"};  // its jobs use the self-test
 };
 
 TEST_F(SelfTestOfARobot, FindsAGoodOneReady) {
@@ -190,7 +191,8 @@ TEST(SelfTest, FindsThePortThatIsConfiguredMissing) {
   config::Configuration configuration;
   configuration.link.port = kPort;
   messages::EventQueue events;
-  SelfTest test(configuration, {}, events);
+  Worker disk("disk");
+  SelfTest test(configuration, {}, disk, events);
   const Json found = examined(test, DoctorPart::kPort);
   EXPECT_EQ(found.at("errors"), 1);
   EXPECT_THAT(std::string(found.at("findings").at(0).at("seen")), HasSubstr("no such port"));

@@ -11,7 +11,7 @@
 #include <string>
 #include <thread>
 
-namespace tp100::record {
+namespace tp100 {
 
 class Worker {
  public:
@@ -60,4 +60,4 @@ class Worker {
   std::thread thread_;
 };
 
-}  // namespace tp100::record
+}  // namespace tp100

@@ -1,4 +1,4 @@
-#include "record/worker.h"
+#include "core/worker.h"
 
 #include <pthread.h>
 
@@ -8,9 +8,8 @@
 #include <utility>
 
 #include "core/error.h"
-#include "text/format.h"
 
-namespace tp100::record {
+namespace tp100 {
 namespace {
 
 /// What is being thrown, in one line. A path is shortened to its name: viewers get no path of this
@@ -22,12 +21,12 @@ std::string thrown() {
     return error.what();
   } catch (const std::filesystem::filesystem_error& error) {
     const std::string name = error.path1().filename().string();
-    return (name.empty() ? "the disk" : text::one_line(name)) + ": " + error.code().message() +
+    return (name.empty() ? "the disk" : one_line(name)) + ": " + error.code().message() +
            "; check folder, permission and disk";
   } catch (const std::bad_alloc&) {
     return "memory is used up; end other programs, then try again";
   } catch (const std::exception& error) {
-    return "a defect of tp100d (" + text::one_line(error.what()) + "); report it";
+    return "a defect of tp100d (" + one_line(error.what()) + "); report it";
   } catch (...) {
     return "a defect of tp100d (unknown); report it";
   }
@@ -101,4 +100,4 @@ void Worker::run() {
   }
 }
 
-}  // namespace tp100::record
+}  // namespace tp100

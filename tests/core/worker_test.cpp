@@ -1,6 +1,6 @@
 // The thread that waits for disks: it refuses what it cannot hold, and no job ends the program.
 
-#include "record/worker.h"
+#include "core/worker.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 
 #include "core/error.h"
 
-namespace tp100::record {
+namespace tp100 {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -105,4 +105,4 @@ TEST(DiskWorker, ARequestThatFindsTooManyOthersIsAnswered) {
 }
 
 }  // namespace
-}  // namespace tp100::record
+}  // namespace tp100
