@@ -36,7 +36,7 @@ std::string write_measured(const std::vector<RecordedDrive>& drives);
 RecordedDrive recorded_drive(const record::Recording& recording,
                              std::optional<HostNs> since = std::nullopt);
 
-class DriveSink : public messages::Sink {
+class DriveSink : public messages::Sink, public messages::TruthSink {
  public:
   /// Times are those of the robot's clock; or, since a host time, of the host's clock. Then samples
   /// from before the clocks were related are left out.

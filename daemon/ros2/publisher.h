@@ -23,13 +23,13 @@ class Publisher : public messages::Sink {
     messages_.begin(clock.start_ns, send_);
   }
   void take(const StepRecord& record) override { messages_.take(record, send_); }
-  void take_truth(HostNs at, const Pose& truth) override {
+  void take_truth(HostNs at, const Pose& truth) {
     if (virtual_time_) send_(Topic::kGroundTruth, ground_truth(clock_.unix_ns(at), truth));
   }
   /// Another course, robot or set-up is in force; `setup` are its messages, made elsewhere.
-  void change_setup(messages::RunContext run_context, SetupMessages setup) {
+  void change_setup(messages::RunContext run_context, const SetupMessages& setup) {
     messages_.change_setup(std::move(run_context));
-    for (auto& [topic, cdr] : setup) send_(topic, std::move(cdr));
+    for (const auto& [topic, cdr] : setup) send_(topic, cdr);
   }
 
   /// Publishes an answer to a node.

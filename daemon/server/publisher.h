@@ -114,7 +114,6 @@ class Publisher {
   void change_setup(messages::RunContext run_context, const messages::SharedMessages& setup,
                     HostNs now);
   void take(const StepRecord& record);
-  void take_truth(const messages::Truth& truth) { step_messages_.take_truth(truth); }
   void take(const messages::Event& event);
   void take_image(HostNs at, std::string_view jpeg);
   /// STOP was pressed; the robot acknowledged one.

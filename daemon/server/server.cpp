@@ -172,10 +172,6 @@ void Server::take(const StepRecord& record) {
   state_->steps.push_back(record);
 }
 
-void Server::take_truth(HostNs at, const Pose& truth) {
-  state_->post([this, at, truth] { state_->publisher.take_truth({at, truth}); });
-}
-
 void Server::take(const messages::Event& event) {
   state_->post([this, event] { state_->publisher.take(event); });
 }

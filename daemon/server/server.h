@@ -38,7 +38,6 @@ class Server : public messages::Sink {
   void change_setup(messages::RunContext run_context, messages::SharedMessages setup,
                     std::vector<messages::ParameterText> parameters);
   void take(const StepRecord& record) override;
-  void take_truth(HostNs at, const Pose& truth) override;
   void take(const messages::Event& event);
   /// An image of a camera (JPEG), taken at host time `at`.
   void take_image(HostNs at, std::string jpeg);

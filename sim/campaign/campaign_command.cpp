@@ -40,18 +40,18 @@ Json figures_of(const PlannedRun& run, const std::string& record) {
   loaded.files.course = course::read_bundled(course::Bundled::kCourses, run.course);
   const course::Course course =
       course::parse_course(loaded.files.course.text, loaded.files.course.path);
+  LockstepSettings settings{
+      .course = course,
+      .robot = loaded.robot,
+      .configuration = loaded.configuration,
+      .setup = loaded.setup,
+      .board = loaded.board,
+      .camera = run.camera.empty() ? std::nullopt : std::optional(load_camera(run.camera)),
+      .seed = run.options.seed,
+      .faults = parse_faults(run.faults)};
   std::optional<LockstepRecorder> recorder;
-  if (!record.empty()) recorder.emplace(record, loaded, run.options.seed);
-  const report::RunResult result = run_lockstep(
-      {.course = course,
-       .robot = loaded.robot,
-       .configuration = loaded.configuration,
-       .setup = loaded.setup,
-       .board = loaded.board,
-       .camera = run.camera.empty() ? std::nullopt : std::optional(load_camera(run.camera)),
-       .seed = run.options.seed,
-       .faults = parse_faults(run.faults),
-       .sink = recorder ? &*recorder : nullptr});
+  if (!record.empty()) recorder.emplace(record, loaded, run.options.seed).record(settings);
+  const report::RunResult result = run_lockstep(settings);
   if (recorder) recorder->finish();
   return Json::parse(report::result_json(result, report::figures(result, course)));
 }
@@ -113,7 +113,7 @@ std::vector<Range> ranges_of(const std::optional<std::string>& text, std::uint64
     const std::size_t end = std::min(text->find(',', begin), text->size());
     const auto range = read_range(std::string_view(*text).substr(begin, end - begin), runs);
     if (!range)
-      throw UserError("--index " + text::one_line(*text) + ": not runs of this campaign; give " +
+      throw UserError("--index " + one_line(*text) + ": not runs of this campaign; give " +
                       "them as 3, 3-7 or 3,5-7,12, from 0 to " + std::to_string(runs - 1));
     ranges.push_back(*range);
     begin = end + 1;

@@ -88,7 +88,8 @@ AutoCalibration calibrate_by_itself(const Loaded& loaded, const course::TextFile
                       .board = loaded.board,
                       .camera = load_camera("overhead"),
                       .seed = seed + kManoeuvreStride * result.manoeuvres.size(),
-                      .sink = &sink});
+                      .sinks = {&sink},
+                      .truth_sinks = {&sink}});
     if (!run.finished)
       throw UserError(manoeuvre->name + ": " + loaded.robot.name + " did not finish it (" +
                       run.cause + ")");

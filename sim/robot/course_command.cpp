@@ -23,7 +23,7 @@ namespace {
 
 /// All topics of a run in virtual time, slowed down to real time, so that subscribers that run in
 /// real time can follow.
-class VirtualTopics : public messages::Sink {
+class VirtualTopics : public messages::Sink, public messages::TruthSink {
  public:
   /// Does not wait for subscribers; late ones receive latched topics.
   VirtualTopics(ros2::Participant& participant, const messages::RunContext& run_context)
@@ -93,29 +93,26 @@ int run_course(const CourseCommand& command) {
   bool all_completed = true;
   for (int i = 0; i < command.runs; ++i) {
     const std::uint64_t seed = command.options.seed + static_cast<std::uint64_t>(i);
-    std::optional<LockstepRecorder> recorder;
-    if (!command.record.empty()) recorder.emplace(command.record, loaded, seed);
     // Times count from 0 here, because the beginning of the run is known only later.
     identify::DriveSink drive(HostNs{0});
-    messages::SinkList sinks;
-    if (!command.out.empty()) sinks.add(drive);
-    if (recorder) sinks.add(*recorder);
+    LockstepSettings settings{.course = course,
+                              .robot = loaded.robot,
+                              .configuration = loaded.configuration,
+                              .setup = loaded.setup,
+                              .board = loaded.board,
+                              .camera = camera,
+                              .detections = detections,
+                              .external_world = loaded.files.world == bridge::WorldKind::kUdp,
+                              .seed = seed,
+                              .faults = parse_faults(command.faults)};
+    std::optional<LockstepRecorder> recorder;
+    if (!command.record.empty()) recorder.emplace(command.record, loaded, seed).record(settings);
+    if (!command.out.empty()) settings.add(drive);
     std::optional<VirtualTopics> topics;
     if (participant)
-      sinks.add(
+      settings.add(
           topics.emplace(*participant, config::run_context_of(config::parse_run(loaded.files))));
-    const report::RunResult result =
-        run_lockstep({.course = course,
-                      .robot = loaded.robot,
-                      .configuration = loaded.configuration,
-                      .setup = loaded.setup,
-                      .board = loaded.board,
-                      .camera = camera,
-                      .detections = detections,
-                      .external_world = loaded.files.world == bridge::WorldKind::kUdp,
-                      .seed = seed,
-                      .faults = parse_faults(command.faults),
-                      .sink = sinks.empty() ? nullptr : &sinks});
+    const report::RunResult result = run_lockstep(settings);
     if (recorder) recorder->finish();
     const report::RunFigures figures = report::figures(result, course);
     const std::string json = report::result_json(result, figures);

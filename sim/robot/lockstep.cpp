@@ -206,7 +206,7 @@ void Lockstep::push() {
   if (disturbance == nullptr) return;
   const double now_s = to_s(robot_.now_ns() - begin_ns_);
   result_.disturbances.push_back({now_s, now_s + disturbance->duration_s});
-  if (settings_.sink != nullptr) settings_.sink->take_disturbance(robot_.now_ns());
+  if (settings_.on_disturbance) settings_.on_disturbance(robot_.now_ns());
 }
 
 void Lockstep::record(const Snapshot& snapshot) {
@@ -231,20 +231,21 @@ void Lockstep::record(const Snapshot& snapshot) {
 }
 
 void Lockstep::publish() {
-  if (settings_.sink == nullptr && !world_ && !settings_.world) return;
+  if (settings_.sinks.empty() && settings_.truth_sinks.empty() && !world_ && !settings_.world)
+    return;
   cycle_.record(record_);
   if (settings_.world) cycle_.world(settings_.world(record_));
   if (world_) {
     world_->exchange(record_, robot_.now_ns(),
                      [this](const WorldSample& received) { cycle_.world(received); });
   }
-  if (settings_.sink == nullptr) return;
-  settings_.sink->take(record_);
+  for (messages::Sink* sink : settings_.sinks) sink->take(record_);
   if (stand()) return;
   for (const Sample& sample : cycle_.inputs().samples) {
     const HostNs age_ns = robot_.now_ns() - sample.measured_ns;
     if (age_ns >= 0 && age_ns < kOldestTruthNs)
-      settings_.sink->take_truth(sample.measured_ns, truth_at(sample.measured_ns));
+      for (messages::TruthSink* sink : settings_.truth_sinks)
+        sink->take_truth(sample.measured_ns, truth_at(sample.measured_ns));
   }
 }
 

@@ -41,12 +41,19 @@ struct LockstepSettings {
   std::uint32_t start_us = 0;          ///< device clock at boot; near 2^32 it wraps during the run
   std::vector<PlannedFault> faults{};  ///< of the robot, its cable and the host
   std::function<void(const EmulatedRobot&)> watch{};  ///< sees the robot after every physics step
-  messages::Sink* sink = nullptr;  ///< receives every step, and the truth at each new sample's
-                                   ///< instant
+  std::vector<messages::Sink*> sinks{};               ///< receive every step
+  std::vector<messages::TruthSink*> truth_sinks{};    ///< ... at each new sample's instant
+  std::function<void(HostNs)> on_disturbance{};       ///< hears of the beginning of each
   /// Receives the session's events, with the robot's hello if it is known.
   std::function<void(const link::SessionEvent&, const wire::Hello&)> on_session_event{};
   bool host_checks_encoders = true;  ///< false: only the robot compares them with duty and gyro
   double begin_within_s = 10.0;      ///< a run that does not begin within this time has failed
+
+  /// `sink` receives every step and the truth.
+  void add(auto& sink) {
+    sinks.push_back(&sink);
+    truth_sinks.push_back(&sink);
+  }
 };
 
 inline constexpr HostNs kDetectionDelayNs = 60 * kNsPerMs;

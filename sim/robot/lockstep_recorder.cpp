@@ -61,6 +61,11 @@ void LockstepRecorder::take(const StepRecord& record) {
   this->record(change(record.now_ns, from, run_state_, snapshot.faults));
 }
 
+void LockstepRecorder::record(LockstepSettings& settings) {
+  settings.add(*this);
+  settings.on_disturbance = [this](HostNs at) { take_disturbance(at); };
+}
+
 void LockstepRecorder::take_disturbance(HostNs at) {
   messages::Event event;
   event.at_ns = at;

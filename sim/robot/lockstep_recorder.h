@@ -7,11 +7,12 @@
 #include "messages/messages.h"
 #include "messages/sink.h"
 #include "record/recorder.h"
+#include "sim/robot/lockstep.h"
 #include "sim/robot/options.h"
 
 namespace tp100::sim {
 
-class LockstepRecorder : public messages::Sink {
+class LockstepRecorder : public messages::Sink, public messages::TruthSink {
  public:
   /// Records to FOLDER/COURSE-ROBOT-SEED/run.mcap; replaces an existing file. `loaded.files` must
   /// have the course. Throws UserError.
@@ -19,7 +20,8 @@ class LockstepRecorder : public messages::Sink {
 
   void take(const StepRecord& record) override;
   void take_truth(HostNs at, const Pose& truth) override;
-  void take_disturbance(HostNs at) override;
+  /// Records the run of these settings.
+  void record(LockstepSettings& settings);
   /// Finishes the file and prints errors on standard error.
   void finish();
   std::string path() const { return recorder_.status().path; }
@@ -28,6 +30,7 @@ class LockstepRecorder : public messages::Sink {
   LockstepRecorder(const std::string& folder, const Loaded& loaded, const config::RunSetup& run,
                    std::uint64_t seed);
 
+  void take_disturbance(HostNs at);
   void record(const messages::Event& event);
 
   record::Recorder recorder_{{.blocking = true}};

@@ -38,7 +38,8 @@ std::vector<CalibrationDrive> calibration_drives(const Loaded& loaded, int repea
                                                      .board = loaded.board,
                                                      .camera = load_camera("overhead"),
                                                      .seed = seed + kSeedStride * drives.size(),
-                                                     .sink = &sink});
+                                                     .sinks = {&sink},
+                                                     .truth_sinks = {&sink}});
       // Finished, not completed: an unidentified robot does not end where its course does.
       if (!result.finished)
         throw UserError(name + ": " + loaded.robot.name + " did not finish it (" + result.cause +

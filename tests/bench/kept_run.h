@@ -42,7 +42,7 @@ inline KeptRun keep_course_3(bridge::Setup setup) {
                                      .configuration = loaded.configuration,
                                      .setup = setup,
                                      .camera = sim::load_camera("overhead"),
-                                     .sink = &keeper})
+                                     .sinks = {&keeper}})
                       .completed;
   run.records = std::move(keeper.records);
   return run;

@@ -199,7 +199,7 @@ void expect_inside(const Case& which, const std::string& course, const std::stri
       camera.misread(seen, reach.since_s(seen.measured_ns));
     };
   }
-  run.sink = &reach;
+  run.sinks = {&reach};
   run.watch = [&](const EmulatedRobot& body) { reach.see(body); };
   const report::RunResult result = run_lockstep(run);
   EXPECT_LE(reach.out_m, kOutsideM) << result.cause;
@@ -315,7 +315,7 @@ TEST(Envelope, AWorldThatClaimsRampsAndBlocksEverywhereLeadsNoRobotFarOut) {
           (block ? answer.step_height_m : answer.pitch_rad) = block ? 0.02 : -0.06;
           return answer;
         };
-        run.sink = &reach;
+        run.sinks = {&reach};
         run.watch = [&](const EmulatedRobot& body) { reach.see(body); };
         const report::RunResult result = run_lockstep(run);
         EXPECT_LE(reach.out_m, kFarthestM) << robot << ' ' << share << ' ' << block;
@@ -351,7 +351,7 @@ TEST_P(Healthy, RunsAreNotDoubted) {
         void take(const StepRecord& record) override { faults |= record.snapshot.faults; }
         FaultMask faults = 0;
       } seen;
-      run.sink = &seen;
+      run.sinks = {&seen};
       const report::RunResult result = run_lockstep(run);
       EXPECT_EQ(seen.faults & kOfTheEnvelope, 0u) << camera << ", course " << course << ", "
                                                   << robot << ", " << setup << ": " << result.cause;

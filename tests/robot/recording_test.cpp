@@ -54,8 +54,8 @@ Recorded recorded(const Drive& drive, const test::TemporaryFolder& folder) {
                             .robot = loaded.robot,
                             .configuration = loaded.configuration,
                             .setup = loaded.setup,
-                            .board = loaded.board,
-                            .sink = &recorder};
+                            .board = loaded.board};
+  recorder.record(settings);
   if (drive.camera) settings.camera = load_camera("overhead");
   Recorded done{run_lockstep(settings), recorder.path()};
   recorder.finish();

@@ -44,7 +44,7 @@ class Restart : public testing::TestWithParam<Scenario> {
                               .robot = loaded.robot,
                               .configuration = loaded.configuration,
                               .setup = scenario.setup,
-                              .sink = &keeper_};
+                              .sinks = {&keeper_}};
     if (scenario.camera) settings.camera = load_camera("overhead");
     const TwoRuns runs = run_lockstep_twice(settings, 120.0);
     EXPECT_TRUE(runs.first.completed);
@@ -178,7 +178,7 @@ TEST(RestartPeriod, ARobotThatStandsStillHoldsAMinuteOfHistory) {
                       .robot = loaded.robot,
                       .configuration = loaded.configuration,
                       .setup = loaded.setup,
-                      .sink = &count},
+                      .sinks = {&count}},
                      300.0);
   ASSERT_GE(count.at_ns.size(), 4U);
   int minutes = 0;

@@ -178,15 +178,6 @@ TEST_F(PublisherTest, ALoopThatStandsStillDoesNotSilenceTheRest) {
   EXPECT_GE(states, 9);
 }
 
-TEST_F(PublisherTest, TruthIsOnlyToldWhileItIsKnown) {
-  EXPECT_FALSE(run(0.1, messages::Channel::kEstimate).back().contains("truth"));
-  publisher_.take_truth({record_.now_ns, {.x_m = 0.44}});
-  EXPECT_EQ(run(0.1, messages::Channel::kEstimate).back()["truth"]["x_m"], 0.44);
-  EXPECT_FALSE(run(1.2, messages::Channel::kEstimate).back().contains("truth"));
-  publisher_.take_truth({record_.now_ns, {.x_m = 0.45}});
-  EXPECT_EQ(run(0.1, messages::Channel::kPoseTruth).size(), 1U);
-}
-
 TEST_F(PublisherTest, ANewcomerGetsTheWholePathHistory) {
   for (int i = 0; i < 100; ++i) {
     record_.snapshot.estimates[PoseSource::kModel].pose.x_m = i * 0.011;

@@ -174,7 +174,7 @@ const EncoderStudy::Healthy& EncoderStudy::healthy(const EncoderTrial& trial) {
                     [&](const EmulatedRobot& robot) {
                       if (robot.now_ns() > kOpenNs) healthy.truth.push_back(robot.truth().pose);
                     },
-                .sink = &places});
+                .sinks = {&places}});
   healthy.onset_s = places.onset_s;
   return healthy;
 }

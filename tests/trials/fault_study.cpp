@@ -194,7 +194,7 @@ FaultOutcome try_fault(const FaultTrial& trial, BoardKind board, messages::Sink*
                 trial.again_s > 0.0 && to_s(robot.now_ns() - opened_ns) > trial.again_s;
             if (!second && (duty.left != 0.0 || duty.right != 0.0)) driven_ns = robot.now_ns();
           },
-      .sink = &steps,
+      .sinks = {&steps},
       .on_session_event =
           [&](const link::SessionEvent& event, const wire::Hello& hello) {
             outcome.session_messages.push_back({event, hello});
