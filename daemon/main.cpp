@@ -24,9 +24,9 @@ void add_run(CLI::App& app, Action& action) {
          "Configuration (default: as config/tp100.toml)");
   option(command, "--port", options.port, "DEVICE",
          "Serial port, or auto for a Mega by its USB ids (default: auto)");
-  command->add_flag("--wait", options.wait,
+  command->add_flag("--wait", options.daemon.wait,
                     "Wait for port and robot instead of ending with status 2");
-  command->add_flag("--go", options.go,
+  command->add_flag("--go", options.daemon.go,
                     "Start the first run without Enter on a physical port, too, within 10 s and if "
                     "the robot is there at once, but not in a service; end after every fault. "
                     "Every later run takes the word go and Enter; Enter alone is STOP");
@@ -43,14 +43,14 @@ void add_run(CLI::App& app, Action& action) {
   option(command, "--listen", options.listen, "ADDRESS",
          "Page and viewers: ADDRESS:PORT (port 0: any free one), auto or off (default: "
          "auto, 127.0.0.1:8765)");
-  command->add_flag("--stay", options.stay,
+  command->add_flag("--stay", options.daemon.stay,
                     "When a run is over, wait for the next start instead of ending");
-  option(command, "--duration", options.duration_s, "SECONDS",
+  option(command, "--duration", options.daemon.duration_s, "SECONDS",
          "End with status 1 after this time [s] (default: no limit)")
       ->check(CLI::Range(0.001, 1e9));
   option(command, "--record", options.record, "FOLDER",
          "Folder for recordings; each run gets its own folder in it (default: none)");
-  option(command, "--stats", options.stats, "FILE",
+  option(command, "--stats", options.daemon.stats_path, "FILE",
          "JSON file for the figures of the run, written once a second and at the end");
   command->footer("Example: tp100d run --port auto --wait --course 1-curve");
   command->callback([&action] { action = [] { return run_run(options); }; });
@@ -152,7 +152,7 @@ void add_identify(CLI::App& app, Action& action) {
   option(command, "--camera", options.guided.run.camera, "ADDRESS",
          "Overhead camera of --drive: udp:PORT or udp:ADDRESS:PORT (default: none)");
   command->add_flag(
-      "--go", options.guided.run.go,
+      "--go", options.guided.run.daemon.go,
       "Start the first drive of --drive without confirmation on a physical port, too");
   option(command, "--course", options.guided.courses, "COURSE",
          "Courses of --drive: names in config/courses or files (default: those that "

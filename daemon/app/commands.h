@@ -12,7 +12,7 @@
 #include "identify/drive.h"
 #include "identify/next_manoeuvre.h"
 #include "link/port_discovery.h"
-#include "messages/sink.h"
+#include "live/daemon.h"
 
 namespace tp100::app {
 
@@ -28,17 +28,11 @@ struct RunOptions {
   std::string course;
   std::string robot;
   std::string setup;
-  std::string listen;       ///< "ADDRESS:PORT", "auto" or "off"; empty: as configured
-  std::string camera;       ///< "udp:[HOST:]PORT"; empty: as configured
-  std::string record;       ///< folder for recordings; empty: as configured
-  std::string world;        ///< internal, files or "udp:[HOST:]PORT"; empty: as configured
-  std::string stats;        ///< JSON file; empty: none
-  bool wait = false;        ///< wait for a port and a robot instead of failing
-  bool go = false;          ///< start without confirmation, on a physical port too
-  bool ran_before = false;  ///< the program drove before: a start must be confirmed with the word
-  bool stay = false;        ///< stay on after a run and wait for the next start
-  std::optional<double> duration_s;
-  std::vector<messages::Sink*> sinks{};  ///< get every step; must outlive the command
+  std::string listen;  ///< "ADDRESS:PORT", "auto" or "off"; empty: as configured
+  std::string camera;  ///< "udp:[HOST:]PORT"; empty: as configured
+  std::string record;  ///< folder for recordings; empty: as configured
+  std::string world;   ///< internal, files or "udp:[HOST:]PORT"; empty: as configured
+  live::DaemonOptions daemon{};
 };
 
 /// The command. 0: course completed; 1: aborted, interrupted or --duration passed. Throws

@@ -42,7 +42,7 @@ std::optional<double> ask(const std::string& question) {
     const double value = std::strtod(line.c_str(), &end);
     const bool whole = std::string_view(end).find_first_not_of(" \t\r") == std::string_view::npos;
     if (end != line.c_str() && whole && std::isfinite(value)) return value;
-    std::printf("'%s' is not a number\n", text::one_line(line, 40).c_str());
+    std::printf("'%s' is not a number\n", one_line(line, 40).c_str());
   }
 }
 
@@ -177,8 +177,8 @@ std::optional<identify::RecordedDrive> drive_once(RunOptions run, const std::str
                                                   bool ran_before) {
   identify::DriveSink sink;
   run.course = course;
-  run.ran_before = ran_before;
-  run.sinks.push_back(&sink);
+  run.daemon.ran_before = ran_before;
+  run.daemon.sinks.push_back(&sink);
   if (run_run(run) != 0) return std::nullopt;
   return sink.drive();
 }

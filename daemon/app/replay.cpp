@@ -6,6 +6,7 @@
 
 #include "app/commands.h"
 #include "core/enum_names.h"
+#include "core/error.h"
 #include "core/processor.h"
 #include "course/bundled_files.h"
 #include "text/atomic_file.h"
@@ -38,8 +39,8 @@ Wanted wanted_model(const std::string& name) {
     names.push_back(to_string(source));
     others += (source == kPoseSources.back() ? " or " : ", ") + std::string(names.back());
   }
-  throw UserError("--model '" + text::one_line(name) + "' is unknown" +
-                  text::suggestion(name, names) + "; use paper, extended" + others);
+  throw UserError("--model '" + one_line(name) + "' is unknown" + text::suggestion(name, names) +
+                  "; use paper, extended" + others);
 }
 
 constexpr const char* kHeader =
@@ -84,6 +85,32 @@ void compare(const StepRecord& recorded, const StepRecord& computed, Replayed& r
 std::string shown(const record::LargestDifference& largest) {
   return text::format("the largest difference is %.2g m, %.2g rad and %.2g in other results",
                       largest.length_m, largest.angle_rad, largest.other);
+}
+
+void print_difference(const Recording& recording, const Replayed& result) {
+  std::fprintf(stderr, "tp100d: %s: step %llu after %s: %s is %s, recorded %s (version %s)\n",
+               recording.path().c_str(), static_cast<unsigned long long>(*result.differs_at),
+               seconds(result.differs_ns - recording.start_ns()).c_str(),
+               result.difference.field.c_str(), result.difference.computed.c_str(),
+               result.difference.recorded.c_str(), one_line(recording.fact("version"), 20).c_str());
+}
+
+/// Replaces the configuration and the model's form. Returns the pose to write; `verify`: false if
+/// the recorded results cannot be expected any more.
+PoseSource apply(const ReplayOptions& options, config::RunFiles files, config::RunSetup& run,
+                 bool& verify) {
+  if (!options.config.empty()) {
+    files.configuration = course::read_text_file(options.config);
+    verify = false;
+  }
+  run = config::parse_run(files);
+  if (options.model.empty()) return run.parameters.steering;
+  const Wanted model = wanted_model(options.model);
+  if (model.paper && *model.paper != run.parameters.paper_model) {
+    run.parameters.paper_model = *model.paper;
+    verify = false;
+  }
+  return model.source;
 }
 
 }  // namespace
@@ -152,22 +179,9 @@ Replayed replay_steps(const Recording& recording, const bridge::Parameters& para
 
 int run_replay(const ReplayOptions& options) {
   const Recording recording(options.in);
-  config::RunFiles files = recorded_files(recording);
   bool verify = true;
-  if (!options.config.empty()) {
-    files.configuration = course::read_text_file(options.config);
-    verify = false;
-  }
-  config::RunSetup run = config::parse_run(files);
-  PoseSource source = run.parameters.steering;
-  if (!options.model.empty()) {
-    const Wanted model = wanted_model(options.model);
-    source = model.source;
-    if (model.paper && *model.paper != run.parameters.paper_model) {
-      run.parameters.paper_model = *model.paper;
-      verify = false;
-    }
-  }
+  config::RunSetup run;
+  const PoseSource source = apply(options, recorded_files(recording), run, verify);
 
   text::FileReplacement out(options.out);
   out.write(kHeader);
@@ -180,7 +194,7 @@ int run_replay(const ReplayOptions& options) {
       });
 
   const std::string& path = recording.path();
-  const std::string recorded_on = text::one_line(recording.fact(config::kArithmeticFact), 60);
+  const std::string recorded_on = one_line(recording.fact(config::kArithmeticFact), 60);
   // Recordings without this fact are assumed to be of this kind of processor.
   const bool elsewhere = !recorded_on.empty() && recorded_on != arithmetic();
   const std::string processors =
@@ -191,11 +205,7 @@ int run_replay(const ReplayOptions& options) {
     std::printf("%s: the recording is cut off at %s\n", path.c_str(),
                 seconds(result.last_ns - start).c_str());
   if (differs) {
-    std::fprintf(stderr, "tp100d: %s: step %llu after %s: %s is %s, recorded %s (version %s)\n",
-                 path.c_str(), static_cast<unsigned long long>(*result.differs_at),
-                 seconds(result.differs_ns - start).c_str(), result.difference.field.c_str(),
-                 result.difference.computed.c_str(), result.difference.recorded.c_str(),
-                 text::one_line(recording.fact("version"), 20).c_str());
+    print_difference(recording, result);
     if (elsewhere)
       std::fprintf(stderr, "tp100d: %s: differs by more than rounding: %s%s; %s\n", path.c_str(),
                    shown(result.largest).c_str(),

@@ -44,18 +44,13 @@ config::RunSetup setup_run(const config::RunFiles& files, const RunOptions& opti
 }  // namespace
 
 int run_run(const RunOptions& options) {
-  if (options.duration_s && !(*options.duration_s > 0.0 && *options.duration_s < 1e9)) {
-    throw UserError("--duration " + text::number_text(*options.duration_s) +
+  const std::optional<double> duration_s = options.daemon.duration_s;
+  if (duration_s && !(*duration_s > 0.0 && *duration_s < 1e9)) {
+    throw UserError("--duration " + text::number_text(*duration_s) +
                     ": out of range; give seconds, above 0 and below 1e9");
   }
   const config::RunFiles files = files_of(options);
-  return live::run_daemon({files, setup_run(files, options)}, {.stats_path = options.stats,
-                                                               .wait = options.wait,
-                                                               .go = options.go,
-                                                               .ran_before = options.ran_before,
-                                                               .stay = options.stay,
-                                                               .duration_s = options.duration_s,
-                                                               .sinks = options.sinks});
+  return live::run_daemon({files, setup_run(files, options)}, options.daemon);
 }
 
 }  // namespace tp100::app

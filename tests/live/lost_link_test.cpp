@@ -83,7 +83,7 @@ class Unplugging : public Run {
 
 TEST_F(Unplugging, AgainAndAgainLeavesNothingBehindAndMovesNothingUnasked) {
   options_.course = "1-straight";
-  options_.stay = true;
+  options_.daemon.stay = true;
   robot_->plug_in();
   test::Weight settled, after;
   // A signal ends the command regularly, either during the last run (1) or after its link was lost

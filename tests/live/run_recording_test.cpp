@@ -49,7 +49,7 @@ class RunBesideADisk : public Run {
     std::filesystem::create_directory(disk_.path() + "/runs");
     options_.record = disk_.path() + "/runs";
     options_.course = "1-straight";
-    options_.stay = true;
+    options_.daemon.stay = true;
     robot_->plug_in();
   }
   void drives_and_records(server::WebClient& viewer) {
@@ -118,7 +118,7 @@ TEST_F(RunBesideADisk, SigtermDisarmsWhileADiskStandsStill) {
 }
 
 TEST_F(Run, ItsFiguresHoldUpNobodyWhereTheyCannotBeWritten) {
-  ASSERT_EQ(::mkfifo(options_.stats.c_str(), 0600), 0);
+  ASSERT_EQ(::mkfifo(options_.daemon.stats_path.c_str(), 0600), 0);
   robot_->plug_in();
   // The first statistics are read, so that the run begins; the next writer blocks in open().
   std::thread first([this] { stats(); });
@@ -129,7 +129,8 @@ TEST_F(Run, ItsFiguresHoldUpNobodyWhereTheyCannotBeWritten) {
               std::this_thread::sleep_for(1500ms);
               reader = std::thread([&] {
                 eventually(disarmed);
-                const int pipe = ::open(options_.stats.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+                const int pipe =
+                    ::open(options_.daemon.stats_path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
                 char text[4096];
                 while (!over)
                   if (::read(pipe, text, sizeof text) <= 0) std::this_thread::sleep_for(1ms);

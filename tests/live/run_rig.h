@@ -34,8 +34,8 @@ class Run : public ::testing::Test {
     configure("black_box_directory = \"" + folder_.file("boxes") + "\"");
     options_.config = folder_.file("config.toml");
     options_.port = port();
-    options_.stats = folder_.file("stats.json");
-    options_.duration_s = 300.0;
+    options_.daemon.stats_path = folder_.file("stats.json");
+    options_.daemon.duration_s = 300.0;
   }
 
   std::string port() const { return folder_.file("robot"); }
@@ -74,7 +74,7 @@ class Run : public ::testing::Test {
     return status;
   }
   bool logged(const std::string& text) const { return log_.find(text) != std::string::npos; }
-  std::string stats() const { return test::read_bytes(options_.stats); }
+  std::string stats() const { return test::read_bytes(options_.daemon.stats_path); }
   /// Port of the page; waits until it is served.
   std::string page() const {
     static const std::string kBefore = "http://127.0.0.1:";

@@ -19,11 +19,11 @@ using namespace std::chrono_literals;
 
 TEST_F(Run, SigtermEndsItInEveryStateAndDisarms) {
   // There is no robot, or a silent one.
-  options_.wait = true;
+  options_.daemon.wait = true;
   for (const bool silent : {false, true}) {
     if (silent) robot_->plug_in();
     robot_->with([&](ScriptedRobot& robot) { robot.silent = silent; });
-    std::filesystem::remove(options_.stats);
+    std::filesystem::remove(options_.daemon.stats_path);
     EXPECT_EQ(run([&] { says_of_itself(silent ? "\"listening\"" : "\"closed\""); }), 1);
     EXPECT_FALSE(logged("-> ready")) << log_;
   }
@@ -45,7 +45,7 @@ TEST_F(Run, SigtermEndsItInEveryStateAndDisarms) {
   EXPECT_EQ(state(), wire::State::kDisarmed);
   // A run is under way, or has ended and the daemon waits for the next one.
   for (const bool stays : {false, true}) {
-    options_.stay = stays;
+    options_.daemon.stay = stays;
     forget();
     EXPECT_EQ(run([&] {
                 eventually(driven);
@@ -62,7 +62,7 @@ TEST_F(Run, SigtermEndsItInEveryStateAndDisarms) {
 }
 
 TEST_F(Run, APortThatIsBusyForAWhileIsTaken) {
-  options_.wait = true;
+  options_.daemon.wait = true;
   robot_->plug_in();
   auto held = std::make_unique<link::Port>(link::open_port(port(), {}));
   EXPECT_EQ(run([&] {
@@ -82,7 +82,7 @@ TEST_F(Run, APortThatIsBusyForAWhileIsTaken) {
 // Nobody may stand there any more who would start it again.
 TEST_F(Run, WithGoAStartThatCannotBeginEndsTheRun) {
   options_.course = "1-straight";
-  options_.go = true;
+  options_.daemon.go = true;
   robot_->with([](ScriptedRobot& robot) { robot.metres_per_s = 0.1; });
   robot_->plug_in();
   EXPECT_EQ(run(), 1);
@@ -94,7 +94,7 @@ TEST_F(Run, WithGoAStartThatCannotBeginEndsTheRun) {
 TEST_F(Run, WhoIsAskedToWaitTakesARobotThatAnswersLater) {
   robot_->plug_in();
   robot_->with([](ScriptedRobot& robot) { robot.answers_parameters = false; });
-  options_.wait = true;
+  options_.daemon.wait = true;
   EXPECT_EQ(run([&] {
               says_of_itself("\"unanswered\": 1");
               robot_->with([](ScriptedRobot& robot) { robot.answers_parameters = true; });
@@ -106,7 +106,7 @@ TEST_F(Run, WhoIsAskedToWaitTakesARobotThatAnswersLater) {
 
 TEST_F(Run, FiguresThatCannotBeWrittenAreAnErrorAtOnce) {
   robot_->plug_in();
-  options_.stats = folder_.file("none/stats.json");
+  options_.daemon.stats_path = folder_.file("none/stats.json");
   EXPECT_EQ(run(), -1);
   EXPECT_THAT(message_, HasSubstr("stats.json: cannot be written"));
 }

@@ -26,7 +26,7 @@ class SetupChange : public Run {
               "library = \"" + folder_.file("library") + "\"");
     options_.course = "1-straight";
     options_.setup = "stand";
-    options_.stay = true;
+    options_.daemon.stay = true;
     robot_->with([](ScriptedRobot& robot) {
       // Nothing starts by itself.
       robot.board = static_cast<std::uint8_t>(wire::BoardType::kMega2560);

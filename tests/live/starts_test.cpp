@@ -48,7 +48,7 @@ class Starts : public Run {
   Starts() {
     configure("black_box_s = 0");
     options_.course = "1-straight";
-    options_.stay = true;
+    options_.daemon.stay = true;
   }
   void with_board(wire::BoardType board) {
     robot_->with([&](ScriptedRobot& robot) { robot.board = static_cast<std::uint8_t>(board); });
@@ -168,8 +168,8 @@ TEST_F(Starts, WhatIsNoEmulatorOfTheFirstRunWaitsForAPerson) {
         {"a later drive of the same program", kMega2560, false, false, true, "go\n", "type go"}}) {
     SCOPED_TRACE(each.name);
     if (each.service) ::setenv("NOTIFY_SOCKET", folder_.file("notify").c_str(), 1);
-    options_.go = each.go;
-    options_.ran_before = each.ran_before;
+    options_.daemon.go = each.go;
+    options_.daemon.ran_before = each.ran_before;
     forget();
     with_board(each.board);
     run([&] {
@@ -191,9 +191,9 @@ TEST_F(Starts, WhatIsNoEmulatorOfTheFirstRunWaitsForAPerson) {
 
 // --go is the consent of a person for the robot that stood there when the program was started.
 TEST_F(Starts, GoDoesNotStartARobotThatIsPluggedInLater) {
-  options_.go = options_.wait = true;
+  options_.daemon.go = options_.daemon.wait = true;
   for (const bool was_there : {true, false}) {
-    std::filesystem::remove(options_.stats);
+    std::filesystem::remove(options_.daemon.stats_path);
     forget();
     robot_->with([&](ScriptedRobot& robot) { robot.answers_parameters = !was_there; });
     if (was_there) with_board(wire::BoardType::kMega2560);
