@@ -11,9 +11,11 @@
 #include <mutex>
 #include <thread>
 #include <utility>
+#include <variant>
 
 #include "core/clock.h"
 #include "core/error.h"
+#include "core/result.h"
 #include "record/record_queue.h"
 #include "record/step_codec.h"
 
@@ -27,15 +29,25 @@ constexpr std::size_t kMaxRequests = 16;
 constexpr std::uint64_t kMaxBeforeLookBack = 50'000'000;
 constexpr const char* kSlow = "the disk has not served earlier requests; try again later";
 
-/// Request to begin a recording or, without `make`, to end it, or to forget what was before a step.
-struct Request {
-  std::uint64_t number = 0;
-  Recorder::Make make{};
-  Recorder::Answer answer = [](const std::string&) {};
-  std::uint64_t dropped = 0;  // before it
-  Recorder::Ended ended{};    // of a recording that looks back
-  std::uint64_t forget = 0;   // the steps before this one; 0: none
+// Requests to the recorder's thread.
+struct Begin {
+  std::uint64_t number;
+  Recorder::Make make;
+  Recorder::Answer answer;
+  std::uint64_t dropped;  // before it
 };
+struct LookBack {
+  std::uint64_t number;
+  Recorder::Make make;
+  Recorder::Ended ended;
+};
+struct End {
+  Recorder::Answer answer = [](const std::string&) {};
+};
+struct Forget {
+  std::uint64_t next;  // the steps before this one
+};
+using Request = std::variant<Begin, LookBack, End, Forget>;
 
 }  // namespace
 
@@ -72,30 +84,14 @@ struct Recorder::State {
     queue.mark(entry_of(EntryKind::kRequest, [](const Bytes&) {}));
   }
 
-  /// Takes a request to begin a recording, unless it is refused. Returns why. Call with the mutex
-  /// held.
-  std::string admit(Request begin) {
-    const bool looks_back = begin.ended != nullptr;
+  /// Admits a recording. Returns its number; the caller requests it then. Call with the mutex held.
+  Result<std::uint64_t> admit(bool looks_back) {
     if (number != 0 && (looks_back || !makes_way))
-      return "a recording is running already" + (status.active ? ": " + status.path : "");
-    if (requests.size() >= kMaxRequests) return kSlow;
-    if (number != 0) request({.number = number});
+      return Refusal{"a recording is running already" + (status.active ? ": " + status.path : "")};
+    if (requests.size() >= kMaxRequests) return Refusal{kSlow};
+    if (number != 0) request(End{});
     makes_way = looks_back;
-    number = begin.number = ++last_number;
-    begin.dropped = dropped;
-    request(std::move(begin));
-    return {};
-  }
-  /// Asks for a recording. Returns its number; 0: it is refused, and `refused` has received why.
-  std::uint64_t ask(Request begin, const Recorder::Answer& refused) {
-    std::string why;
-    {
-      const std::lock_guard lock(mutex);
-      why = admit(std::move(begin));
-      if (why.empty()) return number;
-    }
-    refused(why);
-    return 0;
+    return number = ++last_number;
   }
   /// Number of the recording that others see. Call with the mutex held.
   std::uint64_t shown() const { return makes_way ? 0 : number; }
@@ -150,33 +146,43 @@ struct Recorder::State {
       request = std::move(requests.front());
       requests.pop_front();
     }
-    if (request.forget != 0) return forget(request.forget);
-    const std::string why = request.make ? begin(request) : finish();
-    request.answer(why);
-    if (request.make && why.empty()) write_before();
-    if (!why.empty() && request.ended) request.ended({.warning = why});
+    std::visit([this](auto& one) { serve(one); }, request);
   }
-  void forget(std::uint64_t next) {
-    if (history) history->forget(next);
+  void serve(Begin& request) {
+    const std::string why = open(request.number, request.make);
+    if (why.empty()) {
+      const std::lock_guard lock(mutex);
+      status = {
+          .active = true, .path = writer->path(), .bytes = writer->bytes(), .cpu_s = status.cpu_s};
+      dropped_before = request.dropped;
+    }
+    request.answer(why);
+    if (why.empty()) write_before();
+  }
+  void serve(LookBack& request) {
+    if (const std::string why = open(request.number, request.make); !why.empty())
+      return request.ended({.warning = why});
+    ended = std::move(request.ended);
+    write_before();
+  }
+  void serve(End& request) { request.answer(finish()); }
+  void serve(Forget& request) {
+    if (history) history->forget(request.next);
     recent.take();
     steps = 0;
   }
-  std::string begin(const Request& request) {
+  /// Creates the recording's file. Returns why not.
+  std::string open(std::uint64_t of, const Recorder::Make& make) {
     try {
-      writer = request.make();
+      writer = make();
     } catch (const std::exception& error) {
       const std::lock_guard lock(mutex);
-      if (number == request.number) number = 0;
+      if (number == of) number = 0;
       return error.what();
     }
-    writing = request.number;
-    ended = request.ended;
+    writing = of;
+    ended = {};
     late.clear();
-    if (ended) return {};
-    const std::lock_guard lock(mutex);
-    status = {
-        .active = true, .path = writer->path(), .bytes = writer->bytes(), .cpu_s = status.cpu_s};
-    dropped_before = request.dropped;
     return {};
   }
   std::string finish() {
@@ -306,28 +312,51 @@ Recorder::~Recorder() {
 }
 
 std::uint64_t Recorder::ask_begin(Make make, const Answer& answer) {
-  return state_->ask({.make = std::move(make), .answer = answer}, answer);
+  std::string why;
+  {
+    const std::lock_guard lock(state_->mutex);
+    const Result<std::uint64_t> number = state_->admit(false);
+    if (number) {
+      state_->request(Begin{*number, std::move(make), answer, state_->dropped});
+      return *number;
+    }
+    why = number.why();
+  }
+  answer(why);
+  return 0;
 }
 
 std::uint64_t Recorder::ask_look_back(Make make, const Ended& ended) {
-  return state_->ask({.make = std::move(make), .ended = ended},
-                     [&](const std::string& why) { ended({.warning = why}); });
+  std::string why;
+  {
+    const std::lock_guard lock(state_->mutex);
+    const Result<std::uint64_t> number = state_->admit(true);
+    if (number) {
+      state_->request(LookBack{*number, std::move(make), ended});
+      return *number;
+    }
+    why = number.why();
+  }
+  ended({.warning = why});
+  return 0;
 }
 
 void Recorder::ask_end(std::uint64_t number, Answer answer) {
   {
     const std::lock_guard lock(state_->mutex);
     // An end is never refused: each belongs to a begin that was accepted.
-    if (number == 0 ? state_->shown() != 0 : number == state_->number)
-      return state_->request(
-          {.number = std::exchange(state_->number, 0), .answer = std::move(answer)});
+    if (number == 0 ? state_->shown() != 0 : number == state_->number) {
+      state_->number = 0;
+      return state_->request(End{std::move(answer)});
+    }
   }
   answer("nothing is recorded");
 }
 
 void Recorder::forget(std::uint64_t next) {
   const std::lock_guard lock(state_->mutex);
-  state_->request({.forget = next});
+  if (std::exchange(state_->number, 0) != 0) state_->request(End{});
+  state_->request(Forget{next});
 }
 
 void Recorder::begin(Make make) {
@@ -345,8 +374,8 @@ bool Recorder::end(Clock::time_point deadline) {
   const auto answered = std::make_shared<std::promise<void>>();
   {
     const std::lock_guard lock(state_->mutex);
-    state_->request({.number = std::exchange(state_->number, 0),
-                     .answer = [answered](const std::string&) { answered->set_value(); }});
+    state_->number = 0;
+    state_->request(End{[answered](const std::string&) { answered->set_value(); }});
   }
   return answered->get_future().wait_until(deadline) == std::future_status::ready;
 }

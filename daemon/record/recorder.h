@@ -37,7 +37,7 @@ struct RecordingStatus {
   std::string warning{};      ///< why it ended early or cannot be replayed; one line, or empty
 };
 
-class Recorder : public messages::Sink {
+class Recorder : public messages::Sink, public messages::TruthSink {
  public:
   using Clock = std::chrono::steady_clock;
   /// Creates folder and file of a recording. Called on the recorder's thread, so that no other
@@ -64,9 +64,9 @@ class Recorder : public messages::Sink {
   std::uint64_t ask_look_back(Make make, const Ended& ended);
   /// Ends recording `number`, or the current one if that is 0.
   void ask_end(std::uint64_t number, Answer answer);
-  /// Discards the history before step `next`, which restarts the step with another course, robot or
-  /// set-up: a recording that begins or looks back later cannot contain it. End a running recording
-  /// first.
+  /// Ends a running recording, and discards the history before step `next`, which restarts the step
+  /// with another course, robot or set-up: a recording that begins or looks back later cannot
+  /// contain it.
   void forget(std::uint64_t next);
   /// Number of the recording that is running or requested; 0: none.
   std::uint64_t number() const;

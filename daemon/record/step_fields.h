@@ -9,7 +9,7 @@ namespace tp100 {
 
 // The last value of each enumeration.
 constexpr auto last_of(RobotState) { return RobotState::kFaulted; }
-constexpr auto last_of(LiveParameter) { return LiveParameter::kPivotAcceleration; }
+constexpr auto last_of(LiveParameter) { return static_cast<LiveParameter>(kLiveParameters - 1); }
 constexpr auto last_of(PitchSource) { return PitchSource::kExternal; }
 constexpr auto last_of(ObstacleClass) { return ObstacleClass::kBlock; }
 constexpr auto last_of(Traction) { return Traction::kImmobilised; }

@@ -33,6 +33,45 @@ class HandDriveTest : public ::testing::Test {
   }
 };
 
+/// A person at the terminal of a robot on a port, who is told of each change.
+class AtTheTerminal : public HandDriven {
+ public:
+  using HandDriven::HandDriven;
+  void type(const std::string& line) { terminal_.take(line, now()); }
+  std::string told;
+
+ private:
+  void said(const std::string& line) override { told = line; }
+  void happened(const live::LiveEvent& event) override {
+    if (const auto* change = std::get_if<live::RunChange>(&event)) terminal_.follow(change->to);
+    if (const auto* report = std::get_if<live::SessionReport>(&event))
+      if (const auto* changed = link::as<link::StateChanged>(report->event))
+        terminal_.follow(changed->to);
+    terminal_.ask(now());
+  }
+};
+
+// Whoever presses Enter to stop a robot that has just stopped by itself must not start it again.
+TEST(Terminal, AfterTheFirstRunEnterIsSTOPAndOnlyTheWordStarts) {
+  const auto course = std::make_shared<const course::Course>(load_course("1-straight"));
+  AtTheTerminal person({.loaded = load({}), .course = course});
+  person.type("");
+  EXPECT_THAT(person.told, HasSubstr("no robot is connected"));
+  ASSERT_TRUE(person.wait_until_ready());
+  EXPECT_EQ(person.state(), RunState::kIdle) << "what was typed before the robot came";
+  const auto runs = [&] { return person.state() == RunState::kRunning; };
+  person.type("");
+  EXPECT_TRUE(person.step_until(runs, 5.0)) << person.told;
+  person.request(OperatorRequest::kHold);
+  person.step_for(1.0);
+  const std::uint64_t stops = person.controls().stop_count();
+  person.type("");
+  EXPECT_EQ(person.controls().stop_count(), stops + 1);
+  EXPECT_FALSE(person.step_until(runs, 3.0));
+  person.type("go");
+  EXPECT_TRUE(person.step_until(runs, 5.0)) << person.told;
+}
+
 // Neither an input without the lease, nor one that bypasses all earlier checks, nor velocities that
 // are streamed.
 TEST_F(HandDriveTest, AnInputAloneNeverArms) {
