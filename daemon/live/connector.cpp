@@ -6,11 +6,16 @@
 #include <cstring>
 #include <utility>
 
+#include "bridge/cycle.h"
 #include "core/error.h"
 #include "core/faults.h"
+#include "live/live_events.h"
 
 namespace tp100::live {
 namespace {
+
+// A board needs 2 s after its reset, and less for a handshake; a silent port is given up sooner.
+constexpr HostNs kFirstSessionNs = 6 * kNsPerS;
 
 /// Distinguishes a port from the one that had the same name before replugging.
 std::string device_file(const std::string& path) {
@@ -33,6 +38,43 @@ void Connector::tick(HostNs now) {
   loop::LostPort lost;
   while (loop_.take_lost(lost)) take_back(lost, now);
   if (!stopped_ && !handed_over() && !port_.is_open() && now >= next_try_ns_) try_open(now);
+  if (awaits_first() && tried_ns_ != 0 && now - tried_ns_ >= kFirstSessionNs)
+    throw UserError(path_ + ": no session with the robot was established in " +
+                    std::to_string(kFirstSessionNs / kNsPerS) + " s, last state " +
+                    std::string(to_string(session_)) +
+                    ": its hello or its answers do not belong to this version; flash this "
+                    "version's firmware (scripts/flash, installed: tp100-flash)");
+}
+
+void Connector::on_event(const SessionReport& report, const std::string& robot, HostNs now) {
+  if (awaits_first()) require_usable(report, robot);
+  if (link::as<link::HelloReceived>(report.event) != nullptr) {
+    found_ = true;
+    robot_ = opened_;
+  } else if (const auto* changed = link::as<link::StateChanged>(report.event)) {
+    session_ = changed->to;
+    const bool meant = session_ != SessionState::kListening || settings_.port != "auto";
+    if (tried_ns_ == 0 && session_ != SessionState::kClosed && meant) tried_ns_ = now;
+    if (session_ != SessionState::kReady) return;
+    had_session_ = true;
+    retry_ns_ = kFirstRetryNs;
+  }
+}
+
+void Connector::require_usable(const SessionReport& report, const std::string& robot) const {
+  if (link::as<link::VersionMismatch>(report.event) != nullptr)
+    throw UserError(path_ + ": " + version_mismatch(report.hello));
+  if (link::as<link::Unanswered>(report.event) != nullptr ||
+      link::as<link::BadHello>(report.event) != nullptr) {
+    const messages::Event event = describe_event(report).front();
+    throw UserError(path_ + ": " + event.cause + "; " + event.fix);
+  }
+  const link::Acknowledged* answer = link::as<link::Acknowledged>(report.event);
+  if (answer != nullptr && answer->request == wire::Type::kParameters &&
+      answer->result == wire::Result::kOutOfRange)
+    throw UserError("robot " + robot + ": the firmware refuses " +
+                    bridge::parameter_name(answer->detail) +
+                    " as out of range; correct it in the robot file");
 }
 
 void Connector::take_back(const loop::LostPort& lost, HostNs now) {

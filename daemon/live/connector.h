@@ -1,6 +1,7 @@
 #pragma once
-// Finds, opens and reopens the port and hands its descriptor to the loop. Ticked by the Asio
-// thread.
+// Finds, opens and reopens the port and hands its descriptor to the loop. Until the first session a
+// robot that cannot be used is an error, unless the program waits for one (--wait); later it is an
+// event like any other. The main thread.
 
 #include <functional>
 #include <optional>
@@ -8,9 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "core/link_state.h"
 #include "core/time.h"
 #include "link/port_discovery.h"
 #include "link/transport.h"
+#include "live/live_cycle.h"
 #include "loop/fixed_rate_loop.h"
 #include "selftest/port_handover.h"
 
@@ -34,18 +37,15 @@ class Connector {
   Connector(ConnectorSettings settings, loop::FixedRateLoop& loop,
             std::function<void(const std::string&)> say);
 
-  /// Takes lost ports back and reopens when due. Throws UserError if no port can be opened and
-  /// `wait` is off.
+  /// Takes lost ports back and reopens when due. Without `wait`, throws UserError if no port can
+  /// be opened or no session was established in time.
   void tick(HostNs now);
-  /// The robot sent its hello: from now on the connector never gives up.
-  void robot_found() {
-    found_ = true;
-    robot_ = opened_;
-  }
-  /// A session is ready: the next retry comes early again.
-  void session_ready() { retry_ns_ = kFirstRetryNs; }
-  /// The program is ending: opens no more ports. The port closes with the connector, after the
-  /// loop.
+  /// An event of the session with the robot of that name. Without `wait`, throws UserError if it
+  /// shows an incompatible robot before the first session. After a hello the connector never gives
+  /// up.
+  void on_event(const SessionReport& report, const std::string& robot, HostNs now);
+  /// The program is ending: opens no more ports, and nothing is an error any more. The port closes
+  /// with the connector, after the loop.
   void stop() { stopped_ = true; }
 
   /// Whether the robot was plugged in, or in again, after the program's start.
@@ -55,6 +55,8 @@ class Connector {
   bool pseudo_terminal() const { return pseudo_terminal_; }
 
  private:
+  bool awaits_first() const { return !settings_.wait && !had_session_ && !stopped_; }
+  void require_usable(const SessionReport& report, const std::string& robot) const;
   void take_back(const loop::LostPort& lost, HostNs now);
   void try_open(HostNs now);
   link::Port open_next();
@@ -75,8 +77,11 @@ class Connector {
   std::uint32_t id_ = 0;
   HostNs next_try_ns_ = 0;
   HostNs retry_ns_ = kFirstRetryNs;
+  SessionState session_ = SessionState::kClosed;
+  HostNs tried_ns_ = 0;  // since when a port is open that is probably the robot's
   bool pseudo_terminal_ = false;
-  bool found_ = false;
+  bool found_ = false;  // a robot sent its hello
+  bool had_session_ = false;
   bool stopped_ = false;
   bool came_later_ = false;
 };

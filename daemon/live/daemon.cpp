@@ -17,9 +17,9 @@
 #include "live/connector.h"
 #include "live/daemon_parts.h"
 #include "live/event_log.h"
-#include "live/first_session.h"
 #include "live/link_monitor.h"
 #include "live/live_events.h"
+#include "live/outcome.h"
 #include "live/recording_policies.h"
 #include "live/service_notice.h"
 #include "live/stats_file.h"
@@ -33,9 +33,6 @@ namespace asio = boost::asio;
 
 constexpr std::chrono::milliseconds kTick{10}, kWorldTick{2};  // poses go to a world at a tick
 constexpr HostNs kStatsPeriodNs = kNsPerS;
-// Faults after which the robot may recover: without --go the daemon waits for a new start.
-constexpr FaultMask kRecoverable = fault_bit(Fault::link_lost) | fault_bit(Fault::robot_rebooted) |
-                                   fault_bit(Fault::stop_requested) | fault_bit(Fault::world_lost);
 
 class Daemon {
  public:
@@ -52,19 +49,18 @@ class Daemon {
   void take_events();
   void take_status(HostNs now);
   void take_records();
-  void change_setup(SetupChanger::Made made);
+  void change_setup(const SetupChanger::MadeChange& made);
   void drain_events();
   void on_session_state(SessionState state);
   void on_session(const SessionReport& report);
   void on_run_state(const RunChange& change);
-  void run_ended(int exit_status, const std::string& result);
   void begin_serving();
   void notify_manager();
   void serve(const SessionReport& report);
-  void end(int exit_status, const std::string& result);
+  void end();
   void take_figures();
   void await_signals();
-  void name(const config::RunSetup& run);
+  std::string course() const { return parts_.setup.run()->course(); }
   void finish_files();
 
   const DaemonOptions options_;
@@ -74,7 +70,6 @@ class Daemon {
   ServiceNotice notice_{service_};
   asio::io_context context_;
   Connector connector_;
-  FirstSession first_session_;
   RunRecordings run_recordings_;
   StatsFile stats_;
   LinkMonitor link_monitor_;
@@ -82,18 +77,16 @@ class Daemon {
   const config::WorldRun world_run_;
   std::unique_ptr<WorldLink> world_;  // null: internal
   std::vector<messages::Sink*> sinks_;
+  const std::vector<ExchangeListener> exchange_listeners_{parts_.listeners()};
   asio::steady_timer timer_{context_};
   asio::signal_set signals_{context_};
   DaemonFigures figures_;
   std::optional<Terminal> terminal_;  // from the loop's start on
   std::vector<loop::Privilege> privileges_;
-  RunState run_state_ = RunState::kIdle;
+  Outcome outcome_{options_.go, options_.stay};
   SessionState session_ = SessionState::kClosed;
   HostNs began_ns_ = 0;
   HostNs next_stats_ns_ = 0;
-  bool ending_ = false;
-  int status_ = 1;
-  int stay_status_ = 0;  // exit status of the last run, with --stay
 };
 
 Daemon::Daemon(const config::LoadedRun& run, const DaemonOptions& options)
@@ -104,7 +97,6 @@ Daemon::Daemon(const config::LoadedRun& run, const DaemonOptions& options)
                    log_.info(line);
                    parts_.controls.note_port(line);
                  }),
-      first_session_(connector_, connector_settings(), run.setup.robot.name),
       run_recordings_(parts_.recording, parts_.events,
                       options.stay && parts_.recording.figures().available),
       stats_(options.stats_path, parts_.disk, parts_.events),
@@ -123,8 +115,6 @@ Daemon::Daemon(const config::LoadedRun& run, const DaemonOptions& options)
   sinks_.insert(sinks_.end(),
                 {&link_monitor_, &parts_.recording, &parts_.black_box, &parts_.server});
   if (world_ != nullptr) sinks_.push_back(world_.get());
-  name(run.setup);
-  figures_.result = "running";
   figures_.page = parts_.server.url();
   // With --stay each run gets a recording of its own.
   if (!configuration.record.directory.empty() && !options.stay) parts_.recording.begin();
@@ -147,7 +137,8 @@ int Daemon::run() {
                      parts_.loop.privileges().end());
   const auto say = [this](const std::string& line, bool warning) { log_.say(line, warning); };
   const auto pressed = [this] { parts_.server.stop_pressed("keyboard"); };
-  terminal_.emplace(&context_, Terminal::Reach{parts_.controls, say, pressed, figures_.course});
+  terminal_.emplace(&context_,
+                    Terminal::Reach{parts_.controls, say, pressed, [this] { return course(); }});
   try {
     tick();
     log_.privileges(privileges_);
@@ -164,7 +155,7 @@ int Daemon::run() {
   take_events();
   take_status(monotonic_now());
   finish_files();
-  return status_;
+  return outcome_.status();
 }
 
 void Daemon::await_signals() {
@@ -181,14 +172,8 @@ void Daemon::await_signals() {
   signals_.async_wait([this](const boost::system::error_code& error, int signal) {
     if (error) return;
     log_.info(signal == SIGINT ? "SIGINT" : signal == SIGHUP ? "SIGHUP" : "SIGTERM");
-    end(options_.stay && !under_way(run_state_) ? stay_status_ : 1, "interrupted");
+    if (outcome_.interrupt()) end();
   });
-}
-
-void Daemon::name(const config::RunSetup& run) {
-  figures_.course = run.course == nullptr ? "" : run.course->name;
-  figures_.robot = run.robot.name;
-  figures_.setup = bridge::to_string(run.parameters.setup);
 }
 
 // The robot is disarmed: now waiting for disks is allowed, for a limited time.
@@ -209,17 +194,16 @@ void Daemon::finish_files() {
   if (!written) lost += ", the last figures of --stats";
   if (!answered) lost += ", the last text of world.encoder_file";
   if (!lost.empty()) {
-    status_ = std::max(status_, 1);
+    outcome_.fail();
     log_.warn("a disk has not responded for 5 s; lost: " + lost.substr(2) +
               "; check the disks; tp100d recover repairs recordings");
   }
   log_.summary(summary_text(figures_));
-  const bool examined = wait([&](auto by) { return parts_.controls.examined_by(by); });
-  const bool all = recorded && written && answered && examined;
+  const bool all = recorded && written && answered;
   const bool read = log_.flush();
   if (all && read && !parts_.server.waits_for_disk()) return;
   // The threads that wait for the disk, or for a reader of the log, cannot be joined.
-  std::_Exit(status_);
+  std::_Exit(outcome_.status());
 }
 
 void Daemon::begin_serving() {
@@ -232,7 +216,7 @@ void Daemon::begin_serving() {
 }
 
 void Daemon::notify_manager() {
-  notice_.status(state_line(session_, run_state_, figures_.course, figures_.page));
+  notice_.status(state_line(session_, outcome_.run(), course(), figures_.page));
 }
 
 void Daemon::serve(const SessionReport& report) {
@@ -260,14 +244,14 @@ void Daemon::tick() {
   parts_.setup.tick();
   take_events();
   drain_events();
-  first_session_.check(now);
   connector_.tick(now);
   take_status(now);
   log_.tick(now);
   notice_.alive(parts_.loop.statistics().cycles.load(), now);
   run_recordings_.tick(now);
-  if (options_.duration_s && to_s(now - began_ns_) >= *options_.duration_s) end(1, "duration");
-  if (ending_ && parts_.loop.ended()) {
+  const bool too_long = options_.duration_s && to_s(now - began_ns_) >= *options_.duration_s;
+  if (too_long && outcome_.end(1, "duration")) end();
+  if (outcome_.ending() && parts_.loop.ended()) {
     if (camera_) camera_->stop();
     if (world_ != nullptr) world_->stop();
     signals_.cancel();
@@ -288,7 +272,8 @@ void Daemon::take_events() {
     const SessionReport* report = std::get_if<SessionReport>(&event);
     const RunChange* change = std::get_if<RunChange>(&event);
     // An event that ends the program is reported once, as the error.
-    if (report != nullptr) first_session_.on_event(*report);
+    if (report != nullptr)
+      connector_.on_event(*report, parts_.setup.run()->loaded.setup.robot.name, monotonic_now());
     // Before the event is published, so that the recording includes it.
     if (change != nullptr) run_recordings_.on_run_state(change->to, change->at_ns);
     const std::vector<messages::Event> events = describe_event(event);
@@ -302,11 +287,8 @@ void Daemon::take_events() {
 
 void Daemon::on_session(const SessionReport& report) {
   serve(report);
-  if (link::as<link::HelloReceived>(report.event) != nullptr) {
-    connector_.robot_found();
-  } else if (const auto* changed = link::as<link::StateChanged>(report.event)) {
+  if (const auto* changed = link::as<link::StateChanged>(report.event))
     on_session_state(changed->to);
-  }
 }
 
 void Daemon::take_status(HostNs now) {
@@ -316,28 +298,17 @@ void Daemon::take_status(HostNs now) {
 
 void Daemon::take_records() {
   while (const StepRecord* record = parts_.cycle.front_record()) {
-    if (auto made = parts_.setup.take(*record)) change_setup(std::move(*made));
+    if (const auto made = parts_.setup.take(*record)) change_setup(*made);
     for (messages::Sink* sink : sinks_) sink->take(*record);
     parts_.cycle.release_record();
   }
 }
 
 // Runs before anything else receives the first step with the change.
-void Daemon::change_setup(SetupChanger::Made made) {
+void Daemon::change_setup(const SetupChanger::MadeChange& made) {
   const messages::Event event{.at_ns = monotonic_now(), .kind = "setup", .text = made.text};
-  if (made.run != nullptr) {
-    const config::RunSetup& run = made.run->setup;
-    name(run);
-    const bool goes_on = parts_.recording.number() != 0 && !options_.stay;
-    parts_.black_box.finish();
-    parts_.recording.change_setup(made.run, made.step);
-    parts_.server.change_setup(made.run_context, std::move(made.for_viewers),
-                               parameter_list(run.configuration, run.robot));
-    for (messages::Sink* sink : sinks_) sink->take_setup(made.run_context, event.at_ns);
-    if (parts_.ros2) parts_.ros2->change_setup(made.run_context, std::move(made.for_nodes));
-    if (goes_on) parts_.recording.start({}, [](const std::string&) {});
-    first_session_.expect(figures_.robot);
-    terminal_->follow(figures_.course);
+  if (made.exchange) {
+    for (const ExchangeListener& listener : exchange_listeners_) listener(*made.exchange);
     terminal_->ask(event.at_ns);
     notify_manager();
   }
@@ -348,64 +319,40 @@ void Daemon::change_setup(SetupChanger::Made made) {
 
 void Daemon::on_session_state(SessionState next) {
   session_ = next;
-  first_session_.on_state(next, monotonic_now());
   terminal_->follow(next);
   notify_manager();
   figures_.port = connector_.path();
   if (next != SessionState::kReady) return;
-  connector_.session_ready();
-  if (figures_.course.empty() || ending_) return;
+  if (course().empty() || outcome_.ending()) return;
   if (parts_.controls.start_consent() != StartConsent::kNone ||
       !parts_.controls.start_by_itself(connector_.came_later(), began_ns_, monotonic_now()))
     terminal_->ask(monotonic_now());
 }
 
 void Daemon::on_run_state(const RunChange& change) {
-  const bool by_hand = change.from == RunState::kDriving;
-  run_state_ = change.to;
+  const Outcome::Next next = outcome_.take(change);
   terminal_->follow(change.to);
   notify_manager();
-  if (change.to == RunState::kFinished) return run_ended(0, "completed");
-  // A run requested by an option does not wait for another start.
-  if (change.refused != StartRefusal::kNone && options_.go) return run_ended(1, "refused");
-  if (change.to == RunState::kAborted) {
-    figures_.faults = change.faults | (change.from == change.to ? figures_.faults : 0);
-    if (ending_ && status_ == 0) {
-      // The completed run has failed after all.
-      status_ = 1;
-      figures_.result = "aborted";
-    }
-    // After driving by hand, keep the daemon running.
-    const bool recoverable = by_hand || (figures_.faults & kRecoverable) != 0;
-    const bool waits =
-        recoverable && !options_.go && (figures_.faults & fault_bit(Fault::moves_unasked)) == 0;
-    if (!by_hand) stay_status_ = 1;
-    if (!waits) return run_ended(1, "aborted");
-  }
-  if (!ending_) terminal_->ask(monotonic_now());
+  if (next == Outcome::Next::kEnd) return end();
+  if (next == Outcome::Next::kSayAndAsk) log_.info(outcome_.result());
+  if (next != Outcome::Next::kNothing) terminal_->ask(monotonic_now());
 }
 
-void Daemon::run_ended(int exit_status, const std::string& result) {
-  if (!options_.stay) return end(exit_status, result);
-  stay_status_ = exit_status;
-  figures_.result = result;
-  log_.info(result);
-  terminal_->ask(monotonic_now());
-}
-
-void Daemon::end(int exit_status, const std::string& result) {
-  if (std::exchange(ending_, true)) return;
-  first_session_.stop();
+void Daemon::end() {
   parts_.controls.end();
   terminal_->stop();
   notice_.stopping();
-  status_ = exit_status;
-  figures_.result = result;
   connector_.stop();
   parts_.loop.request_stop();
 }
 
 void Daemon::take_figures() {
+  const auto run = parts_.setup.run();
+  figures_.course = run->course();
+  figures_.robot = run->loaded.setup.robot.name;
+  figures_.setup = bridge::to_string(run->loaded.setup.parameters.setup);
+  figures_.result = outcome_.result();
+  figures_.faults = outcome_.faults();
   if (camera_) figures_.camera = camera_->figures();
   if (world_ != nullptr) figures_.world = world_->figures();
   const auto was = std::exchange(figures_.recording, parts_.recording.figures());

@@ -7,6 +7,7 @@
 #include "bridge/cycle.h"
 #include "config/setup_files.h"
 #include "core/clock.h"
+#include "core/error.h"
 #include "live/file_services.h"
 #include "server/local_daemons.h"
 #include "text/format.h"
@@ -62,7 +63,7 @@ server::ServerSettings server_settings(const config::LoadedRun& run, DaemonParts
   out.access = {server::words(settings.hosts), server::words(settings.origins)};
   out.commands = settings.commands;
   out.max_clients = static_cast<std::size_t>(settings.max_clients);
-  out.name = text::one_line(stem.empty() ? run.setup.robot.name : stem);
+  out.name = one_line(stem.empty() ? run.setup.robot.name : stem);
   out.robots = server::robot_pages(settings.robots);
   out.content.runs_folder = parts.configuration.record.directory;
   out.content.runs = [&parts] { return parts.runs.json(); };
@@ -76,7 +77,7 @@ server::ServerSettings server_settings(const config::LoadedRun& run, DaemonParts
   return out;
 }
 
-/// Removes what a killed program has left where this one will write, besides the recorded runs.
+/// Removes what a killed program has left where this one will write.
 void sweep(const config::LoadedRun& run, const std::string& stats_path) {
   const config::Configuration& configuration = run.setup.configuration;
   for (const std::string& file : {run.files.configuration.path, stats_path})
@@ -85,13 +86,14 @@ void sweep(const config::LoadedRun& run, const std::string& stats_path) {
   for (const char* folder : {"/courses", "/robots"})
     if (!library.empty()) text::sweep_temporary(library + folder);
   const std::string black_boxes = black_box_directory(configuration.record);
+  runs::sweep_runs(configuration.record.directory);
   if (black_boxes != configuration.record.directory) runs::sweep_runs(black_boxes);
 }
 
 }  // namespace
 
 DaemonParts::DaemonParts(const config::LoadedRun& run, const DaemonOptions& options)
-    : configuration(run.setup.configuration),
+    : first_run(std::make_shared<const ActiveRun>(run)),
       cycle(session_settings(run.setup), run.setup.parameters, run.setup.course,
             !options.wait || configuration.link.port == "auto"),
       clock{.start_ns = monotonic_now(), .start_unix_ns = unix_now_ns()},
@@ -100,20 +102,35 @@ DaemonParts::DaemonParts(const config::LoadedRun& run, const DaemonOptions& opti
                .hold_cpu_latency = configuration.loop.hold_cpu_latency,
                .raise_kernel_workers = configuration.loop.priority > 0}),
       loop(loop_settings(configuration.loop), cycle),
-      recording(run.files, run.setup, clock, events),
+      recording(first_run, clock, events),
+      recording_continues(!options.stay),
       black_box(configuration.record, recording, events),
-      setup(run, cycle, clock, participant != nullptr),
-      runs(archive_settings(configuration.record, recording)),
-      self_test(configuration, run.setup.robot, events),
+      setup(first_run, cycle, disk, clock, participant != nullptr),
+      runs(archive_settings(configuration.record, recording), disk),
+      self_test(configuration, run.setup.robot, disk, events),
       controls(cycle, loop, recording, setup, runs, self_test, events),
-      server(server_settings(run, *this), {config::run_context_of(run.setup), clock},
-             parameter_list(configuration, run.setup.robot), controls) {
+      server(server_settings(run, *this), {first_run->context, clock}, first_run->parameters,
+             controls) {
   disk.post([run, stats = options.stats_path] { sweep(run, stats); }, [](const std::string&) {});
   if (participant != nullptr)
     ros2.emplace(
-        *participant, config::run_context_of(run.setup), clock, cycle,
+        *participant, first_run->context, clock, cycle,
         Ros2Requests(controls, events, [this] { server.stop_pressed("ROS 2 /tp100/stop"); }),
         why_no_ros2_requests(configuration));
+}
+
+std::vector<ExchangeListener> DaemonParts::listeners() {
+  return {
+      [this](const Exchange& each) { recording.exchange(each, recording_continues); },
+      [this](const Exchange&) { black_box.finish(); },
+      [this](const Exchange& each) { self_test.choose(each.run->loaded.setup.robot); },
+      [this](const Exchange& each) {
+        server.change_setup(each.run->context, each.for_viewers, each.run->parameters);
+      },
+      [this](const Exchange& each) {
+        if (ros2) ros2->exchange(each);
+      },
+  };
 }
 
 }  // namespace tp100::live

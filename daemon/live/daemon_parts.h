@@ -4,8 +4,10 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
-#include "config/run_setup.h"
+#include "core/worker.h"
+#include "live/active_run.h"
 #include "live/daemon.h"
 #include "live/live_controls.h"
 #include "live/live_cycle.h"
@@ -17,7 +19,6 @@
 #include "loop/real_time.h"
 #include "messages/event_queue.h"
 #include "messages/messages.h"
-#include "record/worker.h"
 #include "runs/run_archive.h"
 #include "selftest/self_test.h"
 #include "server/server.h"
@@ -28,7 +29,11 @@ struct DaemonParts {
   /// Starts threads, but neither the loop's nor the server's. Throws UserError.
   DaemonParts(const config::LoadedRun& run, const DaemonOptions& options);
 
-  const config::Configuration configuration;
+  /// Those who keep something of what is in force; they refer to the parts.
+  std::vector<ExchangeListener> listeners();
+
+  const std::shared_ptr<const ActiveRun> first_run;  ///< in force at the start
+  const config::Configuration& configuration = first_run->loaded.setup.configuration;
   LiveCycle cycle;
   const messages::PublishClock clock;
   /// Made before memory is locked and by a thread whose ordinary scheduling its own ones inherit;
@@ -38,12 +43,13 @@ struct DaemonParts {
   loop::FixedRateLoop loop;
   messages::EventQueue events;  ///< logged and published by the main thread
   LiveRecording recording;
-  record::Worker disk{"figures"};  ///< writes --stats
+  const bool recording_continues;  ///< over an exchange; else each run has a recording of its own
   BlackBox black_box;
   SetupChanger setup;
   runs::RunArchive runs;
   selftest::SelfTest self_test;
   LiveControls controls;
+  Worker disk{"disk"};  ///< waits for files, so that no other thread has to; its jobs use the above
   server::Server server;
   std::optional<Ros2Node> ros2;  ///< with a participant
 };

@@ -9,7 +9,6 @@
 
 #include "config/parameter_file.h"
 #include "core/error.h"
-#include "live/live_controls.h"
 #include "live/setup_list.h"
 #include "text/atomic_file.h"
 #include "text/file_name.h"
@@ -45,7 +44,7 @@ Result<UserFile> read_file(const Arguments& given) {
 }
 
 std::string check_file(const SetupChanger& changer, const UserFile& file) {
-  return checked_file(*changer.run(), file.kind, {file.name + ".toml", file.text});
+  return checked_file(changer.run()->loaded, file.kind, {file.name + ".toml", file.text});
 }
 
 std::string save_file(const SetupChanger& changer, const UserFile& file) {
@@ -54,9 +53,8 @@ std::string save_file(const SetupChanger& changer, const UserFile& file) {
 }
 
 std::string delete_file(const SetupChanger& changer, const UserFile& file) {
-  const config::RunSetup& now = changer.run()->setup;
-  const std::string course = now.course == nullptr ? "" : now.course->name;
-  if (file.name == (file.kind == Bundled::kRobots ? now.robot.name : course))
+  const std::shared_ptr<const ActiveRun> now = changer.run();
+  if (file.name == (file.kind == Bundled::kRobots ? now->loaded.setup.robot.name : now->course()))
     throw UserError(file.name + " is in use; choose another one first");
   changer.files().remove(file.kind, file.name);
   return json_of({{"name", file.name}});
@@ -107,7 +105,7 @@ std::string replaced(const course::TextFile& now, const std::string& next, bool 
 
 /// Throws UserError.
 course::TextFile configuration_file(const SetupChanger& changer) {
-  const std::string path = changer.run()->files.configuration.path;
+  const std::string path = changer.run()->loaded.files.configuration.path;
   if (path.empty())
     throw UserError("tp100d has no configuration file to save into: start it with --config FILE");
   if (!is_file(path))
@@ -140,9 +138,8 @@ Result<messages::ParameterValue> read_value(const messages::ParameterText& param
   return value;
 }
 
-Result<config::ParameterValues> read_values(const config::RunSetup& run, const Request& request,
-                                            bool check) {
-  const std::vector<messages::ParameterText> known = parameter_list(run.configuration, run.robot);
+Result<config::ParameterValues> read_values(const std::vector<messages::ParameterText>& known,
+                                            const Request& request, bool check) {
   config::ParameterValues values;
   for (const server::RequestField& field : request.arguments.fields()) {
     if (field.name == "check") continue;
@@ -161,7 +158,8 @@ Result<config::ParameterValues> read_values(const config::RunSetup& run, const R
 
 Result<> save_parameters(SetupChanger& changer, const Request& request, const Answer& answer) {
   const bool check = request.arguments.flag("check").value_or(false);
-  const Result<config::ParameterValues> values = read_values(changer.run()->setup, request, check);
+  const Result<config::ParameterValues> values =
+      read_values(changer.run()->parameters, request, check);
   if (!values) return values.refusal();
   changer.disk().ask(answer, [&changer, check, values = *values] {
     const course::TextFile now = configuration_file(changer);
@@ -223,7 +221,7 @@ std::vector<server::ServiceRow> parameter_services(SetupChanger& changer) {
 }
 
 std::optional<std::string> setup_content(const SetupChanger& changer, std::string_view path) {
-  if (path == "/api/setup") return setup_list(changer.files(), *changer.run());
+  if (path == "/api/setup") return setup_list(changer.files(), changer.run()->loaded);
   constexpr std::string_view kEnding = ".toml";
   for (const auto& [folder, kind] :
        {std::pair<std::string_view, Bundled>{"/courses/", Bundled::kCourses},

@@ -19,15 +19,15 @@ constexpr double kUsualShare = 0.2;
 constexpr double kTiltedRad = 8.0 * kRadPerDeg;
 constexpr HostNs kTiltedNs = 300 * kNsPerMs;
 
-struct Text {
+}  // namespace
+
+struct LinkMonitor::Text {
   std::uint64_t least;  // a session's first frames and a brief pause do not count
   const char* kind;
   const char* what;
   const char* cause;
   std::string fix;
 };
-
-}  // namespace
 
 void LinkMonitor::take(const StepRecord& record) {
   count(record.link);
@@ -102,7 +102,7 @@ void LinkMonitor::time(const StepRecord& record) {
   oldest_us_ = std::max(oldest_us_, snapshot.age_us);
 }
 
-std::vector<Event> LinkMonitor::drain_events() {
+const LinkMonitor::Text& LinkMonitor::text_of(std::size_t kind) {
   static const std::array<Text, kCount> kTexts{
       {{1, "session", "corrupted frames",
         "bytes change or are lost on their way, or another program writes",
@@ -144,10 +144,14 @@ std::vector<Event> LinkMonitor::drain_events() {
        {1, "run", "times that the IMU measured a slope on a set-up without one",
         "the set-up does not match the floor: only on terrain are ramps and blocks real",
         "start with --setup terrain, or take the obstacles off the floor"}}};
+  return kTexts[kind];
+}
+
+std::vector<Event> LinkMonitor::drain_events() {
   std::vector<Event> out;
   for (std::size_t i = 0; i < kCount; ++i) {
     Tally& tally = tallies_[i];
-    const Text& text = kTexts[i];
+    const Text& text = text_of(i);
     if (tally.now < tally.reported + text.least) continue;
     if (tally.has_reported && now_ns_ - tally.reported_ns < kQuietNs) continue;
     const std::uint64_t fresh = tally.now - tally.reported, poses = camera_poses_ - reported_of_;

@@ -53,6 +53,8 @@ class LinkMonitor : public messages::Sink {
     HostNs reported_ns = 0;      ///< time of the last report
     bool has_reported = false;   ///< there was a report
   };
+  struct Text;
+  static const Text& text_of(std::size_t kind);
   void count(const LinkCounters& link);
   void time(const StepRecord& record);
   void see(const Snapshot& snapshot);

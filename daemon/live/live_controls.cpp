@@ -2,23 +2,16 @@
 
 #include <algorithm>
 #include <iterator>
-#include <string_view>
 #include <utility>
 
-#include "bridge/parameters.h"
-#include "config/parameter_file.h"
 #include "core/board.h"
 #include "core/clock.h"
-#include "course/robot_file.h"
 #include "live/file_services.h"
 #include "live/live_events.h"
 #include "live/run_services.h"
-#include "text/key.h"
 
 namespace tp100::live {
 namespace {
-
-using messages::ParameterText;
 
 // After this time a step has taken a request.
 constexpr HostNs kTakesEffectNs = 200 * kNsPerMs;
@@ -29,13 +22,6 @@ constexpr const char* kBusy = "too many requests wait; try again";
 Result<> unless_busy(bool passed_on) {
   if (!passed_on) return Refusal{kBusy};
   return Done{};
-}
-
-/// Nothing if the key is not live.
-std::optional<LiveParameter> live_parameter(std::string_view name) {
-  const auto key = std::ranges::find(bridge::kLiveKeys, name, &bridge::LiveKey::name);
-  if (key == bridge::kLiveKeys.end()) return std::nullopt;
-  return static_cast<LiveParameter>(key - bridge::kLiveKeys.begin());
 }
 
 }  // namespace
@@ -266,33 +252,6 @@ void LiveControls::end() {
   const std::lock_guard lock(mutex_);
   ending_ = true;
   self_test_.wheels_up().stop();
-}
-
-std::optional<ParameterChange> change_for(const ParameterText& parameter,
-                                          const messages::ParameterValue& value) {
-  const std::optional<LiveParameter> live = live_parameter(parameter.name);
-  if (!live) return std::nullopt;
-  if (const double* number = std::get_if<double>(&value))
-    return ParameterChange{*live, *number * bridge::kLiveKeys[static_cast<std::size_t>(*live)].si};
-  const std::string* name = std::get_if<std::string>(&value);
-  const auto choice = name == nullptr
-                          ? parameter.choices.end()
-                          : std::find(parameter.choices.begin(), parameter.choices.end(), *name);
-  if (choice == parameter.choices.end()) return std::nullopt;
-  return ParameterChange{*live, static_cast<double>(choice - parameter.choices.begin())};
-}
-
-std::vector<ParameterText> parameter_list(const config::Configuration& configuration,
-                                          const course::Robot& robot) {
-  std::vector<ParameterText> out;
-  for (text::KeyText& key : config::configuration_keys(configuration)) {
-    const std::optional<LiveParameter> live = live_parameter(key.name);
-    const bool only_at_standstill = live == LiveParameter::kSteering;
-    const bool may_save = config::may_save(key);
-    out.push_back({std::move(key), live.has_value(), only_at_standstill, may_save});
-  }
-  for (text::KeyText& key : course::robot_keys(robot)) out.push_back({std::move(key)});
-  return out;
 }
 
 }  // namespace tp100::live

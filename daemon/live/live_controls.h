@@ -2,7 +2,6 @@
 // Passes viewers' requests to the real-time loop, and provides what only the loop and the ports
 // know.
 
-#include <chrono>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -75,10 +74,6 @@ class LiveControls : public server::Controls {
   void set_privileges(const std::vector<loop::Privilege>& privileges);
   /// The program is ending: refuses further starts.
   void end();
-  /// See SelfTest::idle_by().
-  bool examined_by(std::chrono::steady_clock::time_point deadline) {
-    return self_test_.idle_by(deadline);
-  }
 
  private:
   Result<> may_move(const Consent& consent, HostNs now) const;
@@ -100,13 +95,5 @@ class LiveControls : public server::Controls {
   std::vector<std::pair<std::string, bool>> privileges_;
   bool ending_ = false;
 };
-
-/// Every key of configuration and robot as published to viewers.
-std::vector<messages::ParameterText> parameter_list(const config::Configuration& configuration,
-                                                    const course::Robot& robot);
-
-/// The parameter change that gives a live parameter this value; nothing if it is not live.
-std::optional<ParameterChange> change_for(const messages::ParameterText& parameter,
-                                          const messages::ParameterValue& value);
 
 }  // namespace tp100::live

@@ -119,24 +119,24 @@ void LiveCycle::take_setup(HostNs now) {
 }
 
 void LiveCycle::take_requests(HostNs now) {
-  Asked asked;
+  QueuedRequest queued;
   bool begins = !under_way(run_state_);
-  while (requests_.pop(asked)) {
+  while (requests_.pop(queued)) {
     if (shutting_down_) continue;
-    if (!moves(asked.request)) {
-      cycle_.request(asked.request);
+    if (!moves(queued.request)) {
+      cycle_.request(queued.request);
       // Whoever looked before does not know that it was held or paused.
       consents_.set_changed(now);
-      begins = begins || asked.request == OperatorRequest::kHold;
+      begins = begins || queued.request == OperatorRequest::kHold;
       continue;
     }
-    const ConsentLoss loss = consents_.judge(asked.consent, now);
+    const ConsentLoss loss = consents_.judge(queued.consent, now);
     if (loss != ConsentLoss::kNone) {
-      push(RequestDropped{now, asked.request, asked.consent.by, loss});
+      push(RequestDropped{now, queued.request, queued.consent.by, loss});
       continue;
     }
-    cycle_.request(asked.request);
-    if (std::exchange(begins, false)) begins_ = asked;
+    cycle_.request(queued.request);
+    if (std::exchange(begins, false)) begins_ = queued;
   }
   give_up_arming(now);
 }

@@ -146,7 +146,7 @@ class LiveCycle : public loop::LoopClient {
 
  private:
   static constexpr Consent kNobody{.life_ns = -1};
-  struct Asked {
+  struct QueuedRequest {
     OperatorRequest request = OperatorRequest::kHold;
     Consent consent{};
   };
@@ -165,7 +165,7 @@ class LiveCycle : public loop::LoopClient {
 
   bridge::Cycle cycle_;
   std::mutex asking_;  // among requesting threads; the real-time thread never takes it
-  loop::SpscQueue<Asked, 16> requests_;
+  loop::SpscQueue<QueuedRequest, 16> requests_;
   loop::SpscQueue<ParameterChange, StepInputs::Changes::kCapacity> changes_;
   loop::SpscQueue<VelocityInput, 32> velocities_;
   std::atomic<SetupRequest*> setup_asked_{nullptr};
@@ -180,7 +180,7 @@ class LiveCycle : public loop::LoopClient {
   loop::SlotRing<StepRecord> records_{kWaitingRecords};
   loop::SlotRing<StepRecord>* first_records_ = nullptr;
   SampleLatency sample_latency_;
-  Asked begins_{};          // the last motion that was passed to the step
+  QueuedRequest begins_{};  // the last motion that was passed to the step
   HostNs received_ns_ = 0;  // last read that returned bytes
   std::atomic<std::uint64_t> lost_events_{0};
   std::atomic<std::uint64_t> lost_records_{0};

@@ -70,22 +70,25 @@ bool is_recorded(Channel channel) {
          channel == Channel::kState || channel == Channel::kParameter;
 }
 
-LiveRecording::LiveRecording(const config::RunFiles& files, const config::RunSetup& run,
+LiveRecording::LiveRecording(std::shared_ptr<const ActiveRun> run,
                              const messages::PublishClock& clock, messages::EventQueue& events)
-    : settings_(run.configuration.record),
+    : settings_(run->loaded.setup.configuration.record),
       clock_(clock),
       events_(events),
-      run_(std::make_shared<const config::LoadedRun>(config::LoadedRun{files, run})),
-      recorder_(recorder_settings(run.configuration)) {}
+      run_(std::move(run)),
+      recorder_(recorder_settings(run_->loaded.setup.configuration)) {}
 
-void LiveRecording::change_setup(std::shared_ptr<const config::LoadedRun> run, std::uint64_t next) {
-  // One lock for all, so that no recording begins between them with the old files.
-  const std::lock_guard lock(mutex_);
-  recorder_.ask_end(0, [](const std::string&) {});
-  recorder_.forget(next);
-  run_ = std::move(run);
-  // They name the old course.
-  last_.clear();
+void LiveRecording::exchange(const Exchange& exchange, bool continues) {
+  const bool recorded = number() != 0;
+  {
+    // One lock for all, so that no recording begins between them with the old files.
+    const std::lock_guard lock(mutex_);
+    recorder_.forget(exchange.first_step);
+    run_ = exchange.run;
+    // They name the old course.
+    std::erase_if(last_, [&](const auto& each) { return each.second.at_ns < exchange.at_ns; });
+  }
+  if (recorded && continues) start({}, [](const std::string&) {});
 }
 
 record::Recorder::Make LiveRecording::make(const std::string& directory, const std::string& name,
@@ -111,7 +114,7 @@ record::Recorder::Make LiveRecording::make(const std::string& directory, const s
                                           "/" + record::kRecordingFile,
                                   .max_bytes = max_mb * 1'000'000,
                                   .clock = clock},
-        config::run_facts(run->files, run->setup, facts));
+        config::run_facts(run->loaded.files, run->loaded.setup, facts));
   };
 }
 
@@ -148,14 +151,14 @@ std::uint64_t LiveRecording::start(const std::string& name, const Answer& answer
   }
   const HostNs now = monotonic_now();
   const std::lock_guard lock(mutex_);
-  const course::Course* course = run_->setup.course.get();
-  const std::string usual = course == nullptr ? "poses" : course->name;
+  const std::string course = run_->course();
+  const std::string usual = course.empty() ? "poses" : course;
   const std::uint64_t number =
       recorder_.ask_begin(make(directory, name.empty() ? usual : name, now,
                                {{"program", "tp100d run"}}, settings_.quota_mb, ""),
                           answer);
   if (number == 0) return 0;
-  for (const auto& [channel, json] : last_) recorder_.message(channel, now, json);
+  for (const auto& [channel, message] : last_) recorder_.message(channel, now, message.json);
   return number;
 }
 
@@ -213,14 +216,13 @@ double LiveRecording::cpu_s() const { return recorder_.status().cpu_s; }
 
 void LiveRecording::take(const StepRecord& record) { recorder_.take(record); }
 
-void LiveRecording::take_truth(HostNs at, const Pose& truth) { recorder_.take_truth(at, truth); }
-
 void LiveRecording::on_message(messages::Channel channel, std::uint64_t unix_ns,
                                std::string_view json) {
   if (!is_recorded(channel)) return;
+  const HostNs at = clock_.host_ns(unix_ns);
   const std::lock_guard lock(mutex_);
-  if (!is_event_channel(channel)) last_[channel] = json;
-  recorder_.message(channel, clock_.host_ns(unix_ns), json);
+  if (!is_event_channel(channel)) last_[channel] = {at, std::string(json)};
+  recorder_.message(channel, at, json);
 }
 
 }  // namespace tp100::live

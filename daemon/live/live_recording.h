@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "config/run_setup.h"
+#include "live/active_run.h"
 #include "messages/event_queue.h"
 #include "messages/figures.h"
 #include "messages/messages.h"
@@ -31,8 +31,8 @@ class LiveRecording : public messages::Sink {
  public:
   /// Records nothing yet. `events`, which must outlive this, hear what record.quota_mb deletes.
   /// Throws UserError: record.directory cannot be created.
-  LiveRecording(const config::RunFiles& files, const config::RunSetup& run,
-                const messages::PublishClock& clock, messages::EventQueue& events);
+  LiveRecording(std::shared_ptr<const ActiveRun> run, const messages::PublishClock& clock,
+                messages::EventQueue& events);
 
   using Answer = record::Recorder::Answer;
 
@@ -61,11 +61,10 @@ class LiveRecording : public messages::Sink {
   void on_message(messages::Channel channel, std::uint64_t unix_ns, std::string_view json);
 
   // Called by the thread that drains the steps.
-  /// The steps from number `next` on belong to `run`. Step `next` is taken next and restarts; later
-  /// recordings contain the files of `run`, and a running recording ends here.
-  void change_setup(std::shared_ptr<const config::LoadedRun> run, std::uint64_t next);
+  /// A running recording ends here; `continues`: and another one begins. Later ones contain the
+  /// files of the run in force then.
+  void exchange(const Exchange& exchange, bool continues);
   void take(const StepRecord& record) override;
-  void take_truth(HostNs at, const Pose& truth) override;
 
   // These wait for the disk:
   /// Like start(). Throws UserError.
@@ -86,8 +85,12 @@ class LiveRecording : public messages::Sink {
   messages::PublishClock clock_;
   messages::EventQueue& events_;
   std::mutex mutex_;  // guards what follows
-  std::shared_ptr<const config::LoadedRun> run_;
-  std::map<messages::Channel, std::string> last_;  // message of each recorded channel of a state
+  std::shared_ptr<const ActiveRun> run_;
+  struct Message {
+    HostNs at_ns;
+    std::string json;
+  };
+  std::map<messages::Channel, Message> last_;  // of each recorded channel of a state
   record::Recorder recorder_;
 };
 

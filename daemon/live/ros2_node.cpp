@@ -68,10 +68,10 @@ Ros2Node::~Ros2Node() {
   thread_.join();
 }
 
-void Ros2Node::change_setup(const messages::RunContext& run_context, ros2::SetupMessages setup) {
-  requests_.set_course(run_context.course == nullptr ? "" : run_context.course->name);
+void Ros2Node::exchange(const Exchange& exchange) {
+  requests_.set_course(exchange.run->course());
   const std::lock_guard lock(mutex_);
-  next_.emplace(run_context, std::move(setup));
+  next_ = exchange;
 }
 
 /// Publishes the waiting steps, and returns when to look for the next one.
@@ -79,7 +79,7 @@ HostNs Ros2Node::publish() {
   if (const auto answer = requests_.take_answer()) publisher_.answer(*answer);
   {
     const std::lock_guard lock(mutex_);
-    if (next_) publisher_.change_setup(std::move(next_->first), std::move(next_->second));
+    if (next_) publisher_.change_setup(next_->run->context, *next_->for_nodes);
     next_.reset();
   }
   while (const StepRecord* step = steps_.front()) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "config/configuration.h"
+#include "live/active_run.h"
 #include "live/live_cycle.h"
 #include "live/ros2_requests.h"
 #include "loop/rings.h"
@@ -39,9 +40,8 @@ class Ros2Node {
   Ros2Node(const Ros2Node&) = delete;
   Ros2Node& operator=(const Ros2Node&) = delete;
 
-  /// Another course, robot or set-up is in force; `setup` are its messages, made elsewhere. Any
-  /// thread.
-  void change_setup(const messages::RunContext& run_context, ros2::SetupMessages setup);
+  /// Any thread.
+  void exchange(const Exchange& exchange);
 
  private:
   void run();
@@ -52,7 +52,7 @@ class Ros2Node {
   Ros2Requests requests_;
   loop::SlotRing<StepRecord> steps_;
   std::mutex mutex_;  // guards next_
-  std::optional<std::pair<messages::RunContext, ros2::SetupMessages>> next_;
+  std::optional<Exchange> next_;
   // The node's thread only:
   HostNs last_step_ns_ = 0;
   HostNs period_ns_ = 0;

@@ -40,10 +40,6 @@ wire::Parameters wire_parameters(const config::RunSetup& run) {
   return bridge::session_settings(run.parameters, run.course.get()).parameters;
 }
 
-std::string course_name(const config::LoadedRun& run) {
-  return run.setup.course == nullptr ? "" : run.setup.course->name;
-}
-
 std::string pose_json(const Pose& pose) {
   return text::json_object([&](text::JsonWriter& json) {
     json.field("x_m", pose.x_m).field("y_m", pose.y_m).field("yaw_rad", pose.yaw_rad);
@@ -52,15 +48,16 @@ std::string pose_json(const Pose& pose) {
 
 }  // namespace
 
-SetupChanger::SetupChanger(config::LoadedRun run, LiveCycle& cycle,
+SetupChanger::SetupChanger(std::shared_ptr<const ActiveRun> run, LiveCycle& cycle, Worker& disk,
                            const messages::PublishClock& clock, bool ros2)
     : cycle_(cycle),
+      disk_(disk),
       clock_(clock),
       ros2_(ros2),
-      files_(config::library_folder(run.setup.configuration.library), run.files),
-      run_(std::make_shared<const config::LoadedRun>(std::move(run))) {}
+      files_(config::library_folder(run->loaded.setup.configuration.library), run->loaded.files),
+      run_(std::move(run)) {}
 
-std::shared_ptr<const config::LoadedRun> SetupChanger::run() const {
+std::shared_ptr<const ActiveRun> SetupChanger::run() const {
   const std::lock_guard lock(mutex_);
   return run_;
 }
@@ -78,34 +75,35 @@ void SetupChanger::place(const std::optional<Pose>& at, server::Answer answer) {
   ask({.places = true, .at = at}, std::move(answer));
 }
 
-void SetupChanger::ask(Asked asked, server::Answer answer) {
+void SetupChanger::ask(Order order, server::Answer answer) {
   {
     const std::lock_guard lock(mutex_);
     if (answer_ == nullptr) answer_ = std::exchange(answer, {});
   }
   if (answer != nullptr) return answer("another change is under way; try again", "");
-  const auto change = [this, asked = std::move(asked)] {
-    std::unique_ptr<SetupRequest> request = make(asked);
+  const auto change = [this, order = std::move(order)] {
+    std::unique_ptr<SetupRequest> request = make(order);
     request->until_ns = monotonic_now() + kChangeTimeoutNs;
     const std::lock_guard lock(mutex_);
     request_ = std::move(request);
     cycle_.change_setup(*request_);
   };
   const bool posted = disk_.post(change, [this](const std::string& why) { end(why); });
-  if (!posted) end(record::Worker::kBusy);
+  if (!posted) end(Worker::kBusy);
 }
 
 // The step is built here: in the loop nothing is allocated.
-std::unique_ptr<SetupRequest> SetupChanger::make(const Asked& asked) {
-  const std::shared_ptr<const config::LoadedRun> now = run();
-  if (now->setup.parameters.world.kind != bridge::WorldKind::kInternal)
+std::unique_ptr<SetupRequest> SetupChanger::make(const Order& order) {
+  const std::shared_ptr<const ActiveRun> active = run();
+  const config::LoadedRun& now = active->loaded;
+  if (now.setup.parameters.world.kind != bridge::WorldKind::kInternal)
     throw UserError(
         "an external world is in use (world.kind) and keeps the robot's place: restart tp100d");
   auto request = std::make_unique<SetupRequest>();
-  if (asked.places) {
-    if (!asked.at && now->setup.course == nullptr)
+  if (order.places) {
+    if (!order.at && now.setup.course == nullptr)
       throw UserError("there is no course, and so no start; choose a course");
-    const Pose at = asked.at ? *asked.at : now->setup.course->start;
+    const Pose at = order.at ? *order.at : now.setup.course->start;
     request->change.place = at;
     const std::lock_guard lock(mutex_);
     json_ = pose_json(at);
@@ -120,42 +118,44 @@ std::unique_ptr<SetupRequest> SetupChanger::make(const Asked& asked) {
     return name->empty() && kind == Bundled::kCourses ? course::TextFile{}
                                                       : files_.read(kind, *name);
   };
-  const auto setup = asked.choice.setup ? value_in(bridge::kSetupNames, *asked.choice.setup)
-                                        : std::optional(now->files.setup);
+  const auto setup = order.choice.setup ? value_in(bridge::kSetupNames, *order.choice.setup)
+                                        : std::optional(now.files.setup);
   if (!setup) throw UserError("setup is \"stand\", \"flat\" or \"terrain\"");
   const course::TextFile course =
-      asked.choice.goal ? course::course_to(now->files.course, *asked.choice.goal)
-                        : file(Bundled::kCourses, asked.choice.course, now->files.course);
-  const auto next = std::make_shared<const config::LoadedRun>(config::with_files(
-      *now, course, file(Bundled::kRobots, asked.choice.robot, now->files.robot), *setup));
-  require_fit(next->setup);
-  request->change.step.emplace(next->setup.parameters, next->setup.course);
-  const wire::Parameters parameters = wire_parameters(next->setup);
-  if (fields(parameters) != fields(wire_parameters(now->setup)))
+      order.choice.goal ? course::course_to(now.files.course, *order.choice.goal)
+                        : file(Bundled::kCourses, order.choice.course, now.files.course);
+  const auto next = std::make_shared<const ActiveRun>(config::with_files(
+      now, course, file(Bundled::kRobots, order.choice.robot, now.files.robot), *setup));
+  const config::RunSetup& chosen = next->loaded.setup;
+  require_fit(chosen);
+  request->change.step.emplace(chosen.parameters, chosen.course);
+  const wire::Parameters parameters = wire_parameters(chosen);
+  if (fields(parameters) != fields(wire_parameters(now.setup)))
     request->change.parameters = parameters;
-  Made made{.run = next, .run_context = config::run_context_of(next->setup)};
-  {
-    const messages::Messages messages(made.run_context, clock_);
-    const HostNs at = monotonic_now();
-    made.for_viewers = messages::setup_messages(messages, at);
-    if (ros2_) made.for_nodes = ros2::setup_messages(messages, at);
-  }
-  const std::string name = course_name(*next);
-  made.text = (name.empty() ? "no course" : "course " + name) + ", robot " +
-              next->setup.robot.name + ", set-up " + bridge::to_string(*setup);
+  const messages::Messages messages(next->context, clock_);
+  const HostNs at = monotonic_now();
+  Exchange exchange{.run = next, .for_viewers = messages::setup_messages(messages, at)};
+  if (ros2_)
+    exchange.for_nodes =
+        std::make_shared<const ros2::SetupMessages>(ros2::setup_messages(messages, at));
+  const std::string name = next->course();
   const std::lock_guard lock(mutex_);
   json_ = server::json_of(
-      {{"course", name}, {"robot", next->setup.robot.name}, {"setup", bridge::to_string(*setup)}});
-  next_ = std::move(made);
+      {{"course", name}, {"robot", chosen.robot.name}, {"setup", bridge::to_string(*setup)}});
+  next_ = {std::move(exchange), (name.empty() ? "no course" : "course " + name) + ", robot " +
+                                    chosen.robot.name + ", set-up " + bridge::to_string(*setup)};
   return request;
 }
 
-std::optional<SetupChanger::Made> SetupChanger::take(const StepRecord& next) {
+std::optional<SetupChanger::MadeChange> SetupChanger::take(const StepRecord& next) {
   const SetupRequest* done = cycle_.setup_done();
   if (done == nullptr || !done->made || next.step < done->step) return std::nullopt;
   const std::lock_guard lock(mutex_);
-  if (next_.run != nullptr) run_ = next_.run;
-  next_.step = done->step;
+  if (next_.exchange) {
+    next_.exchange->first_step = done->step;
+    next_.exchange->at_ns = monotonic_now();
+    run_ = next_.exchange->run;
+  }
   return std::exchange(next_, {});
 }
 

@@ -1,29 +1,27 @@
 #pragma once
 // Changes course, robot, set-up or the robot's place while the daemon runs and no run is under way:
-// reads and checks the files and builds the new step in a thread of its own, hands it to the loop
-// and takes the old one back.
+// reads and checks the files and builds the new step in the thread that waits for disks, hands it
+// to the loop and takes the old one back.
 
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
 
-#include "config/run_setup.h"
 #include "config/setup_files.h"
+#include "core/worker.h"
+#include "live/active_run.h"
 #include "live/live_cycle.h"
-#include "messages/channels.h"
-#include "record/worker.h"
-#include "ros2/topics.h"
 #include "server/controls.h"
 
 namespace tp100::live {
 
 class SetupChanger {
  public:
-  /// `run`: in force in `cycle`, which must outlive the changer. `clock` stamps messages; `ros2`:
-  /// nodes want theirs, too.
-  SetupChanger(config::LoadedRun run, LiveCycle& cycle, const messages::PublishClock& clock = {},
-               bool ros2 = false);
+  /// `run`: in force in `cycle`, which must outlive the changer, as the changer must outlive
+  /// `disk`. `clock` stamps messages; `ros2`: nodes want theirs, too.
+  SetupChanger(std::shared_ptr<const ActiveRun> run, LiveCycle& cycle, Worker& disk,
+               const messages::PublishClock& clock = {}, bool ros2 = false);
 
   // Any thread; none of these waits for the disk.
   /// Answers when the loop has made the change, with what is then in force.
@@ -34,51 +32,46 @@ class SetupChanger {
   bool changing() const;
 
   /// In force.
-  std::shared_ptr<const config::LoadedRun> run() const;
+  std::shared_ptr<const ActiveRun> run() const;
   const config::SetupFiles& files() const { return files_; }
   /// For those who wait for the same disk.
-  record::Worker& disk() { return disk_; }
+  Worker& disk() { return disk_; }
 
   // The thread that drains the steps:
   /// A change that the loop has made.
-  struct Made {
-    std::shared_ptr<const config::LoadedRun> run{};  ///< null: only the place has changed
-    std::string text{};                              ///< of the event
-    std::uint64_t step = 0;                          ///< the first with it
-    // With `run`: what its messages need, made by the changer's thread.
-    messages::RunContext run_context{};
-    messages::SharedMessages for_viewers{};
-    ros2::SetupMessages for_nodes{};
+  struct MadeChange {
+    std::optional<Exchange> exchange{};  ///< nothing: only the place has changed
+    std::string text{};                  ///< of the event
   };
   /// Call it with each record before anything else takes the record: returns the change of which it
   /// is the first step. Then call finish().
-  std::optional<Made> take(const StepRecord& next);
+  std::optional<MadeChange> take(const StepRecord& next);
   /// Answers the request: the change is in force everywhere.
   void finish();
   /// Answers a change that the loop did not make. Call it regularly.
   void tick();
 
  private:
-  struct Asked {
+  struct Order {
     server::SetupChoice choice{};
     bool places = false;
     std::optional<Pose> at{};
   };
-  void ask(Asked asked, server::Answer answer);
-  std::unique_ptr<SetupRequest> make(const Asked& asked);
+  void ask(Order order, server::Answer answer);
+  std::unique_ptr<SetupRequest> make(const Order& order);
   void end(const std::string& why);
 
   LiveCycle& cycle_;
+  Worker& disk_;
   const messages::PublishClock clock_;
   const bool ros2_;
   const config::SetupFiles files_;
   mutable std::mutex mutex_;  // guards what follows; never held while waiting for a disk
-  std::shared_ptr<const config::LoadedRun> run_;
-  Made next_;                              // the change under way
+  std::shared_ptr<const ActiveRun> run_;
+  MadeChange next_;                        // the change under way
   std::string json_;                       // its answer
   server::Answer answer_;                  // set: a change is under way
   std::unique_ptr<SetupRequest> request_;  // is the loop's
-  record::Worker disk_{"set-up"};          // declared last: its jobs use the others
 };
 
 }  // namespace tp100::live

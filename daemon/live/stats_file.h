@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "core/worker.h"
 #include "live/live_cycle.h"
 #include "live/udp_ports.h"
 #include "live/world_link.h"
 #include "messages/event_queue.h"
 #include "messages/figures.h"
-#include "record/worker.h"
 
 namespace tp100::live {
 
@@ -45,7 +45,7 @@ class StatsFile {
  public:
   /// An empty `path` means no file. `disk` writes it and must outlive this, and `events` the disk;
   /// they hear of the first failure.
-  StatsFile(std::string path, record::Worker& disk, messages::EventQueue& events)
+  StatsFile(std::string path, Worker& disk, messages::EventQueue& events)
       : path_(std::move(path)), disk_(disk), events_(events) {}
   /// Writes `figures`. The first time, before anything moves, it waits for the disk and throws
   /// UserError on failure. Later it never waits, and newer figures replace those not written yet.
@@ -60,7 +60,7 @@ class StatsFile {
   };
 
   const std::string path_;
-  record::Worker& disk_;
+  Worker& disk_;
   messages::EventQueue& events_;
   bool begun_ = false;
   std::shared_ptr<State> state_ = std::make_shared<State>();  // shared with the disk's thread

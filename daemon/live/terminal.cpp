@@ -154,12 +154,12 @@ void Terminal::stop() {
 }
 
 void Terminal::ask(HostNs now) {
-  if (session_ != SessionState::kReady || under_way() || reach_.course.empty()) return;
+  if (session_ != SessionState::kReady || under_way() || reach_.course().empty()) return;
   const bool word = reach_.controls.start_consent() == StartConsent::kWord;
   const bool typed_ahead = input_ && input_->drop_typed_ahead();
   seen_ns_ = now;
   stops_seen_ = reach_.controls.stop_count();
-  const std::string what = "to start course " + reach_.course;
+  const std::string what = "to start course " + reach_.course();
   reach_.say(word ? "ready; type go and press Enter " + what + "; Enter alone is STOP"
                   : "ready; press Enter " + what,
              false);
@@ -167,7 +167,7 @@ void Terminal::ask(HostNs now) {
 }
 
 void Terminal::take(const std::string& line, HostNs now) {
-  const bool can_start = !reach_.course.empty();
+  const bool can_start = !reach_.course().empty();
   const LineMeaning meaning = meaning_of(line, reach_.controls.start_consent(), under_way());
   if (meaning == LineMeaning::kStop) {
     press_stop(under_way() || !can_start ? "Enter: STOP"
@@ -176,7 +176,7 @@ void Terminal::take(const std::string& line, HostNs now) {
   } else if (!can_start) {
     reach_.say("there is no course; nothing is started", false);
   } else if (meaning == LineMeaning::kNothing) {
-    reach_.say("nothing is started; press Enter alone to start course " + reach_.course, false);
+    reach_.say("nothing is started; press Enter alone to start course " + reach_.course(), false);
   } else if (session_ != SessionState::kReady) {
     reach_.say("no robot is connected yet; nothing is started", false);
   } else {

@@ -27,7 +27,7 @@ class Terminal {
     std::function<void(const std::string& line, bool warning)> say;
     /// STOP was pressed here; it is carried out already.
     std::function<void()> stop_pressed;
-    std::string course;  ///< in force; empty: none
+    std::function<std::string()> course;  ///< in force; returns an empty text: none
   };
   /// Reads standard input in the context's thread; without a context it reads nothing.
   Terminal(boost::asio::io_context* context, Reach reach);
@@ -35,8 +35,6 @@ class Terminal {
 
   void follow(SessionState session) { session_ = session; }
   void follow(RunState run) { run_ = run; }
-  /// Another course is in force; empty: none.
-  void follow(const std::string& course) { reach_.course = course; }
   /// Asks for a start, if one is possible; only input typed from now on counts, and whoever types
   /// it has seen the STOPs until now.
   void ask(HostNs now);

@@ -32,15 +32,16 @@ class DaemonRig {
         cycle_(bridge::session_settings(run_.parameters, run_.course.get()), run_.parameters,
                run_.course, false),
         loop_({}, cycle_),
-        recording_(files_, run_, {}, events_),
-        setup_({files_, run_}, cycle_),
-        runs_(std::move(runs)),
+        active_(std::make_shared<const ActiveRun>(config::LoadedRun{files_, run_})),
+        recording_(active_, {}, events_),
+        setup_(active_, cycle_, disk_),
+        runs_(std::move(runs), disk_),
         controls_(cycle_, loop_, recording_, setup_, runs_, self_test_, events_),
         publisher_(broker_, messages::Messages(first_context(), {}), controls_),
         handler_(broker_, publisher_, controls_, {}, controls_.services(), "session"),
         terminal_(nullptr, {controls_, [this](const std::string& line, bool) { said(line); },
                             [this] { publisher_.stop_pressed("keyboard", now()); },
-                            run_.course == nullptr ? "" : run_.course->name}) {}
+                            [this] { return setup_.run()->course(); }}) {}
   virtual ~DaemonRig() = default;
   DaemonRig(const DaemonRig&) = delete;
   DaemonRig& operator=(const DaemonRig&) = delete;
@@ -149,15 +150,11 @@ class DaemonRig {
   void take_results() {
     record_ = *cycle_.front_record();
     if (const auto made = setup_.take(record_)) {
-      if (made->run != nullptr) {
-        const std::string course =
-            made->run->setup.course == nullptr ? "" : made->run->setup.course->name;
-        ros2_.set_course(course);
-        terminal_.follow(course);
+      if (made->exchange) {
+        const std::shared_ptr<const ActiveRun>& run = made->exchange->run;
+        ros2_.set_course(run->course());
         terminal_.ask(now());
-        const messages::RunContext context = config::run_context_of(made->run->setup);
-        publisher_.change_setup(
-            context, messages::setup_messages(messages::Messages(context, {}), now()), now());
+        publisher_.change_setup(run->context, made->exchange->for_viewers, now());
       }
       setup_.finish();
     }
@@ -180,12 +177,14 @@ class DaemonRig {
   config::RunSetup run_;
   messages::EventQueue events_;
   LiveCycle cycle_;
-  loop::FixedRateLoop loop_;  // not started: the test is the loop
+  loop::FixedRateLoop loop_;                 // not started: the test is the loop
+  std::shared_ptr<const ActiveRun> active_;  // at the start
   LiveRecording recording_;
   SetupChanger setup_;
   runs::RunArchive runs_;
-  selftest::SelfTest self_test_{run_.configuration, run_.robot, events_};
+  selftest::SelfTest self_test_{run_.configuration, run_.robot, disk_, events_};
   LiveControls controls_;
+  Worker disk_{"disk"};  // its jobs use the above
   Ros2Requests ros2_{controls_, events_, [] {}};
   server::Broker broker_{messages::channel_texts()};
   server::Publisher publisher_;

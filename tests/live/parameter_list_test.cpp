@@ -5,7 +5,7 @@
 #include <set>
 
 #include "bridge/parameters.h"
-#include "live/live_controls.h"
+#include "live/active_run.h"
 
 namespace tp100::live {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 using messages::ParameterText;
 using messages::ParameterValue;
 
-std::vector<ParameterText> listed() { return parameter_list({}, {}); }
+std::vector<ParameterText> listed() { return ActiveRun({}).parameters; }
 
 const ParameterText& named(const std::vector<ParameterText>& list, const std::string& name) {
   return *std::find_if(list.begin(), list.end(),

@@ -38,7 +38,9 @@ class BlackBoxTest : public testing::Test {
   }
 
   LiveRecording& recording() {
-    if (!recording_) recording_.emplace(files_, run_, messages::PublishClock{}, events_);
+    if (!recording_)
+      recording_.emplace(std::make_shared<const ActiveRun>(config::LoadedRun{files_, run_}),
+                         messages::PublishClock{}, events_);
     return *recording_;
   }
   BlackBox& box() {
