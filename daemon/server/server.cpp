@@ -8,10 +8,13 @@
 #include <boost/asio/steady_timer.hpp>
 #include <chrono>
 #include <deque>
+#include <functional>
 #include <future>
 #include <mutex>
+#include <new>
 #include <thread>
 #include <utility>
+#include <variant>
 
 #include "core/clock.h"
 #include "messages/status_messages.h"
@@ -30,6 +33,9 @@ constexpr auto kTick = std::chrono::milliseconds(50);
 constexpr auto kFlush = std::chrono::seconds(1);
 constexpr HostNs kStandsStillNs = kNsPerS;
 constexpr std::size_t kMaxSteps = 64;
+
+/// A step, or what another set-up changes before the next one.
+using StepOrChange = std::variant<StepRecord, std::function<void()>>;
 
 }  // namespace
 
@@ -61,7 +67,8 @@ struct Server::State {
   void post(What what) {
     asio::post(context, std::move(what));
   }
-  void take_records();
+  void push(StepOrChange next);
+  void take_all();
   void take(messages::ClientsFigures figures);
   void tick();
   void failed(const std::string& why);
@@ -72,8 +79,9 @@ struct Server::State {
   Publisher publisher;
   const std::string session;
   RequestHandler handler;
-  std::mutex mutex;              // of the next
-  std::deque<StepRecord> steps;  // on their way to the worker; the oldest are dropped
+  std::mutex mutex;  // of the next
+  // On their way to the worker, in order; the oldest steps are dropped.
+  std::deque<StepOrChange> taken;
   // Declared after the objects that its handlers refer to.
   asio::io_context context{1};
   asio::executor_work_guard<asio::io_context::executor_type> guard{context.get_executor()};
@@ -82,13 +90,28 @@ struct Server::State {
   std::thread thread;
 };
 
-void Server::State::take_records() {
-  std::deque<StepRecord> taken;
-  {
-    const std::lock_guard lock(mutex);
-    taken.swap(steps);
+void Server::State::push(StepOrChange next) {
+  const std::lock_guard lock(mutex);
+  if (taken.empty()) post([this] { take_all(); });
+  if (taken.size() >= kMaxSteps && std::holds_alternative<StepRecord>(taken.front()))
+    taken.pop_front();
+  taken.push_back(std::move(next));
+}
+
+void Server::State::take_all() {
+  for (StepOrChange next;;) {
+    {
+      const std::lock_guard lock(mutex);
+      if (taken.empty()) break;
+      next = std::move(taken.front());
+      taken.pop_front();
+    }
+    if (const StepRecord* record = std::get_if<StepRecord>(&next)) {
+      publisher.take(*record);
+    } else {
+      std::get<1>(next)();
+    }
   }
-  for (const StepRecord& record : taken) publisher.take(record);
   handler.tick(monotonic_now());
 }
 
@@ -105,9 +128,9 @@ void Server::State::tick() {
   timer.async_wait([this](boost::system::error_code error) {
     if (!error) tick();
   });
-  const HostNs now = monotonic_now();
-  publisher.tick(now);
-  handler.tick(now);
+  publisher.tick(monotonic_now());
+  // Also what an error has left.
+  take_all();
 }
 
 void Server::State::failed(const std::string& why) {
@@ -157,19 +180,19 @@ void Server::start() {
 
 void Server::change_setup(messages::RunContext run_context, messages::SharedMessages setup,
                           std::vector<messages::ParameterText> parameters) {
-  state_->post([this, m = std::move(run_context), s = std::move(setup),
-                p = std::move(parameters)]() mutable {
+  state_->push([this, m = std::move(run_context), s = std::move(setup), p = std::move(parameters)] {
     const HostNs now = monotonic_now();
-    state_->publisher.change_setup(std::move(m), s, now);
-    state_->handler.change_setup(std::move(p), now);
+    state_->publisher.change_setup(m, s, now);
+    state_->handler.change_setup(p, now);
   });
 }
 
 void Server::take(const StepRecord& record) {
-  const std::lock_guard lock(state_->mutex);
-  if (state_->steps.empty()) state_->post([this] { state_->take_records(); });
-  if (state_->steps.size() == kMaxSteps) state_->steps.pop_front();
-  state_->steps.push_back(record);
+  try {
+    state_->push(record);
+  } catch (const std::bad_alloc&) {
+    // Viewers miss a step; the robot drives on.
+  }
 }
 
 void Server::take(const messages::Event& event) {

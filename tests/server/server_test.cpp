@@ -70,6 +70,31 @@ TEST_F(ServerTest, ServesThePageAndSaysHowItIs) {
   EXPECT_THAT(answer, HasSubstr("404 Not Found"));
 }
 
+// A viewer would draw the robot on the old course for a moment, and a recording keep that.
+TEST_F(ServerTest, TheFirstStepOfAnotherSetUpIsShownWithThatSetUp) {
+  std::promise<void> taken;
+  std::vector<std::string> idle;
+  settings_.listen = "off";
+  settings_.listener = [&, all = taken.get_future().share()](messages::Channel channel,
+                                                             std::uint64_t, std::string_view json) {
+    if (channel == messages::Channel::kEvent) all.wait();
+    const bool is_idle = json.find(R"("run":"idle")") != std::string_view::npos;
+    if (channel == messages::Channel::kState && is_idle) idle.emplace_back(json);
+  };
+  start();
+  server_->take(messages::Event{});  // the worker has to do while the rest arrives
+  step();
+  messages::RunContext other = messages::example_subject();
+  other.setup = "terrain";
+  server_->change_setup(other, {}, {});
+  record_.snapshot.run_state = RunState::kIdle;
+  step();
+  taken.set_value();
+  server_->flush();
+  ASSERT_FALSE(idle.empty());
+  EXPECT_THAT(idle.front(), HasSubstr(R"("setup":"terrain")"));
+}
+
 // For want of memory, or by a defect.
 TEST_F(ServerTest, ARequestThatThrowsEndsNeitherTheServerNorItsViewer) {
   start();
