@@ -76,20 +76,32 @@ void SetupChanger::place(const std::optional<Pose>& at, server::Answer answer) {
 }
 
 void SetupChanger::ask(Order order, server::Answer answer) {
+  const bool needs_disk = !order.places;
+  std::uint64_t number = 0;
   {
     const std::lock_guard lock(mutex_);
-    if (answer_ == nullptr) answer_ = std::exchange(answer, {});
+    if (answer_ == nullptr) {
+      answer_ = std::exchange(answer, {});
+      number = ++number_;
+      waits_since_ns_ = needs_disk ? monotonic_now() : 0;
+    }
   }
   if (answer != nullptr) return answer("another change is under way; try again", "");
-  const auto change = [this, order = std::move(order)] {
+  const auto change = [this, number, order = std::move(order)] {
+    {
+      const std::lock_guard lock(mutex_);
+      if (number != number_) return;  // given up
+      waits_since_ns_ = 0;
+    }
     std::unique_ptr<SetupRequest> request = make(order);
     request->until_ns = monotonic_now() + kChangeTimeoutNs;
     const std::lock_guard lock(mutex_);
     request_ = std::move(request);
     cycle_.change_setup(*request_);
   };
-  const bool posted = disk_.post(change, [this](const std::string& why) { end(why); });
-  if (!posted) end(Worker::kBusy);
+  const auto failed = [this](const std::string& why) { end(why); };
+  if (!needs_disk) return Worker::run_here(change, failed);
+  if (!disk_.post(change, failed)) end(Worker::kBusy);
 }
 
 // The step is built here: in the loop nothing is allocated.
@@ -162,6 +174,13 @@ std::optional<SetupChanger::MadeChange> SetupChanger::take(const StepRecord& nex
 void SetupChanger::finish() { end({}); }
 
 void SetupChanger::tick() {
+  bool waited = false;
+  {
+    const std::lock_guard lock(mutex_);
+    waited = waits_since_ns_ != 0 && monotonic_now() - waits_since_ns_ > kChangeTimeoutNs;
+    if (waited) ++number_;  // its job does nothing any more
+  }
+  if (waited) return end(Worker::kBusy);
   const SetupRequest* done = cycle_.setup_done();
   if (done != nullptr && !done->made)
     end("the robot did not stand still within 3 s, or a run began: nothing is changed");
@@ -179,6 +198,7 @@ void SetupChanger::end(const std::string& why) {
     answer = std::exchange(answer_, {});
     json = json_;
     next_ = {};
+    waits_since_ns_ = 0;
   }
   answer(why, json);
 }

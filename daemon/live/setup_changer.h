@@ -24,9 +24,10 @@ class SetupChanger {
                const messages::PublishClock& clock = {}, bool ros2 = false);
 
   // Any thread; none of these waits for the disk.
-  /// Answers when the loop has made the change, with what is then in force.
+  /// Answers when the loop has made the change, with what is then in force. A change that waits for
+  /// other jobs of the disk for 3 s is given up.
   void choose(const server::SetupChoice& choice, server::Answer answer);
-  /// Places the robot at `at`, or without it at the course's start.
+  /// Places the robot at `at`, or without it at the course's start. Needs no disk.
   void place(const std::optional<Pose>& at, server::Answer answer);
   /// Whether a change of course, robot or set-up is pending: then no run may be started.
   bool changing() const;
@@ -71,6 +72,8 @@ class SetupChanger {
   MadeChange next_;                        // the change under way
   std::string json_;                       // its answer
   server::Answer answer_;                  // set: a change is under way
+  std::uint64_t number_ = 0;               // of that change
+  HostNs waits_since_ns_ = 0;              // for the disk's thread; 0: it does not
   std::unique_ptr<SetupRequest> request_;  // is the loop's
 };
 

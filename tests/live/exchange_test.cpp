@@ -4,14 +4,20 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <filesystem>
+#include <functional>
+#include <future>
+#include <nlohmann/json.hpp>
 #include <random>
 #include <set>
 #include <string>
+#include <thread>
 
 #include "core/clock.h"
 #include "course/bundled_files.h"
+#include "course/robot_file.h"
 #include "live/daemon_parts.h"
 #include "record/recording.h"
 #include "support/temporary_folder.h"
@@ -57,6 +63,7 @@ class Stepped {
     if (const auto made = parts_.setup.take(record)) {
       // Viewers hear of the change while the others are still told.
       for (const ExchangeListener& listener : listeners_) {
+        if (!made->exchange) break;
         listener(*made->exchange);
         parts_.server.flush();
       }
@@ -68,21 +75,32 @@ class Stepped {
   }
   /// The refusal; empty: it is in force.
   std::string choose(const server::SetupChoice& choice) {
+    return wait_for([&](const server::Answer& answer) { parts_.setup.choose(choice, answer); });
+  }
+  std::string place(const Pose& at) {
+    return wait_for([&](const server::Answer& answer) { parts_.setup.place(at, answer); });
+  }
+  void busy_until(const std::shared_future<void>& done) {
+    parts_.disk.post([done] { done.wait(); }, {});
+  }
+  SetupChanger& setup() { return parts_.setup; }
+
+ private:
+  std::string wait_for(const std::function<void(const server::Answer&)>& ask) {
     std::string refused;
     std::atomic<bool> answered = false;
-    parts_.setup.choose(choice, [&](const std::string& why, const std::string&) {
+    ask([&](const std::string& why, const std::string&) {
       refused = why;
       answered = true;
     });
     while (!answered) {
       step();
       parts_.setup.tick();
+      std::this_thread::sleep_for(1ms);
     }
     return refused;
   }
-  SetupChanger& setup() { return parts_.setup; }
 
- private:
   DaemonParts parts_;
   std::vector<ExchangeListener> listeners_;
 };
@@ -90,17 +108,18 @@ class Stepped {
 /// Courses, robots and wheelbases of which anything in a recording speaks.
 std::set<std::string> names_in(const std::string& run) {
   const record::Recording recording(run);
-  const config::RunSetup files =
-      config::parse_run({.configuration = {},
-                         .robot = {"robot.toml", recording.file("robot.toml")},
-                         .course = {"course.toml", recording.file("course.toml")}});
+  const course::Robot robot = course::parse_robot(recording.file("robot.toml"), "robot.toml");
   std::set<std::string> names{recording.fact("course"), recording.fact("robot"),
-                              std::to_string(files.course->start.y_m)};
+                              std::to_string(robot.model.wheelbase_m)};
+  bool told = false;
   recording.visit({.message = [&](const std::string& topic, std::uint64_t, std::string_view json) {
     if (topic != "/parameter") return;
-    const std::size_t at = json.find("robot.model.wheelbase_m");
-    names.insert(std::string(json.substr(at, 120)));
+    told = true;
+    for (const auto& each : nlohmann::json::parse(json).at("parameters"))
+      if (each.at("name") == "robot.model.wheelbase_m")
+        names.insert(std::to_string(each.at("value").get<double>()));
   }});
+  EXPECT_TRUE(told);
   return names;
 }
 
@@ -134,7 +153,21 @@ TEST(Exchange, AllThatIsInForceChangesWithOneStepWhoeverHearsOfItFirst) {
   ASSERT_EQ(seen.size(), 1U) << "the new recording depends on who hears first";
   EXPECT_TRUE(seen.begin()->contains("2"));
   EXPECT_TRUE(seen.begin()->contains("worn"));
-  EXPECT_EQ(seen.begin()->size(), 4U) << "its files and its parameters are those of one robot";
+  EXPECT_EQ(seen.begin()->size(), 3U) << "its files and its parameters are those of one robot";
+}
+
+// A run that is being deleted on a slow card must not keep a robot from being placed and started.
+TEST(Exchange, ADiskThatIsBusyHoldsUpNeitherAPlaceNorAStart) {
+  const test::TemporaryFolder folder;
+  Stepped daemon(folder.file("runs"), 0);
+  daemon.step();
+  std::promise<void> done;
+  daemon.busy_until(done.get_future().share());
+  EXPECT_EQ(daemon.choose({.course = "2"}), Worker::kBusy);
+  EXPECT_FALSE(daemon.setup().changing()) << "then a start is possible again";
+  EXPECT_EQ(daemon.place({.x_m = 0.1}), "");
+  done.set_value();
+  EXPECT_EQ(daemon.choose({.course = "2"}), "");
 }
 
 }  // namespace
