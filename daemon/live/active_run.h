@@ -41,8 +41,9 @@ struct Exchange {
   std::shared_ptr<const ros2::SetupMessages> for_nodes{};  ///< null: no node wants them
 };
 
-/// Hears of each exchange, before the first step with it, from the thread that drains the steps.
-/// Listeners do not depend on each other: their order does not matter.
+/// Hears of each exchange from the thread that drains the steps, before that passes on the first
+/// step with it. Listeners do not depend on each other: whoever hears first, what begins with that
+/// step agrees. A recording that ends there may end with messages of the new run.
 using ExchangeListener = std::function<void(const Exchange&)>;
 
 /// The parameter change that gives a live parameter this value; nothing if it is not live.

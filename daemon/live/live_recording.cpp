@@ -85,8 +85,8 @@ void LiveRecording::exchange(const Exchange& exchange, bool continues) {
     const std::lock_guard lock(mutex_);
     recorder_.forget(exchange.first_step);
     run_ = exchange.run;
-    // They name the old course.
-    std::erase_if(last_, [&](const auto& each) { return each.second.at_ns < exchange.at_ns; });
+    exchanged_ns_ = exchange.at_ns;
+    std::erase_if(last_, [&](const auto& each) { return each.second.at_ns < exchanged_ns_; });
   }
   if (recorded && continues) start({}, [](const std::string&) {});
 }
@@ -221,7 +221,10 @@ void LiveRecording::on_message(messages::Channel channel, std::uint64_t unix_ns,
   if (!is_recorded(channel)) return;
   const HostNs at = clock_.host_ns(unix_ns);
   const std::lock_guard lock(mutex_);
-  if (!is_event_channel(channel)) last_[channel] = {at, std::string(json)};
+  if (!is_event_channel(channel)) {
+    if (at < exchanged_ns_) return;
+    last_[channel] = {at, std::string(json)};
+  }
   recorder_.message(channel, at, json);
 }
 

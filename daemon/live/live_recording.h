@@ -91,6 +91,7 @@ class LiveRecording : public messages::Sink {
     std::string json;
   };
   std::map<messages::Channel, Message> last_;  // of each recorded channel of a state
+  HostNs exchanged_ns_ = 0;  // states from before name what is not in force any more
   record::Recorder recorder_;
 };
 
