@@ -50,6 +50,11 @@ class StatsFile {
   /// Writes `figures`. The first time, before anything moves, it waits for the disk and throws
   /// UserError on failure. Later it never waits, and newer figures replace those not written yet.
   void write(const DaemonFigures& figures);
+  /// Whether the newest figures are not on the disk yet.
+  bool waits() const {
+    const std::lock_guard lock(state_->mutex);
+    return state_->writing;
+  }
 
  private:
   struct State {
