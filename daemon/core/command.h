@@ -44,7 +44,7 @@ enum class OperatorRequest : std::uint8_t {
   kContinue,  ///< as kStart, but from where the last run ended: see may_continue()
   kDrive,     ///< arm for driving by hand; the estimated poses continue
   kPause,     ///< slow down on the course to a standstill; the robot stays armed
-  kResume,    ///< continue a paused run
+  kResume,    ///< drive on after a pause
 };
 
 /// Whether the request can make motors turn, and so needs a person's consent (core/consent.h).

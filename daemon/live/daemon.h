@@ -1,9 +1,9 @@
 #pragma once
 // `tp100d run`: one object that owns everything of a run, in the order of construction. Its thread,
 // the main one, has ports, log, operator, signals and figures, and exchanges data with the
-// real-time thread through rings only. Because it accepts STOP from the operator and feeds the
-// watchdog, it waits, until the robot is disarmed, neither for a disk nor for a lock that is held
-// by a thread waiting for one.
+// real-time thread through rings and atomic values only. Because it accepts STOP from the operator
+// and feeds the watchdog, it waits, until the robot is disarmed, neither for a disk nor for a lock
+// that is held by a thread waiting for one.
 
 #include <optional>
 #include <string>
@@ -22,7 +22,7 @@ struct DaemonOptions {
   bool ran_before = false;   ///< as in StartFacts
   bool stay = false;         ///< stay on after the end of a run
   std::optional<double> duration_s{};
-  std::vector<messages::Sink*> sinks{};  ///< get every step, before all others; must outlive it
+  std::vector<messages::Sink*> sinks{};  ///< get every step; must outlive it
 };
 
 /// Runs until the course is completed, the run fails, the time is over or a signal arrives; disarms

@@ -48,7 +48,7 @@ struct Motion {
     if (request.state.run != RunState::kRunning || request.state.pause_left_s == 0.0)
       return Refusal{"the run is not paused"};
     const Result<> resumed = controls.move(OperatorRequest::kResume, request.consent, request.now);
-    if (resumed) say(request, " continues the run");
+    if (resumed) say(request, " resumes the run");
     return accepted(resumed);
   }
 
