@@ -147,8 +147,9 @@ TEST_F(CameraProgram, SendsImagesOfAnyCameraAtARateAndSizeForPeople) {
   Process sender(sending(receiver, {images(), "--images-only"}));
   std::optional<std::int64_t> last_us;
   std::uint32_t received = 0;
-  for (std::string datagram;
-       !(datagram = receiver.wait(received == 0 ? 30'000 : 3000)).empty() || received == 0;) {
+  // Then all images wait in the socket.
+  EXPECT_EQ(sender.wait(), 0) << sender.output();
+  for (std::string datagram; !(datagram = receiver.wait(100)).empty();) {
     const auto message = link::decode_image(datagram);
     ASSERT_TRUE(message.has_value());
     EXPECT_EQ(message->clock, link::monotonic_clock_name());
@@ -165,7 +166,7 @@ TEST_F(CameraProgram, SendsImagesOfAnyCameraAtARateAndSizeForPeople) {
     EXPECT_NEAR(colour[0], 200, 6);
     EXPECT_NEAR(colour[1], 60, 6);
   }
-  EXPECT_EQ(sender.wait(), 0) << sender.output();
+  EXPECT_GE(received, 1U);
   EXPECT_LE(received, 4U);
   EXPECT_THAT(sender.output(), HasSubstr("images sent " + std::to_string(received)));
 }
@@ -179,8 +180,8 @@ TEST_F(CameraProgram, AnImageThatDoesNotCompressStillFitsIntoADatagram) {
   std::ofstream(view()) << camera::write_view(wide);
   UdpReceiver receiver;
   Process sender(sending(receiver, {images(), "--view", view(), "--fps", "1"}));
-  EXPECT_TRUE(link::decode_image(receiver.wait(30'000)).has_value());
   EXPECT_EQ(sender.wait(), 1) << sender.output();
+  EXPECT_TRUE(link::decode_image(receiver.wait(100)).has_value());
 }
 
 TEST_F(CameraProgram, WhatIsWrongAtTheStartIsAnErrorOfOneLine) {
