@@ -63,8 +63,8 @@ class Daemon {
   std::string course() const { return parts_.setup.run()->course(); }
   void finish_files();
 
-  const DaemonOptions options_;
   DaemonParts parts_;
+  const DaemonOptions options_;
   EventLog log_;
   const ServiceSettings service_ = service_settings();
   ServiceNotice notice_{service_};
@@ -90,8 +90,8 @@ class Daemon {
 };
 
 Daemon::Daemon(const config::LoadedRun& run, const DaemonOptions& options)
-    : options_(options),
-      parts_(run, options),
+    : parts_(run, options),
+      options_(options),
       connector_(connector_settings(), parts_.loop,
                  [this](const std::string& line) {
                    log_.info(line);
