@@ -73,13 +73,13 @@ TEST_F(ServerTest, ServesThePageAndSaysHowItIs) {
 // A viewer would draw the robot on the old course for a moment, and a recording keep that.
 TEST_F(ServerTest, TheFirstStepOfAnotherSetUpIsShownWithThatSetUp) {
   std::promise<void> taken;
-  std::vector<std::string> idle;
+  std::vector<std::string> finished;
   settings_.listen = "off";
   settings_.listener = [&, all = taken.get_future().share()](messages::Channel channel,
                                                              std::uint64_t, std::string_view json) {
     if (channel == messages::Channel::kEvent) all.wait();
-    const bool is_idle = json.find(R"("run":"idle")") != std::string_view::npos;
-    if (channel == messages::Channel::kState && is_idle) idle.emplace_back(json);
+    const bool is_finished = json.find(R"("run":"finished")") != std::string_view::npos;
+    if (channel == messages::Channel::kState && is_finished) finished.emplace_back(json);
   };
   start();
   server_->take(messages::Event{});  // the worker has to do while the rest arrives
@@ -87,12 +87,12 @@ TEST_F(ServerTest, TheFirstStepOfAnotherSetUpIsShownWithThatSetUp) {
   messages::RunContext other = messages::example_subject();
   other.setup = "terrain";
   server_->change_setup(other, {}, {});
-  record_.snapshot.run_state = RunState::kIdle;
+  record_.snapshot.run_state = RunState::kFinished;
   step();
   taken.set_value();
   server_->flush();
-  ASSERT_FALSE(idle.empty());
-  EXPECT_THAT(idle.front(), HasSubstr(R"("setup":"terrain")"));
+  ASSERT_FALSE(finished.empty());
+  EXPECT_THAT(finished.front(), HasSubstr(R"("setup":"terrain")"));
 }
 
 // For want of memory, or by a defect.
