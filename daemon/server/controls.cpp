@@ -56,7 +56,7 @@ struct Motion {
     // A driver who asks again gets a new token.
     const std::string& why = request.state.why_not_drive;
     if (!why.empty() && controls.driver(request.now).by.empty()) return Refusal{why};
-    const Text token = controls.drive_take(request.by, request.consent, request.now);
+    Text token = controls.drive_take(request.by, request.consent, request.now);
     if (!token) return token;
     say(request, " takes the lease");
     return json_of({{"token", *token}});
