@@ -15,7 +15,6 @@
 
 #include "core/clock.h"
 #include "core/error.h"
-#include "core/result.h"
 #include "record/record_queue.h"
 #include "record/step_codec.h"
 
@@ -84,14 +83,27 @@ struct Recorder::State {
     queue.mark(entry_of(EntryKind::kRequest, [](const Bytes&) {}));
   }
 
-  /// Admits a recording. Returns its number; the caller requests it then. Call with the mutex held.
-  Result<std::uint64_t> admit(bool looks_back) {
-    if (number != 0 && (looks_back || !makes_way))
-      return Refusal{"a recording is running already" + (status.active ? ": " + status.path : "")};
-    if (requests.size() >= kMaxRequests) return Refusal{kSlow};
-    if (number != 0) request(End{});
-    makes_way = looks_back;
-    return number = ++last_number;
+  /// Asks for a recording by the request that `of` makes with its number. Returns that; 0: it is
+  /// refused, and `refused` has received why.
+  template <class Of>
+  std::uint64_t ask(bool looks_back, Of of, const Recorder::Answer& refused) {
+    std::string why;
+    {
+      const std::lock_guard lock(mutex);
+      if (number != 0 && (looks_back || !makes_way)) {
+        why = "a recording is running already" + (status.active ? ": " + status.path : "");
+      } else if (requests.size() >= kMaxRequests) {
+        why = kSlow;
+      } else {
+        if (number != 0) request(End{});
+        makes_way = looks_back;
+        number = ++last_number;
+        request(of(number));
+        return number;
+      }
+    }
+    refused(why);
+    return 0;
   }
   /// Number of the recording that others see. Call with the mutex held.
   std::uint64_t shown() const { return makes_way ? 0 : number; }
@@ -312,33 +324,21 @@ Recorder::~Recorder() {
 }
 
 std::uint64_t Recorder::ask_begin(Make make, const Answer& answer) {
-  std::string why;
-  {
-    const std::lock_guard lock(state_->mutex);
-    const Result<std::uint64_t> number = state_->admit(false);
-    if (number) {
-      state_->request(Begin{*number, std::move(make), answer, state_->dropped});
-      return *number;
-    }
-    why = number.why();
-  }
-  answer(why);
-  return 0;
+  return state_->ask(
+      false,
+      [&](std::uint64_t number) {
+        return Begin{number, std::move(make), answer, state_->dropped};
+      },
+      answer);
 }
 
 std::uint64_t Recorder::ask_look_back(Make make, const Ended& ended) {
-  std::string why;
-  {
-    const std::lock_guard lock(state_->mutex);
-    const Result<std::uint64_t> number = state_->admit(true);
-    if (number) {
-      state_->request(LookBack{*number, std::move(make), ended});
-      return *number;
-    }
-    why = number.why();
-  }
-  ended({.warning = why});
-  return 0;
+  return state_->ask(
+      true,
+      [&](std::uint64_t number) {
+        return LookBack{number, std::move(make), ended};
+      },
+      [&](const std::string& why) { ended({.warning = why}); });
 }
 
 void Recorder::ask_end(std::uint64_t number, Answer answer) {

@@ -37,7 +37,7 @@ struct RecordingStatus {
   std::string warning{};      ///< why it ended early or cannot be replayed; one line, or empty
 };
 
-class Recorder : public messages::Sink, public messages::TruthSink {
+class Recorder : public messages::Sink {
  public:
   using Clock = std::chrono::steady_clock;
   /// Creates folder and file of a recording. Called on the recorder's thread, so that no other
@@ -83,7 +83,8 @@ class Recorder : public messages::Sink, public messages::TruthSink {
   bool end(Clock::time_point deadline = Clock::time_point::max());
 
   void take(const StepRecord& record) override;
-  void take_truth(HostNs at, const Pose& truth) override;
+  /// The robot's true pose at host time `at`.
+  void take_truth(HostNs at, const Pose& truth);
 
  private:
   struct State;
