@@ -77,7 +77,7 @@ class Daemon {
   const config::WorldRun world_run_;
   std::unique_ptr<WorldLink> world_;  // null: internal
   std::vector<messages::Sink*> sinks_;
-  const std::vector<ExchangeListener> exchange_listeners_{parts_.listeners()};
+  const std::vector<ExchangeListener> exchange_listeners_{parts_.listeners(!options_.stay)};
   asio::steady_timer timer_{context_};
   asio::signal_set signals_{context_};
   DaemonFigures figures_;

@@ -10,7 +10,6 @@
 #include "core/error.h"
 #include "live/file_services.h"
 #include "server/local_daemons.h"
-#include "text/format.h"
 #include "text/temporary.h"
 #include "web/bundle.h"
 
@@ -103,7 +102,6 @@ DaemonParts::DaemonParts(const config::LoadedRun& run, const DaemonOptions& opti
                .raise_kernel_workers = configuration.loop.priority > 0}),
       loop(loop_settings(configuration.loop), cycle),
       recording(first_run, clock, events),
-      recording_continues(!options.stay),
       black_box(configuration.record, recording, events),
       setup(first_run, cycle, disk, clock, participant != nullptr),
       runs(archive_settings(configuration.record, recording), disk),
@@ -119,9 +117,9 @@ DaemonParts::DaemonParts(const config::LoadedRun& run, const DaemonOptions& opti
         why_no_ros2_requests(configuration));
 }
 
-std::vector<ExchangeListener> DaemonParts::listeners() {
+std::vector<ExchangeListener> DaemonParts::listeners(bool continues) {
   return {
-      [this](const Exchange& each) { recording.exchange(each, recording_continues); },
+      [this, continues](const Exchange& each) { recording.exchange(each, continues); },
       [this](const Exchange&) { black_box.finish(); },
       [this](const Exchange& each) { self_test.choose(each.run->loaded.setup.robot); },
       [this](const Exchange& each) {

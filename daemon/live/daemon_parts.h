@@ -29,8 +29,9 @@ struct DaemonParts {
   /// Starts threads, but neither the loop's nor the server's. Throws UserError.
   DaemonParts(const config::LoadedRun& run, const DaemonOptions& options);
 
-  /// Those who keep something of what is in force; they refer to the parts.
-  std::vector<ExchangeListener> listeners();
+  /// Those who keep something of what is in force; they refer to the parts. `continues`: where an
+  /// exchange ends a recording, another one begins; else each run has a recording of its own.
+  std::vector<ExchangeListener> listeners(bool continues);
 
   const std::shared_ptr<const ActiveRun> first_run;  ///< in force at the start
   const config::Configuration& configuration = first_run->loaded.setup.configuration;
@@ -43,7 +44,6 @@ struct DaemonParts {
   loop::FixedRateLoop loop;
   messages::EventQueue events;  ///< logged and published by the main thread
   LiveRecording recording;
-  const bool recording_continues;  ///< over an exchange; else each run has a recording of its own
   BlackBox black_box;
   SetupChanger setup;
   runs::RunArchive runs;

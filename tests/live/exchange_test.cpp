@@ -45,7 +45,7 @@ config::LoadedRun straight_run(const std::string& runs_folder) {
 class Stepped {
  public:
   Stepped(const std::string& runs_folder, std::uint64_t seed)
-      : parts_(straight_run(runs_folder), {}), listeners_(parts_.listeners()) {
+      : parts_(straight_run(runs_folder), {}), listeners_(parts_.listeners(true)) {
     std::shuffle(listeners_.begin(), listeners_.end(), std::mt19937_64(seed));
     parts_.server.start();
     parts_.recording.begin();
