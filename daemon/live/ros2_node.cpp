@@ -77,11 +77,12 @@ void Ros2Node::exchange(const Exchange& exchange) {
 /// Publishes the waiting steps, and returns when to look for the next one.
 HostNs Ros2Node::publish() {
   if (const auto answer = requests_.take_answer()) publisher_.answer(*answer);
+  std::optional<Exchange> next;
   {
     const std::lock_guard lock(mutex_);
-    if (next_) publisher_.change_setup(next_->run->context, *next_->for_nodes);
-    next_.reset();
+    next = std::exchange(next_, std::nullopt);
   }
+  if (next) publisher_.change_setup(next->run->context, *next->for_nodes);
   while (const StepRecord* step = steps_.front()) {
     publisher_.take(*step);
     requests_.observe(*step, monotonic_now());
