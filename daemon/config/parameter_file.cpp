@@ -7,7 +7,6 @@
 
 #include "config/configuration.h"
 #include "core/error.h"
-#include "text/format.h"
 #include "text/toml_document.h"
 
 namespace tp100::config {

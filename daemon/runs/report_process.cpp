@@ -15,7 +15,6 @@
 #include <utility>
 
 #include "core/error.h"
-#include "text/format.h"
 
 namespace tp100::runs {
 namespace {

@@ -15,7 +15,6 @@
 #include "record/recording_file.h"
 #include "text/atomic_file.h"
 #include "text/file_name.h"
-#include "text/format.h"
 #include "text/json_writer.h"
 #include "text/temporary.h"
 

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "text/format.h"
 #include "text/json_writer.h"
 
 namespace tp100::server {

@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "text/format.h"
 #include "text/key.h"
 #include "text/toml_document.h"
 #include "toml++/toml.h"

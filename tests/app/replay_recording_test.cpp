@@ -6,7 +6,6 @@
 #include "../record/random_record.h"
 #include "app/commands.h"
 #include "app/replay.h"
-#include "core/error.h"
 #include "core/processor.h"
 #include "recorded_run.h"
 #include "support/refusal.h"
