@@ -121,7 +121,7 @@ std::string RunArchive::json() {
   std::uint64_t bytes = 0;
   for (const Run& run : runs) bytes += run.bytes;
   const std::string name = fs::path(settings_.folder + "/").parent_path().filename();
-  const std::string text = text::json_object([&](text::JsonWriter& json) {
+  std::string text = text::json_object([&](text::JsonWriter& json) {
     json.field("directory", settings_.folder.empty() ? "" : name)
         .field("bytes", bytes)
         .field("free_bytes", free_bytes(settings_.folder))
