@@ -1,9 +1,11 @@
 #pragma once
 // The board that a hello names, and what moves when its robot drives. Pure.
 
+#include <array>
 #include <cstdint>
 #include <string>
 
+#include "core/enum_names.h"
 #include "wire/messages.h"
 
 namespace tp100 {
@@ -51,18 +53,13 @@ enum class RobotKind : std::uint8_t {
   kSimulated,  ///< the firmware simulates its robot inside the board (FAKE_ROBOT)
 };
 
-/// As in messages.
-constexpr const char* to_string(RobotKind kind) {
-  switch (kind) {
-    case RobotKind::kPhysical:
-      return "physical";
-    case RobotKind::kEmulated:
-      return "emulated";
-    case RobotKind::kSimulated:
-      return "simulated";
-  }
-  return "unknown";
-}
+/// Names as in messages.
+inline constexpr std::array<EnumName<RobotKind>, 3> kRobotKindNames = {{
+    {RobotKind::kPhysical, "physical"},
+    {RobotKind::kEmulated, "emulated"},
+    {RobotKind::kSimulated, "simulated"},
+}};
+constexpr const char* to_string(RobotKind kind) { return name_in(kRobotKindNames, kind); }
 
 constexpr RobotKind robot_kind(bool pseudo_terminal, std::uint8_t board) {
   if (board == static_cast<std::uint8_t>(wire::BoardType::kFakeRobot)) return RobotKind::kSimulated;

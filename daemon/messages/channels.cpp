@@ -1,7 +1,10 @@
 #include "messages/channels.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
+#include "core/board.h"
 #include "messages/foxglove.h"
 #include "messages/messages.h"
 #include "messages/parameter_text.h"
@@ -12,30 +15,33 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Adds what `more` has and `schema` lacks: some elements of a list may have fewer fields.
+/// Adds what `more` has and `schema` lacks: some messages, and some elements of a list, have fewer
+/// fields. Those that all have are required.
 void merge(Json& schema, const Json& more) {
-  if (schema["type"] != more["type"]) return;
+  if (schema.is_null()) schema = more;
+  if (more.is_null() || schema["type"] != more["type"]) return;
   if (schema["type"] == "array") merge(schema["items"], more["items"]);
   if (schema["type"] != "object") return;
-  for (const auto& [name, property] : more["properties"].items()) {
-    Json& known = schema["properties"][name];
-    if (known.is_null()) {
-      known = property;
-    } else {
-      merge(known, property);
-    }
-  }
+  for (const auto& [name, property] : more["properties"].items())
+    merge(schema["properties"][name], property);
+  Json required = Json::array();
+  for (const Json& name : schema["required"])
+    if (more["properties"].contains(name)) required.push_back(name);
+  schema["required"] = required;
 }
 
 Json schema_of_value(const Json& value) {
   switch (value.type()) {
     case Json::value_t::object: {
-      Json properties = Json::object();
-      for (const auto& [name, content] : value.items()) properties[name] = schema_of_value(content);
-      return {{"type", "object"}, {"properties", properties}};
+      Json properties = Json::object(), required = Json::array();
+      for (const auto& [name, content] : value.items()) {
+        properties[name] = schema_of_value(content);
+        required.push_back(name);
+      }
+      return {{"type", "object"}, {"properties", properties}, {"required", required}};
     }
     case Json::value_t::array: {
-      Json items = schema_of_value(value.empty() ? Json::object() : value.front());
+      Json items;  // null: no element tells
       for (const Json& element : value) merge(items, schema_of_value(element));
       return {{"type", "array"}, {"items", items}};
     }
@@ -47,6 +53,67 @@ Json schema_of_value(const Json& value) {
       // 0.0 is written as 0, so that an example cannot distinguish integers from doubles.
       return {{"type", "number"}};
   }
+}
+
+/// Completes a schema: a list of which no element is known is one of objects. What is required can
+/// only be told from several examples.
+void finish(Json& schema, bool several) {
+  if (!several) schema.erase("required");
+  if (schema["type"] == "array") {
+    Json& items = schema["items"];
+    if (items.is_null()) items = {{"type", "object"}, {"properties", Json::object()}};
+    finish(items, several);
+  } else if (schema["type"] == "object") {
+    for (Json& property : schema["properties"]) finish(property, several);
+  }
+}
+
+template <class Names>
+Json names_of(const Names& names) {
+  Json all = Json::array();
+  for (const auto& one : names) all.push_back(one.name);
+  return all;
+}
+
+/// A field of a message with one of these values.
+struct ChoiceField {
+  const char* schema_name;
+  std::vector<const char*> path;  ///< within the message; lists have no name
+  Json values;
+};
+
+const std::vector<ChoiceField>& choice_fields() {
+  static const std::vector<ChoiceField> fields = {
+      {"tp100.Estimate", {"steering"}, names_of(kPoseSourceNames)},
+      {"tp100.Estimate", {"pitch_source"}, names_of(kPitchSourceNames)},
+      {"tp100.Estimate", {"imu", "slope"}, names_of(kSlopeNames)},
+      {"tp100.Estimate", {"imu", "obstacle_class"}, names_of(kObstacleClassNames)},
+      {"tp100.Estimate", {"terrain_contact", "obstacle"}, names_of(kObstacleClassNames)},
+      {"tp100.Estimate", {"terrain_contact", "traction"}, names_of(kTractionNames)},
+      {"tp100.Sample", {"state"}, names_of(kRobotStateNames)},
+      {"tp100.Link", {"session"}, names_of(kSessionStateNames)},
+      {"tp100.Link", {"quality"}, {"good", "poor", "lost"}},
+      {"tp100.Link", {"kind"}, names_of(kRobotKindNames)},
+      {"tp100.State", {"run"}, names_of(kRunStateNames)},
+      {"tp100.State", {"session"}, names_of(kSessionStateNames)},
+      {"tp100.State", {"robot_state"}, names_of(kRobotStateNames)},
+      {"tp100.State", {"steering"}, names_of(kPoseSourceNames)},
+      {"tp100.State", {"faults", "from"}, {"robot", "daemon"}},
+      {"tp100.State", {"stop", "status"}, names_of(kStopStatusNames)},
+      {"tp100.Event", {"level"}, names_of(kLevelNames)},
+      {"tp100.ParameterList", {"parameters", "type"}, names_of(kParameterTypeNames)},
+      {"tp100.ParameterList", {"parameters", "when"}, {"always", "not running"}},
+  };
+  return fields;
+}
+
+void set_choices(Json& schema, const ChoiceField& field) {
+  Json* at = &schema;
+  for (const char* name : field.path) {
+    at = &at->at("properties").at(name);
+    if (at->contains("items")) at = &at->at("items");
+  }
+  (*at)["enum"] = field.values;
 }
 
 // An older truth does not describe the present.
@@ -149,6 +216,14 @@ StepRecord full_record() {
   return record;
 }
 
+/// A record of which as little as possible is known; of a command, only that there is one.
+StepRecord least_record(Channel channel) {
+  StepRecord record;
+  record.command_valid = channel == Channel::kCommand;
+  record.inputs.samples.push({});
+  return record;
+}
+
 StateFigures full_state() {
   StateFigures state;
   state.robot = RobotState::kArmed;
@@ -156,6 +231,7 @@ StateFigures full_state() {
   state.length_m = 0.5;
   state.pose = state.continue_from = Pose{};
   state.battery_v = 7.5;
+  state.pause_left_s = 0.5;
   state.driver = {.by = "viewer 3", .asked_by = "viewer 4"};
   state.faults = fault_bit(Fault::stop_requested);
   state.stop.count = 1;
@@ -164,18 +240,32 @@ StateFigures full_state() {
 }
 
 /// Drops values that may be number, string or boolean: viewers' schema readers have no such type.
-std::string without_values(const std::string& text) {
-  Json schema = Json::parse(text);
-  Json& parameter = schema["properties"]["parameters"]["items"]["properties"];
-  for (const char* name : {"value", "default"}) parameter.erase(name);
+void drop_values(Json& schema) {
+  Json& parameter = schema["properties"]["parameters"]["items"];
+  for (const char* name : {"value", "default"}) {
+    parameter["properties"].erase(name);
+    Json& required = parameter["required"];
+    required.erase(std::find(required.begin(), required.end(), name));
+  }
+}
+
+/// `examples`: the first one has every field, the second as few as possible.
+std::string channel_schema(const char* name, const std::vector<std::string>& examples) {
+  Json schema = Json::parse(schema_of(name, examples));
+  for (const ChoiceField& field : choice_fields())
+    if (std::string_view(name) == field.schema_name) set_choices(schema, field);
+  if (std::string_view(name) == "tp100.ParameterList") drop_values(schema);
   return schema.dump();
 }
 
 }  // namespace
 
-std::string schema_of(const std::string& title, const std::string& example) {
+std::string schema_of(const std::string& title, const std::vector<std::string>& examples) {
+  Json body;
+  for (const std::string& example : examples) merge(body, schema_of_value(Json::parse(example)));
+  finish(body, examples.size() > 1);
   Json schema = {{"title", title}};
-  schema.update(schema_of_value(Json::parse(example)));
+  schema.update(body);
   return schema.dump();
 }
 
@@ -204,42 +294,49 @@ SharedMessages setup_messages(const Messages& messages, HostNs at) {
 std::vector<ChannelText> channel_texts() {
   RunContext run_context;
   run_context.course = full_course();
-  const Messages messages(run_context, {});
-  const StepRecord record = full_record();
-  const std::optional<Truth> truth = Truth{};
+  const Messages messages(run_context, {}), empty({}, {});
+  const std::optional<Truth> truth = Truth{}, no_truth;
   LinkFigures link;
   link.clock.valid = true;
   link.port.firmware = "0.1.0";
-  const std::string scene = scene_text(messages, 0);
+  ClientsFigures clients;
+  clients.clients.emplace_back();
+  using ParameterList = std::vector<ParameterText>;
+  const ParameterList number{{{.name = "a", .choices = {"b"}}}},
+      text{{{.type = ParameterText::Type::kText}}};
 
   std::vector<ChannelText> texts(kChannelCount);
   const auto add = [&](Channel channel, const std::string& topic, const char* schema_name,
-                       const std::string& example, std::size_t kept) {
-    texts.at(static_cast<std::uint32_t>(channel) - 1) = {channel, topic, schema_name,
-                                                         schema_of(schema_name, example), kept};
+                       const std::vector<std::string>& examples, std::size_t kept) {
+    texts.at(static_cast<std::uint32_t>(channel) - 1) = {
+        channel, topic, schema_name, channel_schema(schema_name, examples), kept};
   };
-  for (const StepChannel& one : step_channels())
-    add(one.channel, one.topic, one.schema_name, one.texts({messages, record, truth, true}).front(),
-        one.kept);
-  add(Channel::kPath, "/path", "foxglove.PosesInFrame", path_text(messages, 0), 1);
-  add(Channel::kScene, "/scene", "foxglove.SceneUpdate", scene, 1);
-  add(Channel::kPathHistory, "/path_history", "foxglove.SceneUpdate", scene, 0);
-  add(Channel::kLog, "/log", "foxglove.Log", log_text(messages, {}), 100);
-  add(Channel::kLink, "/link", "tp100.Link", link_message(0.5, link), 1);
-  add(Channel::kLoop, "/loop", "tp100.Loop", loop_message(0.5, {}, run_context), 1);
-  add(Channel::kState, "/state", "tp100.State", state_message(0, {}, full_state(), run_context), 1);
-  add(Channel::kCourse, "/course", "tp100.Course", messages.course(), 1);
-  add(Channel::kEvent, "/event", "tp100.Event", messages.event({}), 100);
+  for (const StepChannel& one : step_channels()) {
+    std::vector<std::string> examples = one.texts({messages, full_record(), truth, true});
+    if (std::string_view(one.schema_name).starts_with("tp100."))
+      examples.push_back(one.texts({empty, least_record(one.channel), no_truth, false}).front());
+    add(one.channel, one.topic, one.schema_name, examples, one.kept);
+  }
+  const std::string scene = scene_text(messages, 0);
+  add(Channel::kPath, "/path", "foxglove.PosesInFrame", {path_text(messages, 0)}, 1);
+  add(Channel::kScene, "/scene", "foxglove.SceneUpdate", {scene}, 1);
+  add(Channel::kPathHistory, "/path_history", "foxglove.SceneUpdate", {scene}, 0);
+  add(Channel::kLog, "/log", "foxglove.Log", {log_text(messages, {})}, 100);
+  add(Channel::kLink, "/link", "tp100.Link", {link_message(0.5, link), link_message(0.5, {})}, 1);
+  const std::string loop = loop_message(0.5, {}, run_context);
+  add(Channel::kLoop, "/loop", "tp100.Loop", {loop, loop}, 1);
+  add(Channel::kState, "/state", "tp100.State",
+      {state_message(0, {}, full_state(), run_context), state_message(0, {}, {}, {})}, 1);
+  add(Channel::kCourse, "/course", "tp100.Course", {messages.course(), empty.course()}, 1);
+  add(Channel::kEvent, "/event", "tp100.Event", {messages.event({}), messages.event({})}, 100);
   add(Channel::kParameter, "/parameter", "tp100.ParameterList",
-      parameters_message({{{.name = "a", .choices = {"b"}}}}), 1);
-  std::string& parameters = texts[static_cast<std::uint32_t>(Channel::kParameter) - 1].schema;
-  parameters = without_values(parameters);
-  add(Channel::kRecording, "/recording", "tp100.Recording", recording_message({}), 1);
+      {parameters_message(number), parameters_message(text)}, 1);
+  add(Channel::kRecording, "/recording", "tp100.Recording",
+      {recording_message({}), recording_message({})}, 1);
   add(Channel::kCameraImage, "/camera/image", "foxglove.CompressedImage",
-      image_text(messages, 0, "\xff"), 1);
-  ClientsFigures clients;
-  clients.clients.emplace_back();
-  add(Channel::kClient, "/client", "tp100.ClientList", clients_message(clients), 1);
+      {image_text(messages, 0, "\xff")}, 1);
+  add(Channel::kClient, "/client", "tp100.ClientList",
+      {clients_message(clients), clients_message({})}, 1);
   return texts;
 }
 

@@ -54,8 +54,9 @@ struct ChannelText {
   std::size_t kept = 0;  ///< how many of the latest messages a new subscriber receives
 };
 
-/// All channels, ascending by id. The schemas are derived from example messages, so that they
-/// cannot differ from the messages sent.
+/// All channels, ascending by id. The schemas are derived from example messages and from the tables
+/// of names, so that they cannot differ from the messages sent. schemas.json beside this file has
+/// them for those who make types of them.
 std::vector<ChannelText> channel_texts();
 
 /// Messages of one time: channel and JSON.
@@ -92,8 +93,9 @@ class StepMessages {
   std::array<HostNs, kChannelCount> due_ns_{};
 };
 
-/// JSON schema of messages like `example`: an object without null fields. An empty array is taken
-/// for an array of objects.
-std::string schema_of(const std::string& title, const std::string& example);
+/// JSON schema of messages like these examples, objects without null fields; with several, of the
+/// fields that all of them have as required. An array that is empty in all of them is taken for an
+/// array of objects.
+std::string schema_of(const std::string& title, const std::vector<std::string>& examples);
 
 }  // namespace tp100::messages

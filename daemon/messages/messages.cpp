@@ -15,11 +15,6 @@ namespace {
 
 constexpr double kPathSpacingM = 0.02;
 
-constexpr std::array<EnumName<Event::Level>, 3> kLevelNames = {{
-    {Event::Level::kInfo, "info"},
-    {Event::Level::kWarning, "warning"},
-    {Event::Level::kError, "error"},
-}};
 constexpr std::array<EnumName<course::PathSegment::Kind>, 3> kKindNames = {{
     {course::PathSegment::Kind::kLine, "line"},
     {course::PathSegment::Kind::kArc, "arc"},
@@ -96,26 +91,19 @@ std::vector<GroundPoint> ground_points(const course::Path& path, const terrain::
   return ground;
 }
 
-void write_floor_pose(text::JsonWriter& json, double x_m, double y_m, double yaw_rad) {
-  json.field("x_m", x_m).field("y_m", y_m).field("yaw_rad", yaw_rad);
-}
-
 void write_path(text::JsonWriter& json, const course::Path* path, const terrain::World& world) {
   const auto points = path == nullptr ? std::vector<GroundPoint>{} : ground_points(*path, world);
   json.objects("path", points, [&](const GroundPoint& point) {
-    write_floor_pose(json, point.at.x_m, point.at.y_m, point.at.yaw_rad);
-    json.field("z_m", point.z_m).field("s_m", point.at.s_m);
+    json.floor_pose(point.at).field("z_m", point.z_m).field("s_m", point.at.s_m);
   });
   static const std::vector<course::PathSegment> kNone;
   json.objects("segments", path == nullptr ? kNone : path->segments(),
                [&](const course::PathSegment& segment) {
-                 const course::PathPoint &begin = segment.begin, &end = segment.end;
                  json.field("kind", name_in(kKindNames, segment.kind))
-                     .field("from_m", begin.s_m)
-                     .field("to_m", end.s_m);
-                 json.object("begin",
-                             [&] { write_floor_pose(json, begin.x_m, begin.y_m, begin.yaw_rad); });
-                 json.object("end", [&] { write_floor_pose(json, end.x_m, end.y_m, end.yaw_rad); });
+                     .field("from_m", segment.begin.s_m)
+                     .field("to_m", segment.end.s_m);
+                 json.object("begin", [&] { json.floor_pose(segment.begin); });
+                 json.object("end", [&] { json.floor_pose(segment.end); });
                });
 }
 
@@ -177,9 +165,7 @@ std::string Messages::estimate(const StepRecord& record, const std::optional<Tru
       });
     if (path() != nullptr) {
       const course::PathPoint point = path()->at(snapshot.progress_m);
-      json.object("reference", [&] {
-        json.field("x_m", point.x_m).field("y_m", point.y_m).field("yaw_rad", point.yaw_rad);
-      });
+      json.object("reference", [&] { json.floor_pose(point); });
     }
     json.object("imu", [&] {
       json.field("roll_rad", snapshot.imu_roll_rad)
@@ -234,9 +220,7 @@ std::string Messages::command(const StepRecord& record) const {
   return text::json_object([&](text::JsonWriter& json) {
     json.field("t_s", clock_.t_s(record.now_ns))
         .field("answers", command.answers)
-        .field("x_m", command.pose.x_m)
-        .field("y_m", command.pose.y_m)
-        .field("yaw_rad", command.pose.yaw_rad)
+        .floor_pose(command.pose)
         .field("desired_yaw_rad", command.desired_yaw_rad)
         .field("yaw_rate_radps", command.yaw_rate_radps)
         .field("speed_mps", command.speed_mps)
@@ -269,9 +253,7 @@ std::string Messages::course() const {
         .field("description", course.description)
         .field("speed_mps", course.speed_mps)
         .field("length_m", path() == nullptr ? 0.0 : path()->length_m());
-    json.object("start", [&] {
-      write_floor_pose(json, course.start.x_m, course.start.y_m, course.start.yaw_rad);
-    });
+    json.object("start", [&] { json.floor_pose(course.start); });
     write_path(json, path(), terrain::World(course.terrain, run_context_.robot.shape));
     write_terrain(json, course.terrain);
     json.objects("disturbances", course.disturbances,

@@ -2,11 +2,14 @@
 // Messages of the channels, as JSON (CHANNELS.md): from plain data to text. No socket, file or
 // clock; any thread.
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 
+#include "core/enum_names.h"
 #include "core/estimates.h"
 #include "core/step_record.h"
 #include "core/time.h"
@@ -62,6 +65,13 @@ struct Event {
   std::string cause{};  ///< empty unless the operator has to act
   std::string fix{};    ///< how
 };
+
+/// Names as in /event.level.
+inline constexpr std::array<EnumName<Event::Level>, 3> kLevelNames = {{
+    {Event::Level::kInfo, "info"},
+    {Event::Level::kWarning, "warning"},
+    {Event::Level::kError, "error"},
+}};
 
 /// Writes the messages of our own schemas about one run context; those of Foxglove's are in
 /// messages/foxglove.h. Each function returns the whole text of one message.

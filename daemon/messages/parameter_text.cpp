@@ -1,10 +1,8 @@
 #include "messages/parameter_text.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "core/enum_names.h"
 #include "text/format.h"
 #include "text/json_writer.h"
 
@@ -12,14 +10,6 @@ namespace tp100::messages {
 namespace {
 
 using Type = ParameterText::Type;
-
-constexpr std::array<EnumName<Type>, 5> kTypeNames = {{
-    {Type::kNumber, "number"},
-    {Type::kInteger, "integer"},
-    {Type::kBoolean, "boolean"},
-    {Type::kText, "text"},
-    {Type::kChoice, "choice"},
-}};
 
 bool is_number(Type type) { return type == Type::kNumber || type == Type::kInteger; }
 
@@ -63,7 +53,7 @@ std::string parameters_message(const std::vector<ParameterText>& parameters) {
       json.field("name", parameter.name);
       write_value(json, "value", parameter.value);
       write_value(json, "default", parameter.standard);
-      json.field("type", name_in(kTypeNames, parameter.type)).field("unit", parameter.unit);
+      json.field("type", name_in(kParameterTypeNames, parameter.type)).field("unit", parameter.unit);
       if (is_number(parameter.type))
         json.field("min", parameter.range.min).field("max", parameter.range.max);
       json.values("choices", parameter.choices)

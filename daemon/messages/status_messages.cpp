@@ -30,9 +30,7 @@ void write_faults(text::JsonWriter& json, FaultMask faults, FaultMask of_robot) 
 /// A pose on the ground, or nothing.
 void write_place(text::JsonWriter& json, std::string_view name, const std::optional<Pose>& pose) {
   if (!pose) return;
-  json.object(name, [&] {
-    json.field("x_m", pose->x_m).field("y_m", pose->y_m).field("yaw_rad", pose->yaw_rad);
-  });
+  json.object(name, [&] { json.floor_pose(*pose); });
 }
 
 void write_stop(text::JsonWriter& json, const StopFigures& stop, const PublishClock& clock) {

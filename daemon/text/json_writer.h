@@ -111,6 +111,11 @@ class JsonWriter {
   JsonWriter& field(std::string_view name, const std::optional<T>& content) {
     return content ? field(name, *content) : *this;
   }
+  /// The fields of a pose on the floor: x_m, y_m and yaw_rad.
+  template <class P>
+  JsonWriter& floor_pose(const P& at) {
+    return field("x_m", at.x_m).field("y_m", at.y_m).field("yaw_rad", at.yaw_rad);
+  }
   /// The fields of a structure that has a list of them (core/fields.h); those of a structure within
   /// it stand in its place.
   template <class Values>

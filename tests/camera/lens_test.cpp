@@ -5,12 +5,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
 #include "../programs/process.h"
 #include "core/error.h"
 #include "marker_scene.h"
-#include "support/paths.h"
+#include "support/accepted.h"
 #include "support/refusal.h"
 
 namespace tp100::test {
@@ -97,12 +95,7 @@ std::string view_problem(const std::string& text) {
 
 // `scripts/test --accept` rewrites the example from the key table.
 TEST(ViewFile, TheExampleIsWhatTheKeyTableSays) {
-  const std::string path = source_path("config/view.toml");
-  if (std::getenv("TP100_ACCEPT") != nullptr) {
-    write_bytes(path, camera::write_view(example()));
-    return;
-  }
-  EXPECT_EQ(read_bytes(path), camera::write_view(example()));
+  expect_accepted("config/view.toml", camera::write_view(example()));
 }
 
 TEST(ViewFile, ReadsBackWhatItWrites) {

@@ -5,13 +5,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <fstream>
 #include <sstream>
 
 #include "config/world_settings.h"
 #include "core/arithmetic.h"
-#include "support/paths.h"
+#include "support/accepted.h"
 #include "support/refusal.h"
 #include "support/temporary_folder.h"
 
@@ -26,13 +24,8 @@ std::string error_of(const std::string& text) {
 
 // `scripts/test --accept` rewrites the bundled file from the key table.
 TEST(Configuration, TheBundledFileIsWhatTheKeyTableSays) {
-  const std::string path = source_path("config/tp100.toml");
   const std::string text = write_configuration(Configuration{});
-  if (std::getenv("TP100_ACCEPT") != nullptr) {
-    std::ofstream(path, std::ios::binary) << text;
-    return;
-  }
-  EXPECT_EQ(test::read_bytes(path), text) << "config/tp100.toml differs from the key table";
+  test::expect_accepted("config/tp100.toml", text);
   EXPECT_EQ(write_configuration(parse_configuration("", "f")), text) << "these are the defaults";
 }
 

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <tuple>
 
@@ -14,6 +13,7 @@
 #include "course/course.h"
 #include "course/path.h"
 #include "course/robot_file.h"
+#include "support/accepted.h"
 #include "support/paths.h"
 #include "support/refusal.h"
 #include "support/temporary_folder.h"
@@ -178,16 +178,11 @@ EmulatedCamera rough() {
   return values;
 }
 
-/// Expects that a bundled file is what `written` makes of its text. `scripts/test --accept` writes
-/// the file again.
+/// Expects that a bundled file is what `written` makes of its text.
 template <class Written>
 void expect_written(const std::string& name, Written written) {
-  const std::string path = source_path("config/" + name + ".toml");
-  const std::string text = read_text_file(path).text;
-  if (std::getenv("TP100_ACCEPT"))
-    std::ofstream(path, std::ios::binary) << written(text);
-  else
-    EXPECT_EQ(text, written(text)) << path << " differs from the key table";
+  const std::string path = "config/" + name + ".toml";
+  test::expect_accepted(path, written(read_text_file(source_path(path)).text));
 }
 
 TEST(BundledFiles, OfRobotsAndCamerasSayWhatTheKeyTableSays) {

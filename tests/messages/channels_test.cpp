@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -14,6 +15,7 @@
 #include "fixtures.h"
 #include "messages/foxglove.h"
 #include "messages/status_messages.h"
+#include "support/accepted.h"
 
 namespace tp100::messages {
 namespace {
@@ -40,18 +42,29 @@ void expect_readable(const Json& schema, const std::string& where, bool in_array
   }
 }
 
-// Expects that the schema describes all fields of `message`, and that the message validates.
-void expect_described(const Json& schema, const Json& message, const std::string& where) {
+// Expects that the schema describes all fields of `message`, and that the message validates; with
+// numbers that are unknown it may lack what is required.
+void expect_described(const Json& schema, const Json& message, const std::string& where,
+                      bool complete) {
   const std::string type = schema["type"];
   EXPECT_TRUE(type == message.type_name())
       << where << " is " << message << ", not of type " << type;
+  if (schema.contains("enum")) {
+    EXPECT_NE(std::ranges::find(schema["enum"], message), schema["enum"].end())
+        << where << " is " << message << ", which is none of " << schema["enum"];
+  }
+  if (complete && schema.contains("required")) {
+    for (const std::string name : schema["required"])
+      EXPECT_TRUE(message.contains(name)) << where << "." << name;
+  }
   if (schema["type"] == "object") {
     for (const auto& [name, content] : message.items()) {
       ASSERT_TRUE(schema["properties"].contains(name)) << where << "." << name;
-      expect_described(schema["properties"][name], content, where + "." + name);
+      expect_described(schema["properties"][name], content, where + "." + name, complete);
     }
   } else if (schema["type"] == "array") {
-    for (const Json& element : message) expect_described(schema["items"], element, where + "[]");
+    for (const Json& element : message)
+      expect_described(schema["items"], element, where + "[]", complete);
   }
 }
 
@@ -94,6 +107,8 @@ TEST(Channels, MessagesHaveNoFieldThatTheirSchemaDoesNotName) {
       nothing.snapshot.estimates[PoseSource::kFused].covariance.xx =
           std::numeric_limits<double>::quiet_NaN();
   const Messages without({}, {});
+  StateFigures paused;
+  paused.pause_left_s = 3.0;
   const std::vector<std::pair<std::string, std::string>> examples = {
       {"/tf", transforms_text(messages, record, std::nullopt)},
       {"/pose/model", pose_text(messages, 0, {})},
@@ -106,22 +121,35 @@ TEST(Channels, MessagesHaveNoFieldThatTheirSchemaDoesNotName) {
       {"/slip", messages.slip(record)},
       {"/course", messages.course()},
       {"/state", state_message(0, {}, {}, example_subject())},
+      {"/state", state_message(0, {}, paused, example_subject())},
       {"/event", messages.event({})},
       {"/link", link_message(0.5, {})},
       {"/loop", loop_message(0.5, {}, {})},
       {"/recording", recording_message({})},
       {"/client", clients_message({})},
+      {"/course", without.course()},
+      {"/state", state_message(0, {}, {}, {})},
+  };
+  const std::vector<std::pair<std::string, std::string>> unknown = {
       {"/estimate", without.estimate(nothing, std::nullopt)},
       {"/sample", without.sample({}, 0)},
       {"/command", without.command(nothing)},
       {"/slip", without.slip(nothing)},
-      {"/course", without.course()},
-      {"/state", state_message(0, {}, {}, {})},
   };
   std::map<std::string, Json> schemas;
   for (const ChannelText& text : channel_texts()) schemas[text.topic] = Json::parse(text.schema);
   for (const auto& [topic, message] : examples)
-    expect_described(schemas.at(topic), Json::parse(message), topic);
+    expect_described(schemas.at(topic), Json::parse(message), topic, true);
+  for (const auto& [topic, message] : unknown)
+    expect_described(schemas.at(topic), Json::parse(message), topic, false);
+}
+
+// Whoever reads messages in another language makes types of this file; the page does.
+TEST(Channels, SchemasStandInAFileForClients) {
+  std::string text;
+  for (const ChannelText& channel : channel_texts())
+    text += (text.empty() ? "{\n" : ",\n") + Json(channel.topic).dump() + ": " + channel.schema;
+  test::expect_accepted("daemon/messages/schemas.json", text + "\n}\n");
 }
 
 // 40 steps of 5 ms with two samples each. A recording holds every step itself, and so needs poses

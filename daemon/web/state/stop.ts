@@ -50,7 +50,7 @@ export class StopButton {
       this.press_ = undefined;
       this.lastTook_ms = took_ms;
       if (this.daemon !== undefined) {
-        this.daemon = { ...this.daemon, latched: true, status: 'acknowledged', acknowledged_ms: took_ms };
+        this.daemon = { ...this.daemon, latched: true, status: 'acknowledged', acknowledged_ms: took_ms ?? undefined };
       }
     } else {
       this.press_.received = true;

@@ -107,7 +107,7 @@ export class Store {
     if (received_ms === undefined || this.now() - received_ms > (kStale_ms[topic] ?? Infinity)) return true;
     if (topic !== '/estimate' && topic !== '/slip') return false;
     const age_us = this.latest['/estimate']?.age_us;
-    return age_us === undefined || age_us === null || age_us > kStaleSample_us;
+    return age_us === undefined || age_us > kStaleSample_us;
   }
 
   /** The steering pose. */

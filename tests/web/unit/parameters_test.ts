@@ -8,7 +8,7 @@ const parameter = (name: string, more: Partial<Parameter> = {}): Parameter => ({
 });
 const preview = parameter('control.preview_s', { live: true });
 const rate = parameter('loop.rate_hz', { value: 200, default: 200, min: 50, max: 1000, unit: 'Hz', meaning: 'Steps per second' });
-const law = parameter('control.law', { type: 'choice', value: 'stanley', choices: ['stanley', 'lqr'], unit: '', min: null, max: null });
+const law = parameter('control.law', { type: 'choice', value: 'stanley', choices: ['stanley', 'lqr'], unit: '', min: undefined, max: undefined });
 
 it('a typed value is a number within the limits, or says which are allowed', () => {
   expect(read(preview, ' 0.5 ')).toEqual({ value: 0.5 });

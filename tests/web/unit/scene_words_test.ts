@@ -25,7 +25,7 @@ it('it says where the robot is, what it does and what is wrong', () => {
   expect(sceneText(store(), false)).toBe(
     'Course 3, robot worn, running. It is at x 1.20 m, y \u22120.31 m, heading 29 degrees. 1.20 of 3.90 m are driven, 4 mm to the right of the path.',
   );
-  const faults = [{ name: 'a', cause: 'too far from the path', fix: '' }];
+  const faults = [{ name: 'a', cause: 'too far from the path', fix: '', from: 'daemon' as const }];
   expect(sceneText(store({ run: 'aborted', faults, stop: { ...kState.stop, latched: true } }), false)).toMatch(/STOP is in force\. Fault: too far from the path\.$/);
 });
 
@@ -33,7 +33,7 @@ it('it tells no pose that is old, and is due when the state changes, not when a 
   const old = store();
   const key = sceneKey(old);
   expect(sceneKey(store({ progress_m: 2 }, { cross_track_m: 0.01 }))).toBe(key);
-  for (const changed of [{ run: 'aborted' as const }, { course: '2' }, { faults: [{ name: 'a', cause: '', fix: '' }] }])
+  for (const changed of [{ run: 'aborted' as const }, { course: '2' }, { faults: [{ name: 'a', cause: '', fix: '', from: 'daemon' as const }] }])
     expect(sceneKey(store(changed))).not.toBe(key);
   now_ms += 1000;
   expect(sceneText(old, false)).toBe('Course 3, robot worn, running. Its pose is not known now.');

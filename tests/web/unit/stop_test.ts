@@ -6,7 +6,7 @@ import type { StopState } from '../../../daemon/web/state/messages.ts';
 import { kPatience_ms, StopButton } from '../../../daemon/web/state/stop.ts';
 import { answer, FakeDaemon } from './fake_daemon.ts';
 
-const kNone: StopState = { count: 0, latched: false, by: '', status: 'none', acknowledged_ms: null };
+const kNone: StopState = { count: 0, latched: false, by: '', status: 'none' };
 const kLatched: StopState = { count: 1, latched: true, by: 'viewer 3', status: 'acknowledged', acknowledged_ms: 14.2 };
 
 let stop: StopButton;
@@ -53,7 +53,7 @@ describe('the STOP button', () => {
     stop.received(kLatched);
     expect(stop.view(1300).kind).toBe('not_acknowledged');
     stop.answered(false, null);
-    stop.received({ ...kLatched, count: 2, status: 'not_acknowledged', acknowledged_ms: null });
+    stop.received({ ...kLatched, count: 2, status: 'not_acknowledged', acknowledged_ms: undefined });
     expect(stop.view(1400).kind).toBe('not_acknowledged');
     stop.received({ ...kLatched, count: 2, acknowledged_ms: 3210 });
     expect(stop.view(3300)).toMatchObject({ kind: 'stopped', took_ms: 3210 });
@@ -61,12 +61,12 @@ describe('the STOP button', () => {
 
   it('shows what another viewer stopped, latched until a start, and takes another press meanwhile', () => {
     for (const status of ['pending', 'not_acknowledged'] as const) {
-      stop.received({ ...kLatched, status, acknowledged_ms: null });
+      stop.received({ ...kLatched, status, acknowledged_ms: undefined });
       expect(stop.view(0).kind).toBe(status);
     }
     stop.received(kLatched);
     expect(stop.view(1e9)).toEqual({ kind: 'stopped', took_ms: 14.2, by: 'viewer 3' });
-    stop.received({ ...kLatched, acknowledged_ms: null });
+    stop.received({ ...kLatched, acknowledged_ms: undefined });
     expect(stop.view(1e9), 'a time that is no longer told').toMatchObject({ took_ms: 14.2 });
     stop.press(5000);
     expect(stop.unsent).toBe(true);

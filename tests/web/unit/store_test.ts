@@ -30,7 +30,7 @@ it('a value is stale when its message is old, or the robot’s sample is', () =>
   expect(store.stale('/estimate')).toBe(false);
   now_ms = 2000;
   expect(store.stale('/estimate')).toBe(true);
-  for (const age_us of [2e6, null]) {
+  for (const age_us of [2e6, undefined]) {
     store.receive('/estimate', estimate(2, 0, { age_us }));
     expect(store.stale('/estimate')).toBe(true);
   }
@@ -58,7 +58,7 @@ it('it stays bounded however long it runs, and takes an event that is repeated a
 it('the diagrams show what was estimated in their units, and errors only against a truth', () => {
   const yaw = (yaw_deg: number): EstimatedPose => ({ ...at(1), yaw_rad: (yaw_deg * Math.PI) / 180 });
   const of = { model: yaw(10), odometry: yaw(20), fused: yaw(30), desired_yaw_rad: Math.PI / 2, cross_track_m: 0.002, heading_error_rad: Math.PI / 4, tracks: { left_mps: 0.1, right_mps: 0.2, left_commanded_mps: 0.3 } };
-  store.receive('/slip', { t_s: 0, left: 0.16, right: 0.17, fused_left: 0.18, fused_right: 0.19 });
+  store.receive('/slip', { t_s: 0, left: 0.16, right: 0.17, fused_left: 0.18, fused_right: 0.19, gyro_bias_radps: 0, fused_gyro_bias_radps: 0, slope_rad: 0 });
   store.receive('/estimate', estimate(0, 1, of));
   store.receive('/estimate', estimate(1, 1, { ...of, truth: at(1, 0.003) }));
   const columns: Partial<Record<Column, [before: number, after: number]>> = {
