@@ -134,8 +134,8 @@ void add_identify(CLI::App& app, Action& action) {
   option(command, "--config", options.config, "FILE",
          "Configuration (default: the recordings', else as config/tp100.toml)");
   command->add_flag("--json", options.json, "Print what was found as JSON");
-  command->add_flag("--background", options.background,
-                    "Run at idle priority; end when the parent process ends");
+  command->add_flag_callback("--background", become_background,
+                             "Run at idle priority; end when the parent process ends");
   option(command, "--date", options.date, "DATE", "Day of the runs for the file (default: today)");
   command->add_flag("--drive", options.drive,
                     "Drive the calibration courses on a port first, instead of RUN; without a "
@@ -204,20 +204,20 @@ void add_report(CLI::App& app, Action& action) {
   option(command, "RUN", options.runs, "RUN", "Recordings, or their folders")->required();
   option(command, "--out", options.out, "FOLDER",
          "Folder to write to (default: beside the recording)");
-  command->add_flag("--background", options.background,
-                    "Run at idle priority; end when the parent process ends");
+  command->add_flag_callback("--background", become_background,
+                             "Run at idle priority; end when the parent process ends");
   command->footer("Example: tp100d report runs/RUN");
   command->callback([&action] { action = [] { return run_report(options); }; });
 }
 
 void add_compare(CLI::App& app, Action& action) {
-  static CompareOptions options;
+  static ReportOptions options{.runs = {}, .out = "."};
   CLI::App* command = app.add_subcommand("compare", "Compare recorded runs in overlaid figures");
   option(command, "RUN", options.runs, "RUN", "Recordings, or their folders")->required();
   option(command, "--out", options.out, "FOLDER",
          "Folder to write compare.html to (default: here)");
-  command->add_flag("--background", options.background,
-                    "Run at idle priority; end when the parent process ends");
+  command->add_flag_callback("--background", become_background,
+                             "Run at idle priority; end when the parent process ends");
   command->footer("Example: tp100d compare runs/before runs/after --out compared");
   command->callback([&action] { action = [] { return run_compare(options); }; });
 }

@@ -13,7 +13,7 @@
 #include "course/course.h"
 #include "course/path.h"
 #include "course/robot_file.h"
-#include "live/setup_list.h"
+#include "live/services.h"
 #include "terrain/climbable.h"
 #include "text/format.h"
 #include "text/toml_document.h"
@@ -76,12 +76,15 @@ std::string check_configuration(const course::TextFile& file) {
   return text + ", " + text_of(course);
 }
 
-/// As the service file_check answers, of a daemon with the default robot.
-std::string described(const course::TextFile& course) {
+/// Prints what the service file_check answers, of a daemon with the default robot.
+void describe_course(const std::string& path) {
   config::LoadedRun run;
   run.files.robot = course::read_bundled(course::Bundled::kRobots, config::Configuration{}.robot);
   run.setup = config::parse_run(run.files);
-  return live::checked_file(run, course::Bundled::kCourses, course);
+  const live::CheckedFile checked =
+      live::checked_file(run, course::Bundled::kCourses, course::read_text_file(path));
+  std::puts(checked.json.c_str());
+  if (!checked.error.empty()) throw UserError(checked.error);
 }
 
 }  // namespace
@@ -138,9 +141,7 @@ int run_check(const std::vector<std::string>& files, bool json) {
   for (const std::string& path : files) {
     try {
       if (json) {
-        const course::TextFile file = course::read_text_file(path);
-        std::puts(described(file).c_str());
-        course::parse_course(file.text, file.path);
+        describe_course(path);
         continue;
       }
       const std::string found = check_file(path);

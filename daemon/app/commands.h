@@ -1,18 +1,21 @@
 #pragma once
-// The subcommands of tp100d: options in, exit status out. Each is a source file of its name.
+// The subcommands of tp100d: options in, exit status or a UserError out. Each is a source file of
+// its name.
 
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "config/configuration.h"
-#include "core/pose.h"
-#include "course/robot_file.h"
-#include "identify/drive.h"
+#include "bridge/parameters.h"
+#include "config/run_setup.h"
 #include "identify/next_manoeuvre.h"
 #include "link/port_discovery.h"
 #include "live/daemon.h"
+#include "record/recording.h"
+#include "record/step_difference.h"
 
 namespace tp100::app {
 
@@ -35,8 +38,7 @@ struct RunOptions {
   live::DaemonOptions daemon{};
 };
 
-/// The command. 0: course completed; 1: aborted, interrupted or --duration passed. Throws
-/// UserError.
+/// The command. 0: course completed; 1: aborted, interrupted or --duration passed.
 int run_run(const RunOptions& options);
 
 // `tp100d ports`: lists the serial ports.
@@ -48,7 +50,6 @@ std::string ports_text(const std::vector<link::PortInfo>& ports,
                        const std::vector<std::string>& stable_names,
                        const std::vector<link::PassedOver>& passed_over);
 
-/// The command. Returns 0. Throws UserError.
 int run_ports();
 
 // `tp100d check`: validates files.
@@ -79,7 +80,7 @@ struct DoctorOptions {
   bool json = false;
 };
 
-/// The command. 0: nothing prevents the robot from driving; 1: something does. Throws UserError.
+/// The command. 0: nothing prevents the robot from driving; 1: something does.
 int run_doctor(const DoctorOptions& options);
 
 // The guided calibration of `tp100d identify --drive`: drives one calibration course after the
@@ -90,29 +91,8 @@ struct GuidedOptions {
   std::vector<std::string> courses;  ///< bundled names or files; empty: calibration_courses
   int repeats = 2;                   ///< of each drive
   std::string folder;  ///< for the recordings, one CSV file per drive; created if absent
-  double narrow = identify::AutoSettings{}.narrow;  ///< for drive_by_itself()
+  double narrow = identify::AutoSettings{}.narrow;  ///< see IdentifyOptions::by_itself
 };
-/// The course whose fence holds the manoeuvres if none is given.
-inline constexpr const char* kAutoArea = "1-straight";
-
-struct GuidedDrives {
-  std::vector<identify::RecordedDrive> drives;
-  bool completed = false;  ///< all of them; else only the drives before the one that failed
-  std::optional<identify::AutoProgress> progress{};  ///< of drive_by_itself
-};
-
-/// Drives all courses. On a physical port each drive waits for Enter (unless `go`). Where no camera
-/// sees it, the end of a drive is asked for on standard output and read from standard input. A
-/// drive that is not completed ends the calibration; earlier ones stay in the folder. Throws
-/// UserError.
-GuidedDrives drive_guided(const GuidedOptions& options, const course::Robot& robot);
-
-/// The same with manoeuvres that it chooses (identify/next_manoeuvre.h), inside the fence of the
-/// only course of `options`. With a camera each begins where the last one ended; without one a
-/// person puts the robot back to the start each time and enters where it ended. The folder also
-/// keeps the courses and the robot file as known so far.
-GuidedDrives drive_by_itself(const GuidedOptions& options, const course::Robot& robot,
-                             const config::Configuration& configuration);
 
 // `tp100d identify`: identifies a robot's parameters from recorded drives and writes a robot file.
 
@@ -125,18 +105,19 @@ struct IdentifyOptions {
                        ///< or it drives; else defaults
   std::string date;    ///< date of the runs for the file; empty: today
   bool drive = false;  ///< drive the calibration courses first
-  bool by_itself = false;   ///< drive manoeuvres that it chooses instead
-  bool json = false;        ///< print JSON
-  bool background = false;  ///< see become_background()
-  GuidedOptions guided{};   ///< options of the drives; robot and configuration are taken from above
+  bool by_itself = false;  ///< drive manoeuvres that it chooses instead
+  bool json = false;       ///< print JSON
+  GuidedOptions guided{};  ///< options of the drives; robot and configuration are taken from above
 };
 
 /// The command. Prints the report; writes a file only if everything succeeded. Returns the exit
 /// status: 1 if a drive was not completed or, with `by_itself`, a confidence interval stayed too
-/// wide. Throws UserError.
+/// wide.
 int run_identify(const IdentifyOptions& options);
 
-// `tp100d replay`: runs a recording through the step, and writes a CSV file of poses.
+// `tp100d replay`: runs the inputs of a recording through the step again, checks whether every pose
+// and command is reproduced (bit for bit, or, if it was recorded on another kind of processor,
+// core/arithmetic.h, except for rounding), and writes a CSV file of poses.
 
 struct ReplayOptions {
   std::string in;
@@ -147,8 +128,34 @@ struct ReplayOptions {
 
 /// The command. Returns 0 if every result was reproduced (within kRounding on another kind of
 /// processor), or if other parameters were requested; 1, without writing anything, if a result
-/// differs or steps are missing. Throws UserError. One row per step that received a sample.
+/// differs or steps are missing. One row per step that received a sample.
 int run_replay(const ReplayOptions& options);
+
+/// The files of a recorded run. Throws UserError: they are missing or invalid.
+config::RunFiles recorded_files(const record::Recording& recording);
+
+/// Result of a replay.
+struct Replayed {
+  std::uint64_t first = 1;   ///< number of the first step: 1, or a restart of the step
+  std::uint64_t steps = 0;   ///< replayed
+  std::uint64_t before = 0;  ///< of them before the recording, to reach its initial state
+  HostNs last_ns = 0;        ///< time of the last step that was compared
+  /// First step after a gap. A gap ends the replay, since the state after it is unknown.
+  std::optional<std::uint64_t> gap_before;
+  std::optional<std::uint64_t> differs_at;  ///< number of the first step with a different result
+  HostNs differs_ns = 0;                    ///< its time
+  record::StepDifference difference{};
+  record::LargestDifference largest{};  ///< of all steps
+};
+
+/// Differences from results of another kind of processor below this, in m and rad, are rounding.
+inline constexpr double kRounding = 1e-9;
+
+/// Feeds the recorded inputs to a step with these parameters and course. `each` receives the
+/// recorded inputs with the results of the replay. `verify`: compares the results.
+Replayed replay_steps(const record::Recording& recording, const bridge::Parameters& parameters,
+                      std::shared_ptr<const course::Course> course, bool verify,
+                      const std::function<void(const StepRecord&)>& each);
 
 // `tp100d export`: recordings as files that other programs read.
 
@@ -166,29 +173,22 @@ struct ExportOptions {
   std::string out;  ///< folder; empty: beside the recording. For one run only
 };
 
-/// The command. Throws UserError.
 int run_export(const ExportOptions& options);
 
 // `tp100d report` and `tp100d compare`: recordings as pages, figures and numbers.
 
 struct ReportOptions {
   std::vector<std::string> runs;  ///< recordings or their folders
-  std::string out;                ///< folder; empty: beside the recording. For one run only
-  bool background = false;        ///< see become_background()
+  /// Folder, created if absent. Of a report: for one run only; empty: beside the recording.
+  std::string out;
 };
 
-/// Writes report.html, metrics.json and a .svg for each figure. Throws UserError.
+/// Writes report.html, metrics.json and a .svg for each figure.
 int run_report(const ReportOptions& options);
 
-struct CompareOptions {
-  std::vector<std::string> runs;  ///< two to twenty
-  std::string out = ".";          ///< folder, created if absent
-  bool background = false;        ///< see become_background()
-};
-
-/// Writes compare.html, compare.json (the metrics of each run) and a .svg for each figure. Throws
-/// UserError.
-int run_compare(const CompareOptions& options);
+/// Writes compare.html, compare.json (the metrics of each run) and a .svg for each figure, of two
+/// to twenty runs.
+int run_compare(const ReportOptions& options);
 
 // `tp100d recover`: rebuilds a complete recording from a truncated or corrupted one.
 
@@ -197,19 +197,8 @@ struct RecoverOptions {
   std::string out;  ///< empty: beside it, with -recovered before .mcap
 };
 
-/// Result of a recovery.
-struct Recovered {
-  std::string path;
-  std::uint64_t messages = 0;
-  std::uint64_t corrupted = 0;  ///< chunks and attachments left out
-  std::string problem;          ///< the first error; empty: none
-};
-
 /// Copies all intact content of `in` to `out`, with indexes and statistics; does not change `in`.
-/// Throws UserError.
-Recovered recover(const std::string& in, const std::string& out);
-
-/// The command. 0: written, or nothing to recover. Throws UserError.
+/// 0: written, or nothing to recover.
 int run_recover(const RecoverOptions& options);
 
 }  // namespace tp100::app

@@ -5,7 +5,6 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
-#include <charconv>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
@@ -29,6 +28,7 @@
 #include "doctor/wheels_up.h"
 #include "link/port_discovery.h"
 #include "loop/real_time.h"
+#include "text/format.h"
 
 namespace tp100::app {
 namespace {
@@ -47,72 +47,68 @@ void on_signal(int) { stop = true; }
 class Terminal : public doctor::Operator {
  public:
   void say(const std::string& line) override { std::fprintf(stderr, "%s\n", line.c_str()); }
-  void ask(const doctor::Question& question) override;
-  std::optional<std::string> take_answer() override;
+
+  void ask(const doctor::Question& question) override {
+    drop_typed_ahead();
+    std::string line = question.text + ".";
+    if (line.ends_with("?.")) line.pop_back();
+    const char* separator = " ";
+    for (const doctor::Choice& choice : question.choices) {
+      line += separator + (choice.answer.empty() ? "Enter" : choice.answer) + ": " + choice.meaning;
+      separator = "; ";
+    }
+    say(line);
+  }
+
+  /// Reads all available input, and never waits.
+  std::optional<std::string> take_answer() override {
+    pollfd input{STDIN_FILENO, POLLIN, 0};
+    if (!ended_ && ::poll(&input, 1, 0) > 0) {
+      std::array<char, 256> buffer;
+      const ssize_t n = ::read(STDIN_FILENO, buffer.data(), buffer.size());
+      if (n > 0) pending_.append(buffer.data(), static_cast<std::size_t>(n));
+      if (n == 0 || (n < 0 && errno != EINTR && errno != EAGAIN)) ended_ = true;
+    }
+    const std::size_t end = pending_.find('\n');
+    if (end == std::string::npos) {
+      if (ended_) pending_.clear();
+      return std::nullopt;
+    }
+    std::string line = pending_.substr(0, end);
+    pending_.erase(0, end + 1);
+    line.erase(line.find_last_not_of(" \t\r") + 1);
+    return line;
+  }
+
   bool ended() const override { return ended_ && pending_.empty(); }
   bool watches() const override { return true; }
   void motors_off(HostNs) override {}
+
   /// Waits for Enter. False: there was none.
-  bool confirms();
+  bool confirms() {
+    say("Put the robot on a stand, so that its tracks turn freely. Both tracks will run in "
+        "opposite directions, then each one forward and back for a second. Press Enter to start, "
+        "Ctrl-C to stop.");
+    drop_typed_ahead();
+    while (!stop && !ended()) {
+      if (take_answer()) return true;
+      pollfd input{STDIN_FILENO, POLLIN, 0};
+      ::poll(&input, 1, 100);
+    }
+    return false;
+  }
 
  private:
-  void drop_typed_ahead();
+  /// Discards what was typed at a terminal; a pipe keeps its lines.
+  void drop_typed_ahead() {
+    if (::isatty(STDIN_FILENO) == 0) return;
+    ::tcflush(STDIN_FILENO, TCIFLUSH);
+    pending_.clear();
+  }
 
   std::string pending_;
   bool ended_ = false;
 };
-
-void Terminal::ask(const doctor::Question& question) {
-  drop_typed_ahead();
-  std::string line = question.text + ".";
-  if (line.ends_with("?.")) line.pop_back();
-  const char* separator = " ";
-  for (const doctor::Choice& choice : question.choices) {
-    line += separator + (choice.answer.empty() ? "Enter" : choice.answer) + ": " + choice.meaning;
-    separator = "; ";
-  }
-  say(line);
-}
-
-// Reads all available input, and never waits.
-std::optional<std::string> Terminal::take_answer() {
-  pollfd input{STDIN_FILENO, POLLIN, 0};
-  if (!ended_ && ::poll(&input, 1, 0) > 0) {
-    std::array<char, 256> buffer;
-    const ssize_t n = ::read(STDIN_FILENO, buffer.data(), buffer.size());
-    if (n > 0) pending_.append(buffer.data(), static_cast<std::size_t>(n));
-    if (n == 0 || (n < 0 && errno != EINTR && errno != EAGAIN)) ended_ = true;
-  }
-  const std::size_t end = pending_.find('\n');
-  if (end == std::string::npos) {
-    if (ended_) pending_.clear();
-    return std::nullopt;
-  }
-  std::string line = pending_.substr(0, end);
-  pending_.erase(0, end + 1);
-  line.erase(line.find_last_not_of(" \t\r") + 1);
-  return line;
-}
-
-// Discards what was typed at a terminal; a pipe keeps its lines.
-void Terminal::drop_typed_ahead() {
-  if (::isatty(STDIN_FILENO) == 0) return;
-  ::tcflush(STDIN_FILENO, TCIFLUSH);
-  pending_.clear();
-}
-
-bool Terminal::confirms() {
-  say("Put the robot on a stand, so that its tracks turn freely. Both tracks will run in opposite "
-      "directions, then each one forward and back for a second. Press Enter to start, Ctrl-C to "
-      "stop.");
-  drop_typed_ahead();
-  while (!stop && !ended()) {
-    if (take_answer()) return true;
-    pollfd input{STDIN_FILENO, POLLIN, 0};
-    ::poll(&input, 1, 100);
-  }
-  return false;
-}
 
 /// Runs `work` with the privileges of a run's loop, in a thread that ends with them.
 template <class Work>
@@ -137,11 +133,11 @@ std::vector<loop::Privilege> ask_privileges(const config::LoopConfiguration& set
 std::optional<std::uint16_t> page_port(const std::string& listen) {
   if (listen == "off") return std::nullopt;
   const std::size_t colon = listen.rfind(':');
-  std::uint16_t port = kPagePort;
+  std::optional<std::uint16_t> port;
   if (colon != std::string::npos)
-    std::from_chars(listen.data() + colon + 1, listen.data() + listen.size(), port);
+    port = text::number_in<std::uint16_t>(std::string_view(listen).substr(colon + 1));
   if (port == 0) return std::nullopt;
-  return port;
+  return port.value_or(kPagePort);
 }
 
 /// The subject of an examination, and its findings.

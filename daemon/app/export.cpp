@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <functional>
@@ -10,7 +9,6 @@
 #include <string_view>
 
 #include "app/commands.h"
-#include "app/replay.h"
 #include "identify/drive_file.h"
 #include "report/run_result.h"
 #include "ros2/bag.h"
@@ -69,9 +67,7 @@ std::map<HostNs, Pose> truth_of(const Recording& recording, const Window& window
 }
 
 void append(std::string& line, const Pose& pose) {
-  for (const double value :
-       {pose.x_m, pose.y_m, pose.z_m, pose.roll_rad, pose.pitch_rad, pose.yaw_rad})
-    line += "," + text::shortest(value);
+  visit_fields([&line](auto, double value) { line += "," + text::shortest(value); }, pose);
 }
 
 void write_poses(const Recording& recording, const Window& window, const Write& write) {

@@ -1,6 +1,5 @@
 #include "identify/identify.h"
 
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -11,12 +10,12 @@
 #include <utility>
 
 #include "app/commands.h"
-#include "app/replay.h"
 #include "config/configuration.h"
 #include "core/arithmetic.h"
 #include "core/error.h"
 #include "course/bundled_files.h"
 #include "course/course.h"
+#include "course/robot_file.h"
 #include "identify/drive_file.h"
 #include "identify/identify_report.h"
 #include "identify/next_manoeuvre.h"
@@ -71,33 +70,20 @@ std::string space_for(const course::Course& course) {
                       -course.fence.min_y_m);
 }
 
-std::string today() {
-  const std::time_t now = std::time(nullptr);
-  std::tm day{};
-  ::gmtime_r(&now, &day);
-  std::array<char, 16> text{};
-  std::strftime(text.data(), text.size(), "%Y-%m-%d", &day);
-  return text.data();
-}
+std::string today() { return text::utc_minute(std::time(nullptr)).substr(0, 10); }
 
-/// Robot and configuration with which the drives are identified.
-struct Assumed {
-  course::TextFile robot;
-  config::Configuration configuration;
-};
-
-/// Robot and configuration of the given files; by default those in the recordings.
+/// Robot and configuration with which the drives are identified: of the given files; by default
+/// those in the recordings.
 class Base {
  public:
   explicit Base(const IdentifyOptions& options)
       : given_(options.drive || !options.robot.empty() || !options.config.empty()) {
     if (!options.config.empty()) {
       const course::TextFile file = course::read_text_file(options.config);
-      assumed_.configuration = config::parse_configuration(file.text, file.path);
+      configuration = config::parse_configuration(file.text, file.path);
     }
-    assumed_.robot =
-        course::read_bundled(course::Bundled::kRobots,
-                             options.robot.empty() ? assumed_.configuration.robot : options.robot);
+    robot = course::read_bundled(course::Bundled::kRobots,
+                                 options.robot.empty() ? configuration.robot : options.robot);
   }
 
   /// Throws UserError: two recordings have different robots.
@@ -106,27 +92,22 @@ class Base {
     const config::RunFiles files = recorded_files(recording);
     if (first_.empty()) {
       first_ = recording.path();
-      assumed_ = {files.robot,
-                  config::parse_configuration(files.configuration.text, files.configuration.path)};
-    } else if (files.robot.text != assumed_.robot.text) {
+      robot = files.robot;
+      configuration =
+          config::parse_configuration(files.configuration.text, files.configuration.path);
+    } else if (files.robot.text != robot.text) {
       throw UserError(recording.path() + ": was recorded with a different robot file than " +
                       first_ + "; leave one of them out, or name the robot with --robot");
     }
   }
-  const Assumed& assumed() const { return assumed_; }
+
+  course::TextFile robot;
+  config::Configuration configuration;
 
  private:
   bool given_;
-  std::string first_;  // the recording that it comes from
-  Assumed assumed_;
+  std::string first_;  // the recording that they come from
 };
-
-/// The name of the run's folder, or of the file if it is not called run.mcap.
-std::string run_name(const std::string& path) {
-  const std::filesystem::path file =
-      std::filesystem::absolute(record::recording_file(path)).lexically_normal();
-  return file.stem() == "run" ? file.parent_path().filename() : file.stem();
-}
 
 std::vector<identify::RecordedDrive> recorded(const IdentifyOptions& options, Base& base) {
   std::vector<identify::RecordedDrive> drives;
@@ -135,7 +116,7 @@ std::vector<identify::RecordedDrive> recorded(const IdentifyOptions& options, Ba
       const record::Recording recording(path);
       base.take(recording);
       drives.push_back(identify::recorded_drive(recording));
-      drives.back().name = run_name(path);
+      drives.back().name = record::run_name(path);
       continue;
     }
     const course::TextFile file = course::read_text_file(path);
@@ -146,30 +127,6 @@ std::vector<identify::RecordedDrive> recorded(const IdentifyOptions& options, Ba
     identify::add_measured(file.text, file.path, drives);
   }
   return drives;
-}
-
-/// Empty where no camera is expected.
-std::string camera_of(const RunOptions& run, const config::Configuration& configuration) {
-  return run.camera.empty() ? configuration.camera.listen : run.camera;
-}
-
-GuidedDrives driven(const IdentifyOptions& options, const course::Robot& robot,
-                    const config::Configuration& configuration) {
-  if (!options.runs.empty() || !options.measured.empty())
-    throw UserError("identify: --drive makes its own runs; leave out RUN and --measured");
-  GuidedOptions guided = options.guided;
-  guided.run.config = options.config;
-  guided.run.robot = options.robot;
-  if (guided.folder.empty())
-    guided.folder = std::filesystem::path(options.out).replace_extension().string() + "-runs";
-  GuidedDrives result = options.by_itself ? drive_by_itself(guided, robot, configuration)
-                                          : drive_guided(guided, robot);
-  std::printf("%s in %s\n", text::counted(result.drives.size(), "recording").c_str(),
-              guided.folder.c_str());
-  if (!result.completed)
-    std::printf(
-        "not completed, so nothing was identified; give the recordings made so far as RUN\n");
-  return result;
 }
 
 /// One drive; `course` as for RunOptions. Nothing: it was not completed.
@@ -202,8 +159,19 @@ void keep(const std::string& folder, const std::vector<identify::RecordedDrive>&
   if (!measured.empty()) text::write_file(folder + "/measured.csv", measured);
 }
 
-}  // namespace
+/// The course whose fence holds the manoeuvres if none is given.
+constexpr const char* kAutoArea = "1-straight";
 
+struct GuidedDrives {
+  std::vector<identify::RecordedDrive> drives;
+  bool completed = false;  ///< all of them; else only the drives before the one that failed
+  std::optional<identify::AutoProgress> progress{};  ///< of drive_by_itself
+};
+
+/// Drives all courses. On a physical port each drive waits for Enter (unless `go`). Where no camera
+/// sees it, the end of a drive is asked for on standard output and read from standard input. A
+/// drive that is not completed ends the calibration; earlier ones stay in the folder. Throws
+/// UserError.
 GuidedDrives drive_guided(const GuidedOptions& options, const course::Robot& robot) {
   text::make_folder(options.folder, "--runs-dir");
   const std::vector<std::string> courses =
@@ -231,6 +199,10 @@ GuidedDrives drive_guided(const GuidedOptions& options, const course::Robot& rob
   return result;
 }
 
+/// The same with manoeuvres that it chooses (identify/next_manoeuvre.h), inside the fence of the
+/// only course of `options`. With a camera each begins where the last one ended; without one a
+/// person puts the robot back to the start each time and enters where it ended. The folder also
+/// keeps the courses and the robot file as known so far.
 GuidedDrives drive_by_itself(const GuidedOptions& options, const course::Robot& robot,
                              const config::Configuration& configuration) {
   if (options.courses.size() > 1)
@@ -239,7 +211,7 @@ GuidedDrives drive_by_itself(const GuidedOptions& options, const course::Robot& 
   const course::TextFile area = course::read_bundled(
       course::Bundled::kCourses, options.courses.empty() ? kAutoArea : options.courses.front());
   identify::AutoSettings settings;
-  settings.camera = !camera_of(options.run, configuration).empty();
+  settings.camera = !options.run.camera.empty() || !configuration.camera.listen.empty();
   settings.narrow = options.narrow;
   identify::NextManoeuvre next(
       identify::prior_of(robot, configuration.parameters.model.turning_threshold_radps), area,
@@ -284,8 +256,28 @@ GuidedDrives drive_by_itself(const GuidedOptions& options, const course::Robot& 
   return result;
 }
 
+GuidedDrives driven(const IdentifyOptions& options, const course::Robot& robot,
+                    const config::Configuration& configuration) {
+  if (!options.runs.empty() || !options.measured.empty())
+    throw UserError("identify: --drive makes its own runs; leave out RUN and --measured");
+  GuidedOptions guided = options.guided;
+  guided.run.config = options.config;
+  guided.run.robot = options.robot;
+  if (guided.folder.empty())
+    guided.folder = std::filesystem::path(options.out).replace_extension().string() + "-runs";
+  GuidedDrives result = options.by_itself ? drive_by_itself(guided, robot, configuration)
+                                          : drive_guided(guided, robot);
+  std::printf("%s in %s\n", text::counted(result.drives.size(), "recording").c_str(),
+              guided.folder.c_str());
+  if (!result.completed)
+    std::printf(
+        "not completed, so nothing was identified; give the recordings made so far as RUN\n");
+  return result;
+}
+
+}  // namespace
+
 int run_identify(const IdentifyOptions& options) {
-  if (options.background) become_background();
   if (!options.drive && options.runs.empty())
     throw UserError("identify: give recordings (RUN...), or --drive to make them");
   if (options.by_itself && !options.drive)
@@ -294,10 +286,10 @@ int run_identify(const IdentifyOptions& options) {
   std::vector<identify::RecordedDrive> drives;
   std::optional<identify::AutoProgress> progress;
   if (options.drive) {
-    const course::TextFile& file = assumed.assumed().robot;
     text::require_not_read(options.out);  // before an hour of drives
     GuidedDrives guided =
-        driven(options, course::parse_robot(file.text, file.path), assumed.assumed().configuration);
+        driven(options, course::parse_robot(assumed.robot.text, assumed.robot.path),
+               assumed.configuration);
     progress = guided.progress;
     if (!guided.completed) return 1;
     drives = std::move(guided.drives);
@@ -305,16 +297,15 @@ int run_identify(const IdentifyOptions& options) {
     drives = recorded(options, assumed);
     text::require_not_read(options.out);
   }
-  const auto& [base_file, configuration] = assumed.assumed();
-  const course::Robot base = course::parse_robot(base_file.text, base_file.path);
+  const course::Robot base = course::parse_robot(assumed.robot.text, assumed.robot.path);
 
   const identify::Prior prior =
-      identify::prior_of(base, configuration.parameters.model.turning_threshold_radps);
+      identify::prior_of(base, assumed.configuration.parameters.model.turning_threshold_radps);
   const identify::Identification found = identify::identify(drives, prior);
   const std::string date = options.date.empty() ? today() : options.date;
   const course::Robot robot = identify::identified_robot(found, base, date);
   const std::string note =
-      identify::identified_note(found, course::head_note(base_file.text), date);
+      identify::identified_note(found, course::head_note(assumed.robot.text), date);
   const std::string text = course::write_robot(robot, note);
   // Rejects impossible values here, by name and range.
   course::parse_robot(text, options.out);

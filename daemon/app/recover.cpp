@@ -75,10 +75,15 @@ std::string beside(const std::string& path) {
 
 }  // namespace
 
-Recovered recover(const std::string& in, const std::string& out) {
+int run_recover(const RecoverOptions& options) {
+  const std::string in = record::recording_file(options.in);
   const record::McapReader reader(in);
-  Recovered recovered;
-  recovered.path = out;
+  record::McapHandler nobody;
+  if (reader.stream(nobody).whole) {
+    std::printf("%s: not damaged, nothing to recover\n", in.c_str());
+    return 0;
+  }
+  const std::string out = options.out.empty() ? beside(in) : options.out;
   record::RecordingFile file(out);
   record::McapWriter writer(file, "tp100d recover", record::McapCompression::kZstd);
   Copier copier(writer);
@@ -90,27 +95,11 @@ Recovered recover(const std::string& in, const std::string& out) {
     throw UserError(out + ": cannot be written (" + std::strerror(file.error()) +
                     "); check free space, or give another --out");
   }
-  recovered.messages = copier.messages;
-  recovered.corrupted = end.corrupted;
-  recovered.problem = end.problem;
-  return recovered;
-}
-
-int run_recover(const RecoverOptions& options) {
-  const std::string in = record::recording_file(options.in);
-  {
-    record::McapHandler nobody;
-    if (record::McapReader(in).stream(nobody).whole) {
-      std::printf("%s: not damaged, nothing to recover\n", in.c_str());
-      return 0;
-    }
-  }
-  const Recovered recovered = recover(in, options.out.empty() ? beside(in) : options.out);
-  std::printf("%s: %s; %llu messages saved in %s\n", in.c_str(), recovered.problem.c_str(),
-              static_cast<unsigned long long>(recovered.messages), recovered.path.c_str());
-  if (recovered.corrupted > 0)
+  std::printf("%s: %s; %llu messages saved in %s\n", in.c_str(), end.problem.c_str(),
+              static_cast<unsigned long long>(copier.messages), out.c_str());
+  if (end.corrupted > 0)
     std::printf("%llu corrupted parts were skipped\n",
-                static_cast<unsigned long long>(recovered.corrupted));
+                static_cast<unsigned long long>(end.corrupted));
   return 0;
 }
 

@@ -1,17 +1,14 @@
-#include "app/replay.h"
-
-#include <array>
 #include <cstdio>
 #include <utility>
 
 #include "app/commands.h"
+#include "bridge/step.h"
 #include "core/enum_names.h"
 #include "core/error.h"
 #include "core/processor.h"
 #include "course/bundled_files.h"
 #include "text/atomic_file.h"
 #include "text/format.h"
-#include "text/toml_document.h"
 
 namespace tp100::app {
 namespace {
@@ -49,24 +46,14 @@ constexpr const char* kHeader =
 
 /// One row of an estimate's poses, in full double precision.
 std::string row_of(const Snapshot& snapshot, PoseSource source, double t_s) {
-  const Pose& pose = snapshot.estimates[source].pose;
-  const Twist& twist = snapshot.estimates[source].twist;
   const bool fused = source == PoseSource::kFused;
-  const std::array<double, 12> values = {t_s,
-                                         pose.x_m,
-                                         pose.y_m,
-                                         pose.z_m,
-                                         pose.roll_rad,
-                                         pose.pitch_rad,
-                                         pose.yaw_rad,
-                                         twist.vx_mps,
-                                         twist.vy_mps,
-                                         twist.yaw_rate_radps,
-                                         fused ? snapshot.filter.slip_left : snapshot.slip_left,
-                                         fused ? snapshot.filter.slip_right : snapshot.slip_right};
-  std::string text;
-  for (const double value : values) text += text::format("%s%.17g", text.empty() ? "" : ",", value);
-  return text + "\n";
+  std::string row = text::format("%.17g", t_s);
+  const auto add = [&row](auto, double value) { row += text::format(",%.17g", value); };
+  visit_fields(add, snapshot.estimates[source].pose);
+  visit_fields(add, snapshot.estimates[source].twist);
+  add("slip_left", fused ? snapshot.filter.slip_left : snapshot.slip_left);
+  add("slip_right", fused ? snapshot.filter.slip_right : snapshot.slip_right);
+  return row + "\n";
 }
 
 std::string seconds(HostNs ns) { return text::format("%.3f s", to_s(ns)); }

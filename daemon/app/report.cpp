@@ -7,11 +7,9 @@
 #include <filesystem>
 #include <fstream>
 #include <set>
-#include <system_error>
 #include <utility>
 
 #include "app/commands.h"
-#include "app/replay.h"
 #include "config/run_setup.h"
 #include "report/recorded_run.h"
 #include "report/report_page.h"
@@ -51,13 +49,11 @@ void write(const fs::path& folder, const std::vector<report::Figure>& figures) {
   for (const report::Figure& figure : figures) write(folder, figure.name + ".svg", figure.svg);
 }
 
-/// The folder of a run, or the name of a file, with a number appended where several are equal.
+/// The run's name, with a number appended where several are equal.
 std::string name_of(const std::string& path, std::set<std::string>& taken) {
-  const fs::path file(record::recording_file(path));
-  std::string stem = file.stem().string();
-  if (stem == "run") stem = fs::absolute(file).lexically_normal().parent_path().filename().string();
-  std::string name = stem;
-  for (int i = 2; !taken.insert(name).second; ++i) name = stem + " (" + std::to_string(i) + ")";
+  const std::string run = record::run_name(path);
+  std::string name = run;
+  for (int i = 2; !taken.insert(name).second; ++i) name = run + " (" + std::to_string(i) + ")";
   return name;
 }
 
@@ -74,7 +70,6 @@ void become_background() {
 }
 
 int run_report(const ReportOptions& options) {
-  if (options.background) become_background();
   if (options.runs.size() > 1 && !options.out.empty())
     throw UserError("--out is for one run; without it the files go beside each recording");
   for (const std::string& path : options.runs) {
@@ -91,8 +86,7 @@ int run_report(const ReportOptions& options) {
   return 0;
 }
 
-int run_compare(const CompareOptions& options) {
-  if (options.background) become_background();
+int run_compare(const ReportOptions& options) {
   if (options.runs.size() < 2 || options.runs.size() > kMaxRuns)
     throw UserError("compare: give two to " + std::to_string(kMaxRuns) + " recordings");
   std::vector<report::ComparedRun> runs;

@@ -1,32 +1,21 @@
 #include "app/commands.h"
-#include "config/configuration.h"
 #include "config/run_setup.h"
 #include "config/setup_files.h"
 #include "core/error.h"
 #include "course/bundled_files.h"
 #include "live/daemon.h"
-#include "live/setup_list.h"
 #include "text/format.h"
-#include "text/toml_document.h"
 
 namespace tp100::app {
 namespace {
 
 /// The files of the run, with the command line's overrides.
 config::RunFiles files_of(const RunOptions& options) {
-  config::RunFiles files;
-  if (!options.config.empty()) files.configuration = course::read_text_file(options.config);
-  const config::Configuration configuration =
-      config::parse_configuration(files.configuration.text, files.configuration.path);
-  const std::string& course = options.course.empty() ? configuration.course : options.course;
-  const std::string library = config::library_folder(configuration.library);
-  if (!course.empty())
-    files.course = config::read_setup_file(course::Bundled::kCourses, course, library);
-  files.robot =
-      config::read_setup_file(course::Bundled::kRobots,
-                              options.robot.empty() ? configuration.robot : options.robot, library);
-  files.setup = config::setup_option(options.setup, configuration.parameters.setup);
-  files.world = config::world_option(options.world, configuration.parameters.world.kind);
+  const auto configuration =
+      options.config.empty() ? course::TextFile{} : course::read_text_file(options.config);
+  config::RunFiles files = config::named_files(configuration, options.course, options.robot);
+  files.setup = config::setup_option(options.setup, files.setup);
+  files.world = config::world_option(options.world, files.world);
   return files;
 }
 
@@ -37,7 +26,7 @@ config::RunSetup setup_run(const config::RunFiles& files, const RunOptions& opti
   if (options.world.starts_with("udp:")) run.configuration.world.address = options.world;
   if (!options.listen.empty()) run.configuration.server.listen = options.listen;
   if (!options.record.empty()) run.configuration.record.directory = options.record;
-  live::require_fit(run);
+  config::require_fit(run);
   return run;
 }
 

@@ -60,7 +60,7 @@ struct RecordSettings {
   std::string directory{};  ///< each run gets its own folder in it; empty: nothing is recorded
   int max_mb = 2000;
   int quota_mb = 0;                   ///< of all runs in `directory`; 0: none
-  double black_box_s = 10.0;          ///< kept for a fault (live/recording_policies.h); 0: none
+  double black_box_s = 10.0;          ///< kept for a fault (live/live_recording.h); 0: none
   std::string black_box_directory{};  ///< empty: `directory`, or the user's state folder
 };
 

@@ -3,6 +3,7 @@
 #include "core/enum_names.h"
 #include "core/error.h"
 #include "core/processor.h"
+#include "terrain/climbable.h"
 #include "text/toml_document.h"
 
 namespace tp100::config {
@@ -28,6 +29,12 @@ RunSetup parse_run(const RunFiles& files) {
   run.configuration = parse_configuration(files.configuration.text, files.configuration.path);
   parse_rest(files, run);
   return run;
+}
+
+void require_fit(const RunSetup& run) {
+  if (!run.configuration.camera.listen.empty() && run.parameters.setup == bridge::Setup::kStand)
+    throw UserError("--camera: on a stand it sees a robot that stands still; leave it out");
+  if (run.course != nullptr) terrain::require_climbable(*run.course, run.robot);
 }
 
 LoadedRun with_files(const LoadedRun& run, const course::TextFile& course,

@@ -15,9 +15,9 @@ namespace tp100::config {
 
 /// The files of a run, and the set-up and kind of world in use.
 struct RunFiles {
-  course::TextFile configuration;  ///< empty: all defaults
-  course::TextFile robot;
-  course::TextFile course;  ///< empty: none
+  course::TextFile configuration{};  ///< empty: all defaults
+  course::TextFile robot{};
+  course::TextFile course{};  ///< empty: none
   bridge::Setup setup = bridge::Setup::kFlat;
   bridge::WorldKind world = bridge::WorldKind::kInternal;
 };
@@ -38,6 +38,9 @@ struct LoadedRun {
 
 /// Parses the files. Throws UserError.
 RunSetup parse_run(const RunFiles& files);
+
+/// Throws UserError if course, robot and set-up do not fit together.
+void require_fit(const RunSetup& run);
 
 /// The run with other files of course and robot and another set-up, and otherwise unchanged: the
 /// configuration file is not read again. Throws UserError.

@@ -50,10 +50,28 @@ std::string own_path(const std::string& library, Bundled kind, const std::string
 
 std::string library_folder(const std::string& configured) {
   if (!configured.empty()) return configured;
-  if (const std::string data = text::environment_variable("XDG_DATA_HOME"); !data.empty())
-    return data + "/tp100";
+  return user_folder("XDG_DATA_HOME", "/.local/share");
+}
+
+std::string user_folder(const char* variable, const char* in_home) {
+  if (const std::string folder = text::environment_variable(variable); !folder.empty())
+    return folder + "/tp100";
   const std::string home = text::environment_variable("HOME");
-  return home.empty() ? home : home + "/.local/share/tp100";
+  return home.empty() ? home : home + in_home + "/tp100";
+}
+
+RunFiles named_files(course::TextFile configuration, const std::string& course_name,
+                     const std::string& robot_name) {
+  const Configuration read = parse_configuration(configuration.text, configuration.path);
+  const std::string library = library_folder(read.library);
+  RunFiles files{.configuration = std::move(configuration),
+                 .setup = read.parameters.setup,
+                 .world = read.parameters.world.kind};
+  const std::string& course = course_name.empty() ? read.course : course_name;
+  if (!course.empty()) files.course = read_setup_file(Bundled::kCourses, course, library);
+  files.robot =
+      read_setup_file(Bundled::kRobots, robot_name.empty() ? read.robot : robot_name, library);
+  return files;
 }
 
 course::TextFile read_setup_file(Bundled kind, const std::string& name_or_path,

@@ -15,10 +15,19 @@ namespace tp100::config {
 /// ~/.local/share/tp100; empty if there is no home directory.
 std::string library_folder(const std::string& configured);
 
+/// "tp100" in the folder that this variable of the XDG base directories names, else in that one of
+/// the home directory; empty: there is none.
+std::string user_folder(const char* variable, const char* in_home);
+
 /// `name_or_path` as in the configuration: a file, a bundled name or the name of a file in the
 /// user's folder. Throws UserError.
 course::TextFile read_setup_file(course::Bundled kind, const std::string& name_or_path,
                                  const std::string& library);
+
+/// The configuration and the files that it names, or, unless empty, the course and the robot of
+/// these names. Throws UserError.
+RunFiles named_files(course::TextFile configuration, const std::string& course_name = {},
+                     const std::string& robot_name = {});
 
 /// Names are unique within a kind: a file that the program was started with hides a bundled one of
 /// that name, and a bundled one the user's. Functions wait for the disk; any thread.

@@ -62,12 +62,12 @@ void Connector::on_event(const SessionReport& report, const std::string& robot, 
 }
 
 void Connector::require_usable(const SessionReport& report, const std::string& robot) const {
-  if (link::as<link::VersionMismatch>(report.event) != nullptr)
-    throw UserError(path_ + ": " + version_mismatch(report.hello));
-  if (link::as<link::Unanswered>(report.event) != nullptr ||
+  const bool mismatch = link::as<link::VersionMismatch>(report.event) != nullptr;
+  if (mismatch || link::as<link::Unanswered>(report.event) != nullptr ||
       link::as<link::BadHello>(report.event) != nullptr) {
     const messages::Event event = describe_event(report).front();
-    throw UserError(path_ + ": " + event.cause + "; " + event.fix);
+    throw UserError(path_ + ": " + (mismatch ? event.text + ": " : "") + event.cause + "; " +
+                    event.fix);
   }
   const link::Acknowledged* answer = link::as<link::Acknowledged>(report.event);
   if (answer != nullptr && answer->request == wire::Type::kParameters &&
@@ -80,7 +80,7 @@ void Connector::require_usable(const SessionReport& report, const std::string& r
 void Connector::take_back(const loop::LostPort& lost, HostNs now) {
   if (!port_.is_open() || lost.id != id_) return;
   port_.close();
-  if (settings_.handover != nullptr && settings_.handover->give(path_)) {
+  if (settings_.handover.give(path_)) {
     next_try_ns_ = now;
     return say_once(path_ + ": handed over to the check of the tracks");
   }

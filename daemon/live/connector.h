@@ -7,7 +7,6 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <vector>
 
 #include "core/link_state.h"
 #include "core/time.h"
@@ -24,8 +23,8 @@ struct ConnectorSettings {
   std::string port = "auto";
   link::PortOptions options{};
   bool wait = false;  ///< keep trying before the first hello, too
-  /// Through which a check may ask for the port; null: none. Must outlive the connector.
-  selftest::PortHandover* handover = nullptr;
+  /// Through which a check may ask for the port. Must outlive the connector.
+  selftest::PortHandover& handover;
 };
 
 class Connector {
@@ -61,7 +60,7 @@ class Connector {
   void try_open(HostNs now);
   link::Port open_next();
   link::AutoChoice choose() const;
-  bool handed_over() const { return settings_.handover != nullptr && settings_.handover->given(); }
+  bool handed_over() const { return settings_.handover.given(); }
   void say_once(const std::string& line);
 
   ConnectorSettings settings_;

@@ -1,6 +1,5 @@
 #include "live/daemon.h"
 
-#include <algorithm>
 #include <cstdlib>
 // Asio 1.74 uses std::exchange without including it.
 #include <boost/asio/io_context.hpp>
@@ -17,21 +16,24 @@
 #include "live/connector.h"
 #include "live/daemon_parts.h"
 #include "live/event_log.h"
+#include "live/external_inputs.h"
 #include "live/link_monitor.h"
 #include "live/live_events.h"
 #include "live/outcome.h"
-#include "live/recording_policies.h"
 #include "live/service_notice.h"
 #include "live/stats_file.h"
 #include "live/terminal.h"
-#include "live/udp_ports.h"
-#include "live/world_link.h"
 
 namespace tp100::live {
 namespace {
 namespace asio = boost::asio;
 
+using Clock = std::chrono::steady_clock;
+
 constexpr std::chrono::milliseconds kTick{10}, kWorldTick{2};  // poses go to a world at a tick
+// For disks, after the loop's end; the unit's TimeoutStopSec is longer.
+constexpr std::chrono::seconds kLastWait{5};
+constexpr std::chrono::milliseconds kLastLook{100};
 constexpr HostNs kStatsPeriodNs = kNsPerS;
 
 class Daemon {
@@ -43,9 +45,7 @@ class Daemon {
   void discard() { parts_.recording.discard(); }
 
  private:
-  ConnectorSettings connector_settings();
   void tick();
-  void schedule_tick();
   void take_events();
   void take_status(HostNs now);
   void take_records();
@@ -54,9 +54,7 @@ class Daemon {
   void on_session_state(SessionState state);
   void on_session(const SessionReport& report);
   void on_run_state(const RunChange& change);
-  void begin_serving();
   void notify_manager();
-  void serve(const SessionReport& report);
   void end();
   void take_figures();
   void await_signals();
@@ -82,7 +80,6 @@ class Daemon {
   asio::signal_set signals_{context_};
   DaemonFigures figures_;
   std::optional<Terminal> terminal_;  // from the loop's start on
-  std::vector<loop::Privilege> privileges_;
   Outcome outcome_{options_.go, options_.stay};
   SessionState session_ = SessionState::kClosed;
   HostNs began_ns_ = 0;
@@ -92,7 +89,12 @@ class Daemon {
 Daemon::Daemon(const config::LoadedRun& run, const DaemonOptions& options)
     : parts_(run, options),
       options_(options),
-      connector_(connector_settings(), parts_.loop,
+      connector_({.port = parts_.configuration.link.port,
+                  .options = {.baud = parts_.configuration.link.baud,
+                              .hang_up = parts_.configuration.link.hang_up},
+                  .wait = options.wait,
+                  .handover = parts_.self_test.wheels_up().handover()},
+                 parts_.loop,
                  [this](const std::string& line) {
                    log_.info(line);
                    parts_.controls.note_port(line);
@@ -120,29 +122,26 @@ Daemon::Daemon(const config::LoadedRun& run, const DaemonOptions& options)
   if (!configuration.record.directory.empty() && !options.stay) parts_.recording.begin();
 }
 
-ConnectorSettings Daemon::connector_settings() {
-  const auto& link = parts_.configuration.link;
-  return {.port = link.port,
-          .options = {.baud = link.baud, .hang_up = link.hang_up},
-          .wait = options_.wait,
-          .handover = &parts_.self_test.wheels_up().handover()};
-}
-
 int Daemon::run() {
-  privileges_ = parts_.process.privileges();
+  std::vector<loop::Privilege> privileges = parts_.process.privileges();
   began_ns_ = monotonic_now();
   await_signals();
   parts_.loop.start();
-  privileges_.insert(privileges_.end(), parts_.loop.privileges().begin(),
-                     parts_.loop.privileges().end());
+  privileges.insert(privileges.end(), parts_.loop.privileges().begin(),
+                    parts_.loop.privileges().end());
   const auto say = [this](const std::string& line, bool warning) { log_.say(line, warning); };
   const auto pressed = [this] { parts_.server.stop_pressed("keyboard"); };
   terminal_.emplace(&context_,
                     Terminal::Reach{parts_.controls, say, pressed, [this] { return course(); }});
   try {
     tick();
-    log_.privileges(privileges_);
-    begin_serving();
+    log_.privileges(privileges);
+    parts_.controls.set_privileges(privileges);
+    parts_.server.start();
+    if (!parts_.server.note().empty()) log_.warn(parts_.server.note());
+    if (!figures_.page.empty()) log_.info("page: " + figures_.page);
+    if (const std::string why = notice_.ready(); !why.empty()) log_.warn(why);
+    notify_manager();
     context_.run();
   } catch (...) {
     // The port must outlive the loop that uses it.
@@ -178,7 +177,16 @@ void Daemon::await_signals() {
 
 // The robot is disarmed: now waiting for disks is allowed, for a limited time.
 void Daemon::finish_files() {
-  LastWait wait(notice_, parts_.loop.statistics().cycles.load());
+  // Each look is short, so that the watchdog is fed between them.
+  std::uint64_t cycles = parts_.loop.statistics().cycles.load();
+  const auto deadline = Clock::now() + kLastWait;
+  const auto wait = [&](const auto& done_by) {
+    for (auto now = Clock::now(); !done_by(now + kLastLook); now = Clock::now()) {
+      if (now >= deadline) return false;
+      notice_.alive(++cycles, monotonic_now());
+    }
+    return true;
+  };
   // The recording must include the last messages.
   parts_.server.flush();
   parts_.black_box.finish();
@@ -207,20 +215,11 @@ void Daemon::finish_files() {
   std::_Exit(outcome_.status());
 }
 
-void Daemon::begin_serving() {
-  parts_.controls.set_privileges(privileges_);
-  parts_.server.start();
-  if (!parts_.server.note().empty()) log_.warn(parts_.server.note());
-  if (!figures_.page.empty()) log_.info("page: " + figures_.page);
-  if (const std::string why = notice_.ready(); !why.empty()) log_.warn(why);
-  notify_manager();
-}
-
 void Daemon::notify_manager() {
   notice_.status(state_line(session_, outcome_.run(), course(), figures_.page));
 }
 
-void Daemon::serve(const SessionReport& report) {
+void Daemon::on_session(const SessionReport& report) {
   if (acknowledges_stop(report.event)) parts_.server.stop_answered(report.event.at_ns);
   const bool identified = report.hello.boot_nonce != 0;
   const bool emulator = identified && is_emulator(connector_.pseudo_terminal(), report.hello.board);
@@ -229,14 +228,8 @@ void Daemon::serve(const SessionReport& report) {
                              .go = options_.go,
                              .service = !service_.socket.empty(),
                              .ran_before = options_.ran_before});
-}
-
-void Daemon::schedule_tick() {
-  const bool udp_world = world_run_.parameters.kind == bridge::WorldKind::kUdp;
-  timer_.expires_after(udp_world ? kWorldTick : kTick);
-  timer_.async_wait([this](const boost::system::error_code& error) {
-    if (!error) tick();
-  });
+  if (const auto* changed = link::as<link::StateChanged>(report.event))
+    on_session_state(changed->to);
 }
 
 void Daemon::tick() {
@@ -264,7 +257,11 @@ void Daemon::tick() {
     figures_.duration_s = to_s(now - began_ns_);
     take_figures();
   }
-  schedule_tick();
+  const bool udp_world = world_run_.parameters.kind == bridge::WorldKind::kUdp;
+  timer_.expires_after(udp_world ? kWorldTick : kTick);
+  timer_.async_wait([this](const boost::system::error_code& error) {
+    if (!error) tick();
+  });
 }
 
 void Daemon::take_events() {
@@ -284,12 +281,6 @@ void Daemon::take_events() {
     if (change != nullptr) on_run_state(*change);
     if (std::holds_alternative<RequestDropped>(event)) terminal_->ask(monotonic_now());
   }
-}
-
-void Daemon::on_session(const SessionReport& report) {
-  serve(report);
-  if (const auto* changed = link::as<link::StateChanged>(report.event))
-    on_session_state(changed->to);
 }
 
 void Daemon::take_status(HostNs now) {
@@ -348,10 +339,7 @@ void Daemon::end() {
 }
 
 void Daemon::take_figures() {
-  const auto run = parts_.setup.run();
-  figures_.course = run->course();
-  figures_.robot = run->loaded.setup.robot.name;
-  figures_.setup = bridge::to_string(run->loaded.setup.parameters.setup);
+  figures_.run = parts_.setup.run();
   figures_.result = outcome_.result();
   figures_.faults = outcome_.faults();
   if (camera_) figures_.camera = camera_->figures();

@@ -8,7 +8,7 @@
 #include "config/setup_files.h"
 #include "core/clock.h"
 #include "core/error.h"
-#include "live/file_services.h"
+#include "live/services.h"
 #include "server/local_daemons.h"
 #include "text/temporary.h"
 #include "web/bundle.h"

@@ -12,7 +12,6 @@
 #include "live/live_controls.h"
 #include "live/live_cycle.h"
 #include "live/live_recording.h"
-#include "live/recording_policies.h"
 #include "live/ros2_node.h"
 #include "live/setup_changer.h"
 #include "loop/fixed_rate_loop.h"

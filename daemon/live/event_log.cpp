@@ -7,6 +7,7 @@
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <thread>
@@ -26,6 +27,9 @@ constexpr HostNs kStatusLinePeriodNs = 10 * kNsPerS;
 constexpr HostNs kRefusalNs = kNsPerS;
 constexpr std::size_t kWaiting = 1024;
 constexpr auto kFlushTimeout = 1000ms, kLook = 5ms;
+
+// By messages::Event::Level.
+constexpr std::array kLevels = {spdlog::level::info, spdlog::level::warn, spdlog::level::err};
 
 /// A sink that knows whether it waits for its reader.
 template <class Sink>
@@ -99,16 +103,10 @@ void EventLog::tick(HostNs now) {
     lost_ = lost;
   }
   if (now - burst_began_ns_ <= kNsPerS) return;
-  if (folded_ > 0) writer_->logger->warn("{} more events within a second are not shown", folded_);
+  if (burst_ > kBurst)
+    writer_->logger->warn("{} more events within a second are not shown", burst_ - kBurst);
   burst_began_ns_ = now;
   burst_ = 0;
-  folded_ = 0;
-}
-
-bool EventLog::allow() {
-  if (++burst_ <= kBurst) return true;
-  ++folded_;
-  return false;
 }
 
 void EventLog::event(const LiveEvent& event, const std::vector<messages::Event>& described) {
@@ -117,7 +115,7 @@ void EventLog::event(const LiveEvent& event, const std::vector<messages::Event>&
     const bool silent = link::as<link::Silence>(report->event) != nullptr;
     const bool reported = std::exchange(silence_reported_, silent);
     tick(report->event.at_ns);
-    if ((silent && reported) || !allow()) return;
+    if ((silent && reported) || ++burst_ > kBurst) return;
   }
   write(described);
 }
@@ -126,17 +124,7 @@ void EventLog::write(const std::vector<messages::Event>& all) {
   for (const messages::Event& one : all) {
     const std::string line = one.text + (one.cause.empty() ? "" : ": " + one.cause) +
                              (one.fix.empty() ? "" : "; " + one.fix);
-    switch (one.level) {
-      case messages::Event::Level::kInfo:
-        writer_->logger->info("{}", line);
-        break;
-      case messages::Event::Level::kWarning:
-        writer_->logger->warn("{}", line);
-        break;
-      case messages::Event::Level::kError:
-        writer_->logger->error("{}", line);
-        break;
-    }
+    writer_->logger->log(kLevels.at(static_cast<std::size_t>(one.level)), "{}", line);
   }
 }
 
@@ -149,13 +137,8 @@ void EventLog::recording(const messages::RecordingFigures& before,
 }
 
 void EventLog::privileges(const std::vector<loop::Privilege>& privileges) {
-  for (const loop::Privilege& privilege : privileges) {
-    if (privilege.granted) {
-      writer_->logger->info("real time: {}", privilege.what);
-    } else {
-      writer_->logger->info("real time: no {}; {}", privilege.what, privilege.fix);
-    }
-  }
+  for (const auto& [what, granted, fix] : privileges)
+    info("real time: " + (granted ? what : "no " + what + "; " + fix));
 }
 
 // Without a course or during a run a start is not expected, and a missing robot is logged

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "live/live_cycle.h"
-#include "live/live_events.h"
 #include "loop/real_time.h"
 #include "messages/figures.h"
+#include "messages/messages.h"
 
 namespace tp100::live {
 
@@ -30,11 +30,9 @@ class EventLog {
   /// `described`: the event as describe_event() describes it, one line each. Bursts are folded into
   /// a count.
   void event(const LiveEvent& event, const std::vector<messages::Event>& described);
-  /// Logs one line each.
   void write(const std::vector<messages::Event>& all);
   /// Logs a recording that began, and what it lost.
   void recording(const messages::RecordingFigures& before, const messages::RecordingFigures& now);
-  /// Logs which privileges the real-time thread requested and got.
   void privileges(const std::vector<loop::Privilege>& privileges);
   /// Logs the line of figures every ten seconds, and why a start has been impossible for over a
   /// second.
@@ -46,7 +44,6 @@ class EventLog {
 
  private:
   struct Writer;
-  bool allow();
   void refusal(StartRefusal refusal, HostNs now);
 
   std::unique_ptr<Writer> writer_;
@@ -58,7 +55,7 @@ class EventLog {
   StartRefusal refusal_ = StartRefusal::kNone;
   HostNs refusal_since_ns_ = 0;
   bool refusal_reported_ = false;
-  std::uint64_t folded_ = 0, lost_ = 0;
+  std::uint64_t lost_ = 0;
 };
 
 }  // namespace tp100::live

@@ -1,5 +1,3 @@
-#include "live/file_services.h"
-
 #include <algorithm>
 #include <filesystem>
 #include <functional>
@@ -9,7 +7,8 @@
 
 #include "config/parameter_file.h"
 #include "core/error.h"
-#include "live/setup_list.h"
+#include "live/services.h"
+#include "live/setup_changer.h"
 #include "text/atomic_file.h"
 #include "text/file_name.h"
 #include "text/json_writer.h"
@@ -44,7 +43,7 @@ Result<UserFile> read_file(const Arguments& given) {
 }
 
 std::string check_file(const SetupChanger& changer, const UserFile& file) {
-  return checked_file(changer.run()->loaded, file.kind, {file.name + ".toml", file.text});
+  return checked_file(changer.run()->loaded, file.kind, {file.name + ".toml", file.text}).json;
 }
 
 std::string save_file(const SetupChanger& changer, const UserFile& file) {
@@ -65,22 +64,6 @@ bool is_file(const std::string& path) {
   return fs::is_regular_file(path, error);
 }
 
-/// Throws UserError if a daemon that was started with this configuration alone could not find its
-/// files, or if these do not fit together.
-void require_start(const course::TextFile& configuration) {
-  const config::Configuration read =
-      config::parse_configuration(configuration.text, configuration.path);
-  const std::string library = config::library_folder(read.library);
-  config::RunFiles files{.configuration = configuration,
-                         .robot = config::read_setup_file(Bundled::kRobots, read.robot, library),
-                         .course = {},
-                         .setup = read.parameters.setup,
-                         .world = read.parameters.world.kind};
-  if (!read.course.empty())
-    files.course = config::read_setup_file(Bundled::kCourses, read.course, library);
-  require_fit(config::parse_run(files));
-}
-
 /// Unless `check` or nothing differs, calls `write`, which replaces the configuration file by
 /// `next`. Returns the answer.
 std::string replaced(const course::TextFile& now, const std::string& next, bool check,
@@ -88,7 +71,8 @@ std::string replaced(const course::TextFile& now, const std::string& next, bool 
   const auto differences = config::parameter_differences(now, {now.path, next});
   for (const config::ParameterDifference& each : differences)
     if (each.name == "robot" || each.name == "course" || each.name == "setup") {
-      require_start({now.path, next});
+      // A daemon that is started with this configuration alone must find its files.
+      config::require_fit(config::parse_run(config::named_files({now.path, next})));
       break;
     }
   const bool written = !check && next != now.text;
@@ -115,33 +99,26 @@ course::TextFile configuration_file(const SetupChanger& changer) {
 
 /// Why a viewer may not save that value; its type is taken from the parameter.
 Result<messages::ParameterValue> read_value(const messages::ParameterText& parameter,
-                                            const server::RequestField& given) {
+                                            const server::NamedValue& given) {
   const std::string& name = parameter.name;
   if (!parameter.may_save)
     return Refusal{name + (name.starts_with("robot.")
                                ? " is a value of the robot's file; change it there"
                                : " cannot be saved by viewers; set it in the file")};
-  messages::ParameterValue value;
-  if (const auto* number = std::get_if<double>(&given.value)) {
-    value = *number;
-  } else if (const auto* flag = std::get_if<bool>(&given.value)) {
-    value = *flag;
-  } else if (const auto* words = std::get_if<std::string>(&given.value)) {
-    value = *words;
-    const bool is_name = parameter.type == messages::ParameterText::Type::kText;
-    if (is_name && !words->empty() && !text::is_found_name(*words))
-      return Refusal{name + ": " + text::kFoundNameRule};
-  } else {
-    return Refusal{name + " takes no value of that type"};
-  }
-  if (std::string why = messages::why_not(parameter, value); !why.empty()) return Refusal{why};
-  return value;
+  if (!given.value) return Refusal{name + " takes no value of that type"};
+  const auto* words = std::get_if<std::string>(&*given.value);
+  if (words != nullptr && parameter.type == messages::ParameterText::Type::kText &&
+      !words->empty() && !text::is_found_name(*words))
+    return Refusal{name + ": " + text::kFoundNameRule};
+  if (std::string why = messages::why_not(parameter, *given.value); !why.empty())
+    return Refusal{why};
+  return *given.value;
 }
 
 Result<config::ParameterValues> read_values(const std::vector<messages::ParameterText>& known,
                                             const Request& request, bool check) {
   config::ParameterValues values;
-  for (const server::RequestField& field : request.arguments.fields()) {
+  for (const server::NamedValue& field : request.arguments.fields()) {
     if (field.name == "check") continue;
     const auto found = std::ranges::find(known, field.name, &messages::ParameterText::name);
     if (found == known.end()) return server::no_such("parameter", field.name);
@@ -200,22 +177,15 @@ std::vector<server::ServiceRow> file_services(SetupChanger& changer) {
   constexpr const char* kChecked =
       R"({"error":"","line":1,"column":1,"why_not":"","length_m":1.5,"duration_s":1.5,)"
       R"("course":{}})";
-  return {{Service::kFileSave, "file_save", kNew, kName, on_disk(save_file)},
-          {Service::kFileDelete, "file_delete", kFile, kName, on_disk(delete_file)},
-          {Service::kFileCheck, "file_check", kDraft, kChecked, on_disk(check_file)}};
-}
-
-std::vector<server::ServiceRow> parameter_services(SetupChanger& changer) {
-  const auto save = [&changer](const Request& request, const Answer& answer) {
-    return save_parameters(changer, request, answer);
-  };
-  const auto restore = [&changer](const Request& request, const Answer& answer) {
-    return restore_parameters(changer, request, answer);
-  };
   constexpr const char* kCheck = R"({"check":true})";
   constexpr const char* kSaved = R"({"file":"","written":true,"may_restore":true,)"
                                  R"("differences":[{"name":"","before":"","after":""}]})";
+  const auto save = std::bind_front(save_parameters, std::ref(changer));
+  const auto restore = std::bind_front(restore_parameters, std::ref(changer));
   return {
+      {Service::kFileSave, "file_save", kNew, kName, on_disk(save_file)},
+      {Service::kFileDelete, "file_delete", kFile, kName, on_disk(delete_file)},
+      {Service::kFileCheck, "file_check", kDraft, kChecked, on_disk(check_file)},
       {Service::kParametersSave, "parameters_save", kCheck, kSaved, save, {.more_arguments = true}},
       {Service::kParametersRestore, "parameters_restore", kCheck, kSaved, restore}};
 }

@@ -153,7 +153,7 @@ std::vector<Event> LinkMonitor::drain_events() {
     Tally& tally = tallies_[i];
     const Text& text = text_of(i);
     if (tally.now < tally.reported + text.least) continue;
-    if (tally.has_reported && now_ns_ - tally.reported_ns < kQuietNs) continue;
+    if (now_ns_ - tally.reported_ns < kQuietNs) continue;
     const std::uint64_t fresh = tally.now - tally.reported, poses = camera_poses_ - reported_of_;
     const double share = static_cast<double>(fresh) / static_cast<double>(std::max(poses, fresh));
     if (i == kCameraRejected && (poses < kFewestPoses || share < kUsualShare)) continue;
@@ -171,7 +171,6 @@ std::vector<Event> LinkMonitor::drain_events() {
                    .fix = text.fix});
     tally.reported = tally.now;
     tally.reported_ns = now_ns_;
-    tally.has_reported = true;
     if (i == kLate) oldest_us_ = 0;
     if (i == kStoodStill) longest_ms_ = 0;
     if (i == kCameraRejected) reported_of_ = camera_poses_;

@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "link/camera_intake.h"
@@ -48,10 +47,9 @@ class LinkMonitor : public messages::Sink {
   };
   /// Count of one kind of trouble, and how much of it was reported.
   struct Tally {
-    std::uint64_t now = 0;       ///< count so far
-    std::uint64_t reported = 0;  ///< count at the last report
-    HostNs reported_ns = 0;      ///< time of the last report
-    bool has_reported = false;   ///< there was a report
+    std::uint64_t now = 0;           ///< count so far
+    std::uint64_t reported = 0;      ///< count at the last report
+    HostNs reported_ns = -kQuietNs;  ///< time of the last report
   };
   struct Text;
   static const Text& text_of(std::size_t kind);

@@ -6,9 +6,7 @@
 
 #include "core/board.h"
 #include "core/clock.h"
-#include "live/file_services.h"
-#include "live/live_events.h"
-#include "live/run_services.h"
+#include "live/services.h"
 
 namespace tp100::live {
 namespace {
@@ -28,8 +26,7 @@ Result<> unless_busy(bool passed_on) {
 
 std::vector<server::ServiceRow> LiveControls::services() {
   std::vector<server::ServiceRow> all = self_test_.services();
-  for (auto rows : {recording_.services(), file_services(setup_), parameter_services(setup_),
-                    run_services(runs_)})
+  for (auto rows : {recording_.services(), file_services(setup_), run_services(runs_)})
     std::ranges::move(rows, std::back_inserter(all));
   const auto begin = [this](const server::Request& request) { return begin_wheels_up(request); };
   all.push_back({server::Service::kWheelsUpBegin,
@@ -217,12 +214,9 @@ void LiveControls::set_start(const StartFacts& facts) {
 }
 
 bool LiveControls::start_by_itself(bool came_later, HostNs program_start_ns, HostNs now) {
-  const bool emulator = [this] {
-    const std::lock_guard lock(mutex_);
-    return start_.emulator;
-  }();
-  const Result<> moves = move(OperatorRequest::kStart,
-                              option_consent(emulator, came_later, program_start_ns, now), now);
+  // This thread alone writes start_.
+  const Consent consent = option_consent(start_.emulator, came_later, program_start_ns, now);
+  const Result<> moves = move(OperatorRequest::kStart, consent, now);
   if (moves) return true;
   events_.post({.at_ns = now,
                 .kind = "run",
@@ -237,7 +231,7 @@ bool LiveControls::start_by_itself(bool came_later, HostNs program_start_ns, Hos
 StartConsent LiveControls::start_consent() {
   const std::lock_guard lock(mutex_);
   StartFacts facts = start_;
-  facts.has_run = cycle_.has_run();
+  facts.has_run = cycle_.consents().ran();
   return tp100::start_consent(facts);
 }
 

@@ -90,8 +90,6 @@ class LiveCycle : public loop::LoopClient {
   /// count when the step takes the request, and until the robot is armed; otherwise it is dropped,
   /// which is an event. False: too many requests are waiting.
   bool request(OperatorRequest request, const Consent& consent = kNobody);
-  /// Whether a run has begun or STOP was pressed. Any thread.
-  bool has_run() const { return consents_.ran(); }
   /// Any thread but the real-time one. False: too many changes are waiting.
   bool change(const ParameterChange& change);
   /// Any thread but the real-time one. False: too many inputs are waiting.

@@ -245,10 +245,6 @@ std::string state_line(SessionState session, RunState run, const std::string& co
   return line;
 }
 
-std::string version_mismatch(const wire::Hello& hello) {
-  return "wrong version: " + versions(hello) + "; flash the board with " + flash_command();
-}
-
 std::string fault_names(FaultMask faults) {
   std::string names;
   each_fault(faults, [&](Fault fault) {

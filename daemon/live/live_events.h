@@ -19,9 +19,6 @@ bool acknowledges_stop(const link::SessionEvent& event);
 std::string state_line(SessionState session, RunState run, const std::string& course,
                        const std::string& page);
 
-/// The robot's and the daemon's versions and what to do, for a hello of another version.
-std::string version_mismatch(const wire::Hello& hello);
-
 /// Names of the faults in a mask, separated by commas; "none" if it is empty.
 std::string fault_names(FaultMask faults);
 

@@ -5,12 +5,14 @@
 #include <future>
 #include <utility>
 
+#include "config/setup_files.h"
 #include "core/clock.h"
 #include "core/error.h"
 #include "record/recording_file.h"
 #include "runs/run_folder.h"
 #include "text/atomic_file.h"
 #include "text/file_name.h"
+#include "text/format.h"
 #include "text/json_writer.h"
 #include "text/standard_streams.h"
 
@@ -29,6 +31,13 @@ bool is_event_channel(Channel channel) {
   return channel == Channel::kEvent || channel == Channel::kLog || channel == Channel::kCameraImage;
 }
 
+/// Whether messages of that channel are recorded when they are published, because they cannot be
+/// derived from the steps.
+bool is_recorded(Channel channel) {
+  return is_event_channel(channel) || channel == Channel::kLink || channel == Channel::kLoop ||
+         channel == Channel::kState || channel == Channel::kParameter;
+}
+
 /// What was deleted, in one line; empty: nothing.
 std::string describe_freed(const runs::FreedSpace& freed) {
   std::string text;
@@ -39,6 +48,19 @@ std::string describe_freed(const runs::FreedSpace& freed) {
   if (!freed.why_not.empty()) text += (text.empty() ? "" : "; ") + freed.why_not;
   return text;
 }
+
+/// Deletes a run's folder, unless it has a note or its recording is open.
+void forget(const fs::path& run) {
+  std::error_code error;
+  if (fs::exists(run / runs::kRunNoteFile, error)) return;
+  try {
+    runs::delete_run(run.parent_path(), run.filename());
+  } catch (const UserError&) {
+    return;
+  }
+}
+
+void ignore(const std::string&) {}
 
 record::RecorderSettings recorder_settings(const config::Configuration& configuration) {
   const config::RecordSettings& settings = configuration.record;
@@ -59,15 +81,7 @@ record::RecorderSettings recorder_settings(const config::Configuration& configur
 std::string black_box_directory(const config::RecordSettings& settings) {
   if (!settings.black_box_directory.empty()) return settings.black_box_directory;
   if (!settings.directory.empty()) return settings.directory;
-  if (const std::string state = text::environment_variable("XDG_STATE_HOME"); !state.empty())
-    return state + "/tp100";
-  const std::string home = text::environment_variable("HOME");
-  return home.empty() ? home : home + "/.local/state/tp100";
-}
-
-bool is_recorded(Channel channel) {
-  return is_event_channel(channel) || channel == Channel::kLink || channel == Channel::kLoop ||
-         channel == Channel::kState || channel == Channel::kParameter;
+  return config::user_folder("XDG_STATE_HOME", "/.local/state");
 }
 
 LiveRecording::LiveRecording(std::shared_ptr<const ActiveRun> run,
@@ -88,7 +102,7 @@ void LiveRecording::exchange(const Exchange& exchange, bool continues) {
     exchanged_ns_ = exchange.at_ns;
     std::erase_if(last_, [&](const auto& each) { return each.second.at_ns < exchanged_ns_; });
   }
-  if (recorded && continues) start({}, [](const std::string&) {});
+  if (recorded && continues) start({}, ignore);
 }
 
 record::Recorder::Make LiveRecording::make(const std::string& directory, const std::string& name,
@@ -178,20 +192,10 @@ std::uint64_t LiveRecording::start_black_box(const std::string& fault, HostNs no
       ended);
 }
 
-void LiveRecording::stop(std::uint64_t number, Answer answer) {
-  recorder_.ask_end(number, std::move(answer));
-}
-
-std::uint64_t LiveRecording::number() const { return recorder_.number(); }
-
 void LiveRecording::begin() {
   const auto answered = std::make_shared<std::promise<std::string>>();
   start({}, [answered](const std::string& why) { answered->set_value(why); });
   if (const std::string why = answered->get_future().get(); !why.empty()) throw UserError(why);
-}
-
-bool LiveRecording::finish(std::chrono::steady_clock::time_point deadline) {
-  return recorder_.end(deadline);
 }
 
 void LiveRecording::discard() {
@@ -212,10 +216,6 @@ messages::RecordingFigures LiveRecording::figures() const {
           .warning = status.warning};
 }
 
-double LiveRecording::cpu_s() const { return recorder_.status().cpu_s; }
-
-void LiveRecording::take(const StepRecord& record) { recorder_.take(record); }
-
 void LiveRecording::on_message(messages::Channel channel, std::uint64_t unix_ns,
                                std::string_view json) {
   if (!is_recorded(channel)) return;
@@ -226,6 +226,71 @@ void LiveRecording::on_message(messages::Channel channel, std::uint64_t unix_ns,
     last_[channel] = {at, std::string(json)};
   }
   recorder_.message(channel, at, json);
+}
+
+// By number, because a viewer may have ended it and begun another.
+void RunRecordings::end() {
+  if (own_ != 0) recording_.stop(own_, ignore);
+  own_ = 0;
+}
+
+void RunRecordings::on_run_state(RunState to, HostNs now) {
+  if (!on_) return;
+  if (to != RunState::kArming) {
+    if (!armed(to) && own_ != 0) end_ns_ = now + kTailNs;
+    return;
+  }
+  end_ns_.reset();
+  end();
+  if (recording_.number() != 0) return;
+  own_ = recording_.start("", [&events = events_](const std::string& why) {
+    if (!why.empty()) events.note("this run is not recorded: " + why);
+  });
+}
+
+void RunRecordings::tick(HostNs now) {
+  if (!end_ns_ || now < *end_ns_) return;
+  end_ns_.reset();
+  end();
+}
+
+BlackBox::BlackBox(const config::RecordSettings& settings, LiveRecording& recording,
+                   messages::EventQueue& events)
+    : on_(settings.black_box_s > 0.0),
+      recording_(recording),
+      written_(std::make_shared<Written>(Written{.events = events, .files = {}})) {}
+
+void BlackBox::take(const StepRecord& record) {
+  if (!on_) return;
+  const FaultMask faults = record.snapshot.faults;
+  const std::optional<Fault> fault = first_fault(faults & ~known_);
+  known_ = faults;
+  if (fault && own_ == 0 && recording_.number() == 0) {
+    const std::string name(describe(*fault).name);
+    end_ns_ = record.now_ns + kTailNs;
+    own_ = recording_.start_black_box(
+        name, record.now_ns, [written = written_, name](const record::RecordingStatus& status) {
+          written->add(name, status);
+        });
+  }
+  if (own_ != 0 && record.now_ns >= end_ns_) finish();
+}
+
+void BlackBox::finish() {
+  if (own_ != 0) recording_.stop(std::exchange(own_, 0), ignore);
+}
+
+void BlackBox::Written::add(const std::string& fault, const record::RecordingStatus& status) {
+  if (status.path.empty())
+    return events.note("black box of " + fault + " is not written: " + status.warning);
+  files.push_back(status.path);
+  if (files.size() > kMaxFiles) {
+    forget(fs::path(files.front()).parent_path());
+    files.pop_front();
+  }
+  events.note(text::format("black box: %.1f s around ", to_s(status.last_ns - status.first_ns)) +
+              fault + " are in " + status.path +
+              (status.warning.empty() ? "" : "; " + status.warning));
 }
 
 }  // namespace tp100::live

@@ -3,13 +3,19 @@
 // around a fault. Each can be replayed, whenever it began (record/recorder.h).
 
 #include <chrono>
+#include <deque>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "core/faults.h"
+#include "core/run_state.h"
+#include "core/step_record.h"
 #include "live/active_run.h"
 #include "messages/event_queue.h"
 #include "messages/figures.h"
@@ -44,7 +50,7 @@ class LiveRecording : public messages::Sink {
   /// Returns its number; 0: refused, and the answer tells why.
   std::uint64_t start(const std::string& name, const Answer& answer);
   /// Ends recording `number`, or the current one if that is 0.
-  void stop(std::uint64_t number, Answer answer);
+  void stop(std::uint64_t number, Answer answer) { recorder_.ask_end(number, std::move(answer)); }
   /// Begins a recording in black_box_directory() that looks back, so that it is record.black_box_s
   /// long after another kTailNs. It ends when another recording begins. Older black boxes without a
   /// note are deleted first, beyond record.quota_mb or, without it, 500 MB. `ended`: see
@@ -52,10 +58,10 @@ class LiveRecording : public messages::Sink {
   std::uint64_t start_black_box(const std::string& fault, HostNs now,
                                 const record::Recorder::Ended& ended);
   /// Number of the recording that is running or requested, except of black boxes; 0: none.
-  std::uint64_t number() const;
+  std::uint64_t number() const { return recorder_.number(); }
   messages::RecordingFigures figures() const;
   /// CPU time used by recordings [s].
-  double cpu_s() const;
+  double cpu_s() const { return recorder_.status().cpu_s; }
   /// Takes a message of a channel (server::Listener) and records it if it cannot be derived from
   /// the steps.
   void on_message(messages::Channel channel, std::uint64_t unix_ns, std::string_view json);
@@ -64,13 +70,13 @@ class LiveRecording : public messages::Sink {
   /// A running recording ends here; `continues`: and another one begins. Later ones contain the
   /// files of the run in force then.
   void exchange(const Exchange& exchange, bool continues);
-  void take(const StepRecord& record) override;
+  void take(const StepRecord& record) override { recorder_.take(record); }
 
   // These wait for the disk:
   /// Like start(). Throws UserError.
   void begin();
   /// Ends the recording and waits until it is written; false: `deadline` passed first.
-  bool finish(std::chrono::steady_clock::time_point deadline);
+  bool finish(std::chrono::steady_clock::time_point deadline) { return recorder_.end(deadline); }
   /// Removes the recording of a run that never began.
   void discard();
 
@@ -95,8 +101,62 @@ class LiveRecording : public messages::Sink {
   record::Recorder recorder_;
 };
 
-/// Whether messages of that channel are recorded when they are published, because they cannot be
-/// derived from the steps.
-bool is_recorded(messages::Channel channel);
+/// Records each run of a bridge that stays on, but not the time between two runs.
+class RunRecordings {
+ public:
+  /// `recording` must outlive this, and `events`, which hear of a recording that could not begin,
+  /// the recording. Off: recordings are controlled elsewhere.
+  RunRecordings(LiveRecording& recording, messages::EventQueue& events, bool on)
+      : recording_(recording), events_(events), on_(on) {}
+
+  /// Takes a change of the run state. A recording begins with the arming, unless one is already
+  /// running.
+  void on_run_state(RunState to, HostNs now);
+  /// Ends its recording one second after the run, so that the end is included. Call it regularly.
+  void tick(HostNs now);
+
+ private:
+  void end();
+
+  LiveRecording& recording_;
+  messages::EventQueue& events_;
+  bool on_;
+  std::uint64_t own_ = 0;  ///< the recording begun here; 0: none
+  std::optional<HostNs> end_ns_{};
+};
+
+/// Records record.black_box_s around a fault that occurs while nothing is recorded; the last second
+/// of them follows the fault.
+class BlackBox : public messages::Sink {
+ public:
+  /// Most files that one run of the program keeps. The newest replaces the oldest, so that a fault
+  /// that recurs does not fill the disk.
+  static constexpr std::size_t kMaxFiles = 20;
+
+  /// `recording` must outlive this, and `events`, which hear of each file, the recording.
+  BlackBox(const config::RecordSettings& settings, LiveRecording& recording,
+           messages::EventQueue& events);
+
+  // Called by the thread that drains the steps, after `recording` has taken the step. Never waits
+  // for the disk.
+  void take(const StepRecord& record) override;
+  /// The program is ending: a black box whose second is not over ends here.
+  void finish();
+
+ private:
+  struct Written {
+    void add(const std::string& fault, const record::RecordingStatus& status);
+
+    messages::EventQueue& events;
+    std::deque<std::string> files;  // of this run, oldest first; the recorder's thread only
+  };
+
+  bool on_;
+  LiveRecording& recording_;
+  FaultMask known_ = 0;    // faults of the newest step
+  std::uint64_t own_ = 0;  // the recording begun here; 0: none
+  HostNs end_ns_ = 0;      // when that ends
+  std::shared_ptr<Written> written_;
+};
 
 }  // namespace tp100::live

@@ -1,10 +1,9 @@
-#include "live/ros2_requests.h"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "core/arithmetic.h"
+#include "live/ros2_node.h"
 #include "text/format.h"
 
 namespace tp100::live {
@@ -119,34 +118,32 @@ Ros2Requests::Writer& Ros2Requests::writer_of(std::uint64_t id) {
 }
 
 void Ros2Requests::take(const ros2::Received& received, HostNs now) {
+  using ros2::Input;
+  if (received.input == Input::kVelocity || received.input == Input::kVelocityStamped)
+    return velocity(received, now);
+  if (received.gone) return;
   std::string why;
   switch (received.input) {
-    case ros2::Input::kVelocity:
-    case ros2::Input::kVelocityStamped:
-      velocity(received, now);
-      return;
-    case ros2::Input::kDrive:
-      if (received.gone) return;
+    case Input::kVelocity:
+    case Input::kVelocityStamped:
+      break;
+    case Input::kDrive:
       if (const auto wanted = ros2::read_drive(received, why)) return drive(received, *wanted, now);
       break;
-    case ros2::Input::kInitialPose:
-      if (received.gone) return;
+    case Input::kInitialPose:
       if (const auto at = ros2::read_pose(received, why)) return place(received, *at, now);
       break;
-    case ros2::Input::kGoal:
-      if (received.gone) return;
+    case Input::kGoal:
       if (const auto to = ros2::read_pose(received, why))
         return start(received, {.goal = course::Goal{.from = at_, .to = *to}}, now);
       break;
-    case ros2::Input::kCourse:
-      if (received.gone) return;
+    case Input::kCourse:
       if (const auto name = ros2::read_course(received, why))
         return start(received, {.course = *name}, now);
       break;
-    case ros2::Input::kStop:
+    case Input::kStop:
       // Whatever the message contains.
-      if (!received.gone) stop(now);
-      return;
+      return stop(now);
   }
   refuse(received.input, now, why);
 }

@@ -1,9 +1,10 @@
-#include "live/run_services.h"
-
 #include <algorithm>
+#include <functional>
 #include <sstream>
 #include <string>
 
+#include "live/services.h"
+#include "runs/run_archive.h"
 #include "text/file_name.h"
 
 namespace tp100::live {
@@ -72,12 +73,8 @@ std::vector<server::ServiceRow> run_services(runs::RunArchive& runs) {
       return Done{};
     });
   };
-  const auto compared = [&runs](const Request& request, const Answer& answer) {
-    return compare(runs, request, answer);
-  };
-  const auto identified = [&runs](const Request& request, const Answer& answer) {
-    return identify(runs, request, answer);
-  };
+  const auto compared = std::bind_front(compare, std::ref(runs));
+  const auto identified = std::bind_front(identify, std::ref(runs));
   constexpr const char* kNote = R"({"run":"","name":"","note":"","tags":"","keep":true})";
   constexpr const char* kRun = R"({"run":""})";
   constexpr const char* kTwo = R"({"run":"","with":""})";

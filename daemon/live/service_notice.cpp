@@ -12,7 +12,6 @@
 #include <string_view>
 #include <utility>
 
-#include "core/clock.h"
 #include "text/format.h"
 #include "text/standard_streams.h"
 
@@ -80,18 +79,6 @@ int ServiceNotice::send(const std::string& text) const {
       ::sendto(socket_.get(), text.data(), text.size(), MSG_NOSIGNAL | MSG_DONTWAIT,
                reinterpret_cast<const sockaddr*>(&address), size);
   return sent < 0 ? errno : 0;
-}
-
-// Each wait is short, so that the watchdog is fed between them.
-bool LastWait::operator()(
-    const std::function<bool(std::chrono::steady_clock::time_point)>& done_by) {
-  constexpr auto kLook = std::chrono::milliseconds(100);
-  for (;;) {
-    const auto now = std::chrono::steady_clock::now();
-    if (done_by(now + kLook)) return true;
-    if (now >= deadline_) return false;
-    notice_.alive(++cycles_, monotonic_now());
-  }
 }
 
 }  // namespace tp100::live

@@ -2,9 +2,7 @@
 // Notifies a service manager of the state of `tp100d run` over $NOTIFY_SOCKET (systemd:
 // Type=notify, WatchdogSec). Never used by the real-time thread; never waits.
 
-#include <chrono>
 #include <cstdint>
-#include <functional>
 #include <string>
 
 #include "core/descriptor.h"
@@ -42,23 +40,6 @@ class ServiceNotice {
   std::uint64_t cycles_ = 0;
   HostNs next_ns_ = 0;
   Descriptor socket_;
-};
-
-/// Waits for disks when the loop has ended, and feeds the watchdog meanwhile.
-class LastWait {
- public:
-  /// The 5 s for all waits begin now; the unit's TimeoutStopSec is longer. `cycles`: the loop's
-  /// last count.
-  LastWait(ServiceNotice& notice, std::uint64_t cycles) : notice_(notice), cycles_(cycles) {}
-
-  /// `done_by(deadline)` waits until the work is done. False: not within the 5 s.
-  bool operator()(const std::function<bool(std::chrono::steady_clock::time_point)>& done_by);
-
- private:
-  ServiceNotice& notice_;
-  std::uint64_t cycles_;
-  std::chrono::steady_clock::time_point deadline_ =
-      std::chrono::steady_clock::now() + std::chrono::seconds(5);
 };
 
 }  // namespace tp100::live

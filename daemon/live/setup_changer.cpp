@@ -8,7 +8,6 @@
 #include "core/clock.h"
 #include "core/enum_names.h"
 #include "core/error.h"
-#include "live/setup_list.h"
 #include "text/format.h"
 #include "text/json_writer.h"
 
@@ -38,12 +37,6 @@ std::vector<double> fields(wire::Parameters parameters) {
 
 wire::Parameters wire_parameters(const config::RunSetup& run) {
   return bridge::session_settings(run.parameters, run.course.get()).parameters;
-}
-
-std::string pose_json(const Pose& pose) {
-  return text::json_object([&](text::JsonWriter& json) {
-    json.field("x_m", pose.x_m).field("y_m", pose.y_m).field("yaw_rad", pose.yaw_rad);
-  });
 }
 
 }  // namespace
@@ -118,7 +111,7 @@ std::unique_ptr<SetupRequest> SetupChanger::make(const Order& order) {
     const Pose at = order.at ? *order.at : now.setup.course->start;
     request->change.place = at;
     const std::lock_guard lock(mutex_);
-    json_ = pose_json(at);
+    json_ = text::json_object([&](text::JsonWriter& json) { json.floor_pose(at); });
     next_ = {};
     next_.text =
         text::format("placed at (%.3f, %.3f) m, %.1f deg", at.x_m, at.y_m, at.yaw_rad * kDegPerRad);
@@ -139,7 +132,7 @@ std::unique_ptr<SetupRequest> SetupChanger::make(const Order& order) {
   const auto next = std::make_shared<const ActiveRun>(config::with_files(
       now, course, file(Bundled::kRobots, order.choice.robot, now.files.robot), *setup));
   const config::RunSetup& chosen = next->loaded.setup;
-  require_fit(chosen);
+  config::require_fit(chosen);
   request->change.step.emplace(chosen.parameters, chosen.course);
   const wire::Parameters parameters = wire_parameters(chosen);
   if (fields(parameters) != fields(wire_parameters(now.setup)))

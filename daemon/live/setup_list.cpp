@@ -1,11 +1,9 @@
-#include "live/setup_list.h"
-
 #include <algorithm>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <regex>
 #include <utility>
+#include <vector>
 
 #include "bridge/step.h"
 #include "core/error.h"
@@ -13,15 +11,16 @@
 #include "course/path.h"
 #include "course/robot_file.h"
 #include "identify/identify.h"
+#include "live/services.h"
 #include "messages/messages.h"
-#include "terrain/climbable.h"
 #include "terrain/world.h"
+#include "text/json_writer.h"
 
 namespace tp100::live {
 namespace {
 
 using course::Bundled;
-using Json = nlohmann::ordered_json;
+using text::JsonWriter;
 
 /// Points of the path, thinned out evenly; the last one stays.
 std::vector<course::PathPoint> outline(const course::Path& path) {
@@ -33,39 +32,35 @@ std::vector<course::PathPoint> outline(const course::Path& path) {
   return out;
 }
 
-Json piece(const course::Place& place, double length_m, double width_m) {
-  return {{"x_m", place.x_m},
-          {"y_m", place.y_m},
-          {"heading_rad", place.heading_rad},
-          {"length_m", length_m},
-          {"width_m", width_m}};
+void write_piece(JsonWriter& json, const course::Place& place, double length_m, double width_m) {
+  json.fields(place).field("length_m", length_m).field("width_m", width_m);
 }
 
-Json course_json(const course::Course& course) {
+void write_course(JsonWriter& json, const course::Course& course) {
   const course::Path path(course);
-  const Pose& start = course.start;
+  json.field("description", course.description)
+      .field("identifies", course.identifies)
+      .field("speed_mps", course.speed_mps)
+      .field("length_m", path.length_m())
+      .field("disturbances", course.disturbances.size());
+  json.object("start", [&] { json.floor_pose(course.start); });
   const course::Fence& fence = course.fence;
-  Json json = {{"description", course.description},
-               {"identifies", course.identifies},
-               {"speed_mps", course.speed_mps},
-               {"length_m", path.length_m()},
-               {"disturbances", course.disturbances.size()},
-               {"start", {{"x_m", start.x_m}, {"y_m", start.y_m}, {"yaw_rad", start.yaw_rad}}},
-               {"fence",
-                {{"min_x_m", fence.min_x_m},
-                 {"max_x_m", fence.max_x_m},
-                 {"min_y_m", fence.min_y_m},
-                 {"max_y_m", fence.max_y_m}}}};
-  for (const char* list : {"outline", "obstacles", "surfaces"}) json[list] = Json::array();
-  for (const course::PathPoint& point : outline(path))
-    json["outline"].push_back({{"x_m", point.x_m}, {"y_m", point.y_m}});
-  for (const terrain::Outline& each : terrain::outlines_of(course.terrain)) {
-    json["obstacles"].push_back(piece(each.place, each.length_m(), 2.0 * each.half_width_m));
-    json["obstacles"].back()["kind"] = to_string(each.obstacle);
-  }
-  for (const course::Surface& surface : course.terrain.surfaces)
-    json["surfaces"].push_back(piece(surface.place, surface.length_m, surface.width_m));
-  return json;
+  json.object("fence", [&] {
+    json.field("min_x_m", fence.min_x_m)
+        .field("max_x_m", fence.max_x_m)
+        .field("min_y_m", fence.min_y_m)
+        .field("max_y_m", fence.max_y_m);
+  });
+  json.objects("outline", outline(path), [&](const course::PathPoint& point) {
+    json.field("x_m", point.x_m).field("y_m", point.y_m);
+  });
+  json.objects("obstacles", terrain::outlines_of(course.terrain), [&](const terrain::Outline& of) {
+    write_piece(json, of.place, of.length_m(), 2.0 * of.half_width_m);
+    json.field("kind", to_string(of.obstacle));
+  });
+  json.objects("surfaces", course.terrain.surfaces, [&](const course::Surface& surface) {
+    write_piece(json, surface.place, surface.length_m, surface.width_m);
+  });
 }
 
 config::LoadedRun with_file(const config::LoadedRun& run, Bundled kind,
@@ -75,111 +70,101 @@ config::LoadedRun with_file(const config::LoadedRun& run, Bundled kind,
              : config::with_files(run, run.files.course, file, run.files.setup);
 }
 
-/// Throws UserError if the run's files do not fit together.
-void set_fit(Json& json, const config::RunSetup& run, bool is_course) {
-  const bridge::Step step(run.parameters, run.course);
-  if (is_course) json["duration_s"] = step.nominal_duration_s();
-  require_fit(run);
-}
-
-/// `message` without its place in the file, "NAME:line:column: ", which is set.
-std::string set_place(Json& json, const std::string& message, const std::string& name) {
-  static const std::regex kPlace(R"(:(\d{1,9}):(\d{1,9}): (.*))");
-  std::smatch place;
-  if (!message.starts_with(name)) return message;
-  const std::string rest = message.substr(name.size());
-  if (!std::regex_match(rest, place, kPlace)) return message;
-  json["line"] = std::stoi(place[1]);
-  json["column"] = std::stoi(place[2]);
-  return place[3];
-}
-
-Json entry_json(const config::SetupFiles& files, const config::LoadedRun& run, Bundled kind,
-                const config::SetupFiles::Entry& entry) {
-  Json json = {{"name", entry.name}, {"from", to_string(entry.from)}};
-  std::string why;
+void write_entry(JsonWriter& json, const config::SetupFiles& files, const config::LoadedRun& run,
+                 Bundled kind, const config::SetupFiles::Entry& entry) {
   const bool is_course = kind == Bundled::kCourses;
   const course::Course* course = run.setup.course.get();
   const bool in_force = is_course ? course != nullptr && course->name == entry.name
                                   : run.setup.robot.name == entry.name;
+  json.field("name", entry.name).field("from", to_string(entry.from)).field("in_force", in_force);
+  std::string why;
   try {
-    const course::TextFile file = files.read(kind, entry.name);
-    const config::LoadedRun with = with_file(run, kind, file);
+    const config::LoadedRun with = with_file(run, kind, files.read(kind, entry.name));
     if (is_course) {
-      json.update(course_json(*with.setup.course));
+      write_course(json, *with.setup.course);
     } else {
-      json["description"] = with.setup.robot.description;
+      json.field("description", with.setup.robot.description);
     }
-    set_fit(json, with.setup, is_course);
+    const bridge::Step step(with.setup.parameters, with.setup.course);
+    if (is_course) json.field("duration_s", step.nominal_duration_s());
+    config::require_fit(with.setup);
   } catch (const UserError& error) {
     why = error.what();
   }
-  json["in_force"] = in_force;
-  json["why_not"] = why;
-  return json;
+  json.field("why_not", why);
 }
 
 /// As the channel /course has it.
-std::string course_text(course::Course course, const course::Robot& robot) {
+std::string course_text(std::shared_ptr<const course::Course> course, const course::Robot& robot) {
   messages::RunContext context;
-  context.course = std::make_shared<const course::Course>(std::move(course));
+  context.course = std::move(course);
   context.robot = robot;
   return messages::Messages(std::move(context), {}).course();
 }
 
-std::string text_of(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+/// Writes `message`, and its place apart from it if it begins with one: "NAME:line:column: ".
+void write_error(JsonWriter& json, const std::string& message, const std::string& name) {
+  static const std::regex kPlace(R"(:(\d{1,9}):(\d{1,9}): (.*))");
+  std::smatch place;
+  const std::string rest = message.starts_with(name) ? message.substr(name.size()) : "";
+  const bool placed = std::regex_match(rest, place, kPlace);
+  json.field("error", placed ? place[3].str() : message);
+  if (placed) json.field("line", std::stoi(place[1])).field("column", std::stoi(place[2]));
 }
 
 }  // namespace
 
-void require_fit(const config::RunSetup& run) {
-  if (!run.configuration.camera.listen.empty() && run.parameters.setup == bridge::Setup::kStand)
-    throw UserError("--camera: on a stand it sees a robot that stands still; leave it out");
-  if (run.course != nullptr) terrain::require_climbable(*run.course, run.robot);
-}
-
 std::string setup_list(const config::SetupFiles& files, const config::LoadedRun& run) {
   const auto& setup = run.setup;
-  Json json = {{"course", setup.course == nullptr ? "" : setup.course->name},
-               {"robot", setup.robot.name},
-               {"setup", bridge::to_string(setup.parameters.setup)},
-               {"setups", Json::array()},
-               {"may_save", files.may_save()},
-               {"calibration", identify::calibration_courses(setup.robot.shape)}};
-  for (const auto& each : bridge::kSetupNames) json["setups"].push_back(each.name);
-  for (const Bundled kind : {Bundled::kCourses, Bundled::kRobots}) {
-    Json& list = json[kind == Bundled::kCourses ? "courses" : "robots"] = Json::array();
-    for (const config::SetupFiles::Entry& entry : files.list(kind))
-      list.push_back(entry_json(files, run, kind, entry));
-  }
-  return text_of(json);
+  return text::json_object([&](JsonWriter& json) {
+    json.field("course", setup.course == nullptr ? "" : setup.course->name)
+        .field("robot", setup.robot.name)
+        .field("setup", bridge::to_string(setup.parameters.setup));
+    json.key("setups").begin_array();
+    for (const auto& each : bridge::kSetupNames) json.value(each.name);
+    json.end_array();
+    json.field("may_save", files.may_save())
+        .values("calibration", identify::calibration_courses(setup.robot.shape));
+    for (const auto& [name, kind] :
+         {std::pair{"courses", Bundled::kCourses}, std::pair{"robots", Bundled::kRobots}})
+      json.objects(name, files.list(kind), [&](const config::SetupFiles::Entry& entry) {
+        write_entry(json, files, run, kind, entry);
+      });
+  });
 }
 
-std::string checked_file(const config::LoadedRun& run, Bundled kind, const course::TextFile& file) {
-  const bool is_course = kind == Bundled::kCourses;
-  Json json = {{"error", ""}, {"why_not", ""}};
-  std::string drawn;
+CheckedFile checked_file(const config::LoadedRun& run, Bundled kind, const course::TextFile& file) {
+  CheckedFile checked;
+  std::string why_not;
+  std::shared_ptr<const course::Course> course;
+  std::optional<double> duration_s;
   try {
-    if (is_course) {
+    if (kind == Bundled::kCourses) {
       course::Draft draft = course::parse_draft(file.text, file.path);
-      json["length_m"] = course::Path(draft.course).length_m();
-      drawn = course_text(std::move(draft.course), run.setup.robot);
+      course = std::make_shared<const course::Course>(std::move(draft.course));
       if (!draft.error.empty()) throw UserError(draft.error);
     } else {
       course::parse_robot(file.text, file.path);
     }
     try {
-      set_fit(json, with_file(run, kind, file).setup, is_course);
+      const config::RunSetup with = with_file(run, kind, file).setup;
+      const bridge::Step step(with.parameters, with.course);
+      duration_s = step.nominal_duration_s();
+      config::require_fit(with);
     } catch (const UserError& misfit) {
-      json["why_not"] = misfit.what();
+      why_not = misfit.what();
     }
   } catch (const UserError& error) {
-    json["error"] = set_place(json, error.what(), file.path);
+    checked.error = error.what();
   }
-  std::string text = text_of(json);
-  if (!drawn.empty()) text.replace(text.size() - 1, 1, ",\"course\":" + drawn + "}");
-  return text;
+  checked.json = text::json_object([&](JsonWriter& json) {
+    write_error(json, checked.error, file.path);
+    json.field("why_not", why_not);
+    if (course == nullptr) return;
+    json.field("length_m", course::Path(*course).length_m()).field("duration_s", duration_s);
+    json.key("course").raw(course_text(course, run.setup.robot));
+  });
+  return checked;
 }
 
 }  // namespace tp100::live

@@ -67,8 +67,6 @@ Json fault_list(FaultMask faults) {
   return names;
 }
 
-}  // namespace
-
 std::string stats_json(const DaemonFigures& figures) {
   const LiveStatus& status = figures.status;
   const Snapshot& snapshot = status.snapshot;
@@ -76,9 +74,9 @@ std::string stats_json(const DaemonFigures& figures) {
       {"result", figures.result},
       {"completed", figures.result == "completed"},
       {"duration_s", figures.duration_s},
-      {"course", figures.course},
-      {"robot", figures.robot},
-      {"setup", figures.setup},
+      {"course", figures.run->course()},
+      {"robot", figures.run->loaded.setup.robot.name},
+      {"setup", bridge::to_string(figures.run->loaded.setup.parameters.setup)},
       {"port", figures.port},
       {"page", figures.page},
       {"faults", fault_list(figures.faults)},
@@ -102,6 +100,8 @@ std::string stats_json(const DaemonFigures& figures) {
     json["recording"] = recording_figures(figures.recording, figures.recording_cpu_s);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
+
+}  // namespace
 
 void StatsFile::write(const DaemonFigures& figures) {
   if (path_.empty()) return;
@@ -133,8 +133,9 @@ std::string summary_text(const DaemonFigures& figures) {
   const Snapshot& snapshot = figures.status.snapshot;
   const Pose& pose = snapshot.estimates[PoseSource::kOdometry].pose;
   const LinkCounters& link = figures.status.counters;
+  const std::string course = figures.run->course();
   std::string lines =
-      (figures.course.empty() ? "no course" : figures.course) + ": " + figures.result +
+      (course.empty() ? "no course" : course) + ": " + figures.result +
       text::format(" after %.1f s at x %.3f m, y %.3f m, yaw %.1f deg; %s, %llu lost",
                    figures.duration_s, pose.x_m, pose.y_m, pose.yaw_rad * kDegPerRad,
                    text::counted(link.samples, "sample").c_str(),

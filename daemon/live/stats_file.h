@@ -5,12 +5,11 @@
 #include <mutex>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "core/worker.h"
+#include "live/active_run.h"
+#include "live/external_inputs.h"
 #include "live/live_cycle.h"
-#include "live/udp_ports.h"
-#include "live/world_link.h"
 #include "messages/event_queue.h"
 #include "messages/figures.h"
 
@@ -20,10 +19,8 @@ namespace tp100::live {
 struct DaemonFigures {
   std::string result;  ///< "running", "completed", "aborted", "interrupted", "duration"
   std::string port;
-  std::string page;    ///< address of the page; empty: no server
-  std::string course;  ///< empty: none
-  std::string robot;
-  std::string setup;
+  std::string page;                      ///< address of the page; empty: no server
+  std::shared_ptr<const ActiveRun> run;  ///< in force
   double duration_s = 0.0;
   FaultMask faults = 0;  ///< of the last abort
   LiveStatus status{};
@@ -36,9 +33,6 @@ struct DaemonFigures {
 
 /// The last lines of the program, without the newline at their end.
 std::string summary_text(const DaemonFigures& figures);
-
-/// One JSON object.
-std::string stats_json(const DaemonFigures& figures);
 
 /// The file of --stats, rewritten periodically. One thread.
 class StatsFile {

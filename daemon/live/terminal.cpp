@@ -8,6 +8,7 @@
 
 // Asio 1.74 uses std::exchange without including it.
 #include <array>
+#include <boost/algorithm/string/trim.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/posix/stream_descriptor.hpp>
 #include <cerrno>
@@ -35,37 +36,89 @@ bool worth_reading() {
   return S_ISFIFO(status.st_mode) || S_ISSOCK(status.st_mode);
 }
 
-std::string trimmed(const std::string& text) {
-  constexpr const char* kSpace = " \t\r\n";
-  const std::size_t first = text.find_first_not_of(kSpace);
-  if (first == std::string::npos) return {};
-  return text.substr(first, text.find_last_not_of(kSpace) + 1 - first);
-}
-
 }  // namespace
 
 /// Lines typed on standard input.
-class Terminal::Input : public std::enable_shared_from_this<Input> {
+class Terminal::Input {
  public:
-  Input(boost::asio::io_context& context, std::function<void(const std::string& line)> line)
-      : input_(context), line_(std::move(line)) {}
-
   /// Calls `line` in the context's thread for each line on standard input, without surrounding
   /// white space. Lines that arrive together, typed ahead, come as one call. Does nothing unless
   /// standard input is our own terminal or a pipe (not a file, /dev/null or the terminal of a job
   /// that was started in the background). While a shell has this job in the background, nothing is
   /// read, and using the terminal does not stop the process.
-  void start();
+  Input(boost::asio::io_context& context, std::function<void(const std::string& line)> line)
+      : input_(context), line_(std::move(line)) {
+    // Otherwise a job in the background is stopped, and its page with it, when it uses its
+    // terminal.
+    std::signal(SIGTTIN, SIG_IGN);
+    std::signal(SIGTTOU, SIG_IGN);
+    if (!worth_reading()) return;
+    flags_ = ::fcntl(STDIN_FILENO, F_GETFL);
+    const int copy = ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3);
+    boost::system::error_code error;
+    input_.assign(copy, error);
+    if (error) {
+      ::close(copy);
+    } else {
+      wait();
+    }
+  }
+
   /// Discards what was typed before now, including an unfinished line. True if it contained a whole
   /// line.
-  bool drop_typed_ahead();
+  bool drop_typed_ahead() {
+    if (!input_.is_open()) return false;
+    read();
+    const bool any = pending_.find('\n') != std::string::npos;
+    pending_.clear();
+    // An unfinished line, which the terminal still buffers.
+    const int terminal = input_.native_handle();
+    if (::isatty(terminal) != 0 && is_ours(terminal)) ::tcflush(terminal, TCIFLUSH);
+    return any;
+  }
+
   /// Stops reading.
-  void stop();
+  void stop() {
+    if (!input_.is_open()) return;
+    boost::system::error_code ignored;
+    input_.close(ignored);
+    // Asio made the copy non-blocking, and with it the original, which other processes read.
+    if (flags_ >= 0) ::fcntl(STDIN_FILENO, F_SETFL, flags_);
+  }
 
  private:
-  void wait();
-  bool read();
-  void take();
+  void wait() {
+    input_.async_wait(boost::asio::posix::stream_descriptor::wait_read,
+                      [this](const boost::system::error_code& error) {
+                        if (!error && input_.is_open()) take();
+                      });
+  }
+
+  /// Reads everything available and typed for this program. False: end of input.
+  bool read() {
+    std::array<char, 256> buffer;
+    pollfd ready{input_.native_handle(), POLLIN, 0};
+    while (is_ours(ready.fd) && ::poll(&ready, 1, 0) > 0) {
+      const ssize_t n = ::read(ready.fd, buffer.data(), buffer.size());
+      // EIO: the shell has just sent this job to the background.
+      if (n <= 0) return n < 0 && (errno == EAGAIN || errno == EINTR || errno == EIO);
+      if (pending_.size() > kMaxKept) pending_ = "...";
+      pending_.append(buffer.data(), static_cast<std::size_t>(n));
+    }
+    return true;
+  }
+
+  void take() {
+    const bool more = read();
+    const std::size_t end = pending_.rfind('\n');
+    if (end != std::string::npos) {
+      const std::string lines = pending_.substr(0, end);
+      pending_.erase(0, end + 1);
+      // Several lines are never an answer: trimmed, two Enters would look like one.
+      line_(lines.find('\n') == std::string::npos ? boost::algorithm::trim_copy(lines) : lines);
+    }
+    if (more && input_.is_open()) wait();
+  }
 
   boost::asio::posix::stream_descriptor input_;
   const std::function<void(const std::string&)> line_;
@@ -73,79 +126,10 @@ class Terminal::Input : public std::enable_shared_from_this<Input> {
   int flags_ = -1;  // of standard input, before
 };
 
-void Terminal::Input::start() {
-  // Otherwise a job in the background is stopped, and its page with it, when it uses its terminal.
-  std::signal(SIGTTIN, SIG_IGN);
-  std::signal(SIGTTOU, SIG_IGN);
-  if (!worth_reading()) return;
-  flags_ = ::fcntl(STDIN_FILENO, F_GETFL);
-  const int copy = ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3);
-  boost::system::error_code error;
-  input_.assign(copy, error);
-  if (error) {
-    ::close(copy);
-  } else {
-    wait();
-  }
-}
-
-void Terminal::Input::wait() {
-  input_.async_wait(boost::asio::posix::stream_descriptor::wait_read,
-                    [self = shared_from_this()](const boost::system::error_code& error) {
-                      if (!error && self->input_.is_open()) self->take();
-                    });
-}
-
-/// Reads everything available and typed for this program. False: end of input.
-bool Terminal::Input::read() {
-  std::array<char, 256> buffer;
-  pollfd ready{input_.native_handle(), POLLIN, 0};
-  while (is_ours(ready.fd) && ::poll(&ready, 1, 0) > 0) {
-    const ssize_t n = ::read(ready.fd, buffer.data(), buffer.size());
-    // EIO: the shell has just sent this job to the background.
-    if (n <= 0) return n < 0 && (errno == EAGAIN || errno == EINTR || errno == EIO);
-    if (pending_.size() > kMaxKept) pending_ = "...";
-    pending_.append(buffer.data(), static_cast<std::size_t>(n));
-  }
-  return true;
-}
-
-void Terminal::Input::take() {
-  const bool more = read();
-  const std::size_t end = pending_.rfind('\n');
-  if (end != std::string::npos) {
-    const std::string lines = pending_.substr(0, end);
-    pending_.erase(0, end + 1);
-    // Several lines are never an answer: trimmed, two Enters would look like one.
-    line_(lines.find('\n') == std::string::npos ? trimmed(lines) : lines);
-  }
-  if (more && input_.is_open()) wait();
-}
-
-bool Terminal::Input::drop_typed_ahead() {
-  if (!input_.is_open()) return false;
-  read();
-  const bool any = pending_.find('\n') != std::string::npos;
-  pending_.clear();
-  // An unfinished line, which the terminal still buffers.
-  const int terminal = input_.native_handle();
-  if (::isatty(terminal) != 0 && is_ours(terminal)) ::tcflush(terminal, TCIFLUSH);
-  return any;
-}
-
-void Terminal::Input::stop() {
-  if (!input_.is_open()) return;
-  boost::system::error_code ignored;
-  input_.close(ignored);
-  // Asio made the copy non-blocking, and with it the original, which other processes read.
-  if (flags_ >= 0) ::fcntl(STDIN_FILENO, F_SETFL, flags_);
-}
-
 Terminal::Terminal(boost::asio::io_context* context, Reach reach) : reach_(std::move(reach)) {
   if (context == nullptr) return;
-  input_ = std::make_shared<Input>(
+  input_ = std::make_unique<Input>(
       *context, [this](const std::string& line) { take(line, monotonic_now()); });
-  input_->start();
 }
 
 Terminal::~Terminal() { stop(); }

@@ -40,7 +40,6 @@ class Terminal {
   void ask(HostNs now);
   /// Somebody typed this line, without surrounding white space.
   void take(const std::string& line, HostNs now);
-  /// Stops reading input.
   void stop();
 
  private:
@@ -54,7 +53,7 @@ class Terminal {
   RunState run_ = RunState::kIdle;
   std::uint64_t stops_seen_ = 0;  // as of the last question, or pressed here
   HostNs seen_ns_ = 0;            // time of the last question, or of that press
-  std::shared_ptr<Input> input_;
+  std::unique_ptr<Input> input_;
 };
 
 }  // namespace tp100::live

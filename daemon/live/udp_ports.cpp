@@ -1,5 +1,3 @@
-#include "live/udp_ports.h"
-
 // Asio 1.74 uses std::exchange without including it.
 #include <utility>
 // clang-format off
@@ -12,7 +10,7 @@
 #include "core/clock.h"
 #include "core/error.h"
 #include "link/udp.h"
-#include "live/world_files.h"
+#include "live/external_inputs.h"
 
 namespace tp100::live {
 namespace {
@@ -32,7 +30,7 @@ udp::endpoint endpoint_of(const link::UdpAddress& address) {
 
 /// Receives datagrams of at most `kLongest` bytes, in the context's thread.
 template <class Of, std::size_t kLongest>
-class Receiver : public std::enable_shared_from_this<Of> {
+class Receiver {
  public:
   explicit Receiver(boost::asio::io_context& context) : socket_(context) {}
 
@@ -45,16 +43,15 @@ class Receiver : public std::enable_shared_from_this<Of> {
   }
   /// Passes each datagram to Of::receive() until it is stopped.
   void wait() {
-    socket_.async_wait(udp::socket::wait_read,
-                       [self = this->shared_from_this()](const boost::system::error_code& error) {
-                         if (!error && self->socket_.is_open()) self->take();
-                       });
+    socket_.async_wait(udp::socket::wait_read, [this](const boost::system::error_code& error) {
+      if (!error && socket_.is_open()) take();
+    });
   }
   void send(const std::string& datagram, const udp::endpoint& to) {
     boost::system::error_code ignored;
     socket_.send_to(boost::asio::buffer(datagram), to, 0, ignored);
   }
-  void stop() {
+  void close() {
     boost::system::error_code ignored;
     socket_.close(ignored);
   }
@@ -83,111 +80,101 @@ udp::endpoint local_endpoint(const std::string& listen, const udp::endpoint& pee
   return {boost::asio::ip::address_v4::any(), 0};
 }
 
-}  // namespace
-
-struct CameraPort::State : Receiver<CameraPort::State, link::kMaxImageDatagram> {
-  State(boost::asio::io_context& context, const config::CameraSettings& settings, Give action,
-        Show image)
+class WorldPort : public WorldLink, public Receiver<WorldPort, worlds::kMaxWorldDatagram> {
+ public:
+  /// Sends hello at the first step.
+  WorldPort(boost::asio::io_context& context, const config::WorldRun& run, config::GiveWorld give,
+            messages::EventQueue& events)
       : Receiver(context),
-        detections(link::monotonic_clock_name(), from_s(settings.max_age_ms * 1e-3)),
-        images(link::monotonic_clock_name(), kMaxImageAgeNs),
-        give(std::move(action)),
-        show(std::move(image)) {
-    if (settings.image_hz > 0.0) image_interval_ns = from_s(1.0 / settings.image_hz);
-  }
-
-  void open(const link::UdpAddress& address) {
-    if (const auto error = listen_at(endpoint_of(address))) {
-      throw UserError("camera: cannot listen at udp:" + link::to_string(address) + " (" +
-                      error.message() + "); choose another port or an address of this machine");
-    }
-  }
-  void receive(std::string_view datagram, const udp::endpoint& /*sender*/, HostNs now) {
-    if (!link::is_image(datagram)) {
-      const auto sample = detections.receive(datagram, now);
-      if (sample && !give(*sample)) detections.count_dropped();
-    } else if (image_interval_ns > 0) {
-      auto image = images.receive_image(datagram, image_interval_ns, now);
-      if (image) show(image->taken_ns, std::move(image->jpeg));
-    }
-  }
-
-  link::CameraIntake detections, images;
-  Give give;
-  Show show;
-  HostNs image_interval_ns = 0;  // 0: images are not wanted
-};
-
-CameraPort::CameraPort(boost::asio::io_context& context, const config::CameraSettings& settings,
-                       Give give, Show show)
-    : state_(std::make_shared<State>(context, settings, std::move(give), std::move(show))) {
-  state_->open(link::parse_udp(settings.listen, "camera"));
-  state_->wait();
-}
-
-CameraPort::~CameraPort() { stop(); }
-void CameraPort::stop() { state_->stop(); }
-
-CameraFigures CameraPort::figures() const {
-  return {.detections = state_->detections.counters(), .images = state_->images.counters()};
-}
-
-struct WorldPort::State : Receiver<WorldPort::State, worlds::kMaxWorldDatagram> {
-  State(boost::asio::io_context& context, const config::WorldRun& run, config::GiveWorld action,
-        messages::EventQueue& queue)
-      : Receiver(context),
-        peer(config::peer_settings(run, std::random_device{}(), false)),
-        give(std::move(action)),
-        events(queue) {}
-
-  void open(const config::WorldSettings& settings) {
-    const link::UdpAddress address = link::parse_udp(settings.address, "world.address");
-    world = endpoint_of(address);
-    const udp::endpoint local = local_endpoint(settings.listen, world);
+        world_(endpoint_of(link::parse_udp(run.settings.address, "world.address"))),
+        peer_(config::peer_settings(run, std::random_device{}(), false)),
+        give_(std::move(give)),
+        events_(events) {
+    const udp::endpoint local = local_endpoint(run.settings.listen, world_);
     if (const auto error = listen_at(local)) {
       throw UserError("world: cannot listen at udp:" + local.address().to_string() + ":" +
                       std::to_string(local.port()) + " (" + error.message() +
                       "); choose another world.listen");
     }
+    wait();
   }
+
   void receive(std::string_view datagram, const udp::endpoint& sender, HostNs now) {
-    if (sender.address() != world.address()) {
-      ++strangers;
+    if (sender.address() != world_.address()) {
+      ++strangers_;
       return;
     }
-    const auto sample = peer.receive(datagram, sender.port(), now);
-    if (sample && !give(*sample)) peer.count_dropped();
-    if (const auto reply = peer.take_reply()) send(*reply, sender);
+    const auto sample = peer_.receive(datagram, sender.port(), now);
+    if (sample && !give_(*sample)) peer_.count_dropped();
+    if (const auto reply = peer_.take_reply()) send(*reply, sender);
   }
 
-  udp::endpoint world;
-  worlds::Peer peer;
-  config::GiveWorld give;
-  messages::EventQueue& events;
-  std::uint64_t strangers = 0;
+  void take(const StepRecord& record) override {
+    if (const auto datagram = peer_.step(record, monotonic_now())) send(*datagram, world_);
+    if (std::string note = peer_.take_note(); !note.empty())
+      events_.note(std::move(note), messages::Event::Level::kInfo);
+  }
+  void stop() override { close(); }
+  bool ended_by(std::chrono::steady_clock::time_point) override { return true; }
+  WorldFigures figures() const override {
+    return {.udp = peer_.counters(), .strangers = strangers_};
+  }
+
+ private:
+  const udp::endpoint world_;
+  worlds::Peer peer_;
+  const config::GiveWorld give_;
+  messages::EventQueue& events_;
+  std::uint64_t strangers_ = 0;
 };
 
-WorldPort::WorldPort(boost::asio::io_context& context, const config::WorldRun& run,
-                     config::GiveWorld give, messages::EventQueue& events)
-    : state_(std::make_shared<State>(context, run, std::move(give), events)) {
-  state_->open(run.settings);
-  state_->wait();
-}
+}  // namespace
 
-WorldPort::~WorldPort() { stop(); }
+class CameraPort::Socket : public Receiver<CameraPort::Socket, link::kMaxImageDatagram> {
+ public:
+  Socket(boost::asio::io_context& context, const config::CameraSettings& settings, Give give,
+         Show show)
+      : Receiver(context),
+        detections_(link::monotonic_clock_name(), from_s(settings.max_age_ms * 1e-3)),
+        images_(link::monotonic_clock_name(), kMaxImageAgeNs),
+        give_(std::move(give)),
+        show_(std::move(show)),
+        image_interval_ns_(settings.image_hz > 0.0 ? from_s(1.0 / settings.image_hz) : 0) {
+    const link::UdpAddress address = link::parse_udp(settings.listen, "camera");
+    if (const auto error = listen_at(endpoint_of(address))) {
+      throw UserError("camera: cannot listen at udp:" + link::to_string(address) + " (" +
+                      error.message() + "); choose another port or an address of this machine");
+    }
+    wait();
+  }
 
-void WorldPort::take(const StepRecord& record) {
-  if (const auto datagram = state_->peer.step(record, monotonic_now()))
-    state_->send(*datagram, state_->world);
-  if (std::string note = state_->peer.take_note(); !note.empty())
-    state_->events.note(std::move(note), messages::Event::Level::kInfo);
-}
+  void receive(std::string_view datagram, const udp::endpoint& /*sender*/, HostNs now) {
+    if (!link::is_image(datagram)) {
+      const auto sample = detections_.receive(datagram, now);
+      if (sample && !give_(*sample)) detections_.count_dropped();
+    } else if (image_interval_ns_ > 0) {
+      auto image = images_.receive_image(datagram, image_interval_ns_, now);
+      if (image) show_(image->taken_ns, std::move(image->jpeg));
+    }
+  }
 
-void WorldPort::stop() { state_->stop(); }
+  CameraFigures figures() const {
+    return {.detections = detections_.counters(), .images = images_.counters()};
+  }
 
-WorldFigures WorldPort::figures() const {
-  return {.udp = state_->peer.counters(), .strangers = state_->strangers};
-}
+ private:
+  link::CameraIntake detections_, images_;
+  const Give give_;
+  const Show show_;
+  const HostNs image_interval_ns_;  // 0: images are not wanted
+};
+
+CameraPort::CameraPort(boost::asio::io_context& context, const config::CameraSettings& settings,
+                       Give give, Show show)
+    : socket_(std::make_unique<Socket>(context, settings, std::move(give), std::move(show))) {}
+CameraPort::~CameraPort() = default;
+void CameraPort::stop() { socket_->close(); }
+CameraFigures CameraPort::figures() const { return socket_->figures(); }
 
 std::unique_ptr<WorldLink> open_world(boost::asio::io_context& context, const config::WorldRun& run,
                                       const config::GiveWorld& give, messages::EventQueue& events) {
@@ -195,7 +182,7 @@ std::unique_ptr<WorldLink> open_world(boost::asio::io_context& context, const co
     case bridge::WorldKind::kUdp:
       return std::make_unique<WorldPort>(context, run, give, events);
     case bridge::WorldKind::kFiles:
-      return std::make_unique<WorldFiles>(run, give, events);
+      return open_world_files(run, give, events);
     case bridge::WorldKind::kInternal:
       break;
   }

@@ -1,5 +1,3 @@
-#include "live/world_files.h"
-
 #include <fcntl.h>
 #include <pthread.h>
 #include <sys/stat.h>
@@ -16,6 +14,7 @@
 #include "core/clock.h"
 #include "core/descriptor.h"
 #include "core/error.h"
+#include "live/external_inputs.h"
 #include "text/atomic_file.h"
 #include "worlds/text_files.h"
 
@@ -84,119 +83,121 @@ class Watched {
   std::string before_;
 };
 
-}  // namespace
-
-struct WorldFiles::State {
-  State(const config::WorldRun& r, config::GiveWorld action, messages::EventQueue& queue)
-      : run(r),
-        give(std::move(action)),
-        events(queue),
-        orientation(run.settings.orientation_file) {}
-
-  void live() {
-    std::unique_lock lock(mutex);
-    while (!ending) {
-      wake.wait_for(lock, kLook, [this] { return ending || text.has_value(); });
-      const std::optional<std::string> next = std::exchange(text, std::nullopt);
-      lock.unlock();
-      const std::string error =
-          next ? replace_file(run.settings.encoder_file, *next) : std::string();
-      const std::optional<std::string> seen = orientation.look();
-      const HostNs now = monotonic_now();
-      const auto orientation_seen =
-          seen
-              ? worlds::orientation_of(*seen, run.settings.orientation_template, run.settings.frame)
-              : std::nullopt;
-      const bool given = orientation_seen && give(sample_of(*orientation_seen, now));
-      lock.lock();
-      if (next) ++(error.empty() ? counters.written : counters.write_errors);
-      if (seen) ++(orientation_seen ? counters.read : counters.rejected);
-      if (orientation_seen && !given) ++counters.dropped;
-      if (!error.empty() && !std::exchange(reported_write, true)) events.note(error, kInfo);
-      if (seen && !orientation_seen && !std::exchange(reported_read, true))
-        events.note(
-            run.settings.orientation_file + ": cannot be parsed; see world.orientation_template",
-            kInfo);
-    }
-    ended = true;
-    wake.notify_all();
+class WorldFiles : public WorldLink {
+ public:
+  WorldFiles(const config::WorldRun& run, config::GiveWorld give, messages::EventQueue& events)
+      : run_(run),
+        give_(std::move(give)),
+        events_(events),
+        orientation_(run.settings.orientation_file) {
+    const config::WorldSettings& settings = run.settings;
+    worlds::require_encoder_template(settings.encoder_template, "world.encoder_template");
+    worlds::require_orientation_template(settings.orientation_template,
+                                         "world.orientation_template");
+    if (const std::string why = replace_file(settings.encoder_file, "\n"); !why.empty())
+      throw UserError("world.encoder_file " + why);
+    thread_ = std::thread([this] { live(); });
+    ::pthread_setname_np(thread_.native_handle(), "world files");
+  }
+  ~WorldFiles() override {
+    WorldFiles::stop();
+    thread_.join();
   }
 
-  WorldSample sample_of(const worlds::Orientation& received, HostNs now) const {
-    WorldSample sample;
-    sample.session = 1;
-    sample.answered_ns = now;
-    sample.has_ground = true;
-    sample.height_m = received.pose.z_m;
-    sample.roll_rad = received.pose.roll_rad;
-    sample.pitch_rad = received.pose.pitch_rad;
-    if (run.parameters.owns_pose && received.has_turn && received.has_place) {
-      sample.has_pose = true;
-      sample.pose = received.pose;
+  /// Queues the newest step for the file; never waits for the disk.
+  void take(const StepRecord& record) override {
+    if (record.now_ns < next_ns_) return;
+    next_ns_ = record.now_ns + from_s(1.0 / run_.settings.rate_hz);
+    std::string text =
+        worlds::encoder_text(run_.settings.encoder_template, record, run_.settings.frame);
+    {
+      const std::lock_guard lock(mutex_);
+      text_ = std::move(text);
     }
-    return sample;
+    wake_.notify_one();
+  }
+  void stop() override {
+    {
+      const std::lock_guard lock(mutex_);
+      ending_ = true;
+    }
+    wake_.notify_one();
+  }
+  bool ended_by(std::chrono::steady_clock::time_point deadline) override {
+    std::unique_lock lock(mutex_);
+    return wake_.wait_until(lock, deadline, [this] { return ended_; });
+  }
+  WorldFigures figures() const override {
+    const std::lock_guard lock(mutex_);
+    return {.files = counters_};
   }
 
-  const config::WorldRun run;
-  const config::GiveWorld give;
-  messages::EventQueue& events;
-  Watched orientation;  // used by the thread only
-  HostNs next_ns = 0;   // used by take() only
+ private:
+  void live();
+  WorldSample sample_of(const worlds::Orientation& received, HostNs now) const;
 
-  mutable std::mutex mutex;
-  std::condition_variable wake;
-  std::optional<std::string> text;
-  WorldFileCounters counters;
-  bool reported_write = false, reported_read = false;
-  bool ending = false, ended = false;
-  std::thread thread;
+  const config::WorldRun run_;
+  const config::GiveWorld give_;
+  messages::EventQueue& events_;
+  Watched orientation_;  // used by the thread only
+  HostNs next_ns_ = 0;   // used by take() only
+
+  mutable std::mutex mutex_;
+  std::condition_variable wake_;
+  std::optional<std::string> text_;
+  WorldFileCounters counters_;
+  bool reported_write_ = false, reported_read_ = false;
+  bool ending_ = false, ended_ = false;
+  std::thread thread_;
 };
 
-WorldFiles::WorldFiles(const config::WorldRun& run, config::GiveWorld give,
-                       messages::EventQueue& events)
-    : state_(std::make_unique<State>(run, std::move(give), events)) {
-  const config::WorldSettings& settings = run.settings;
-  worlds::require_encoder_template(settings.encoder_template, "world.encoder_template");
-  worlds::require_orientation_template(settings.orientation_template, "world.orientation_template");
-  if (const std::string why = replace_file(settings.encoder_file, "\n"); !why.empty())
-    throw UserError("world.encoder_file " + why);
-  state_->thread = std::thread([state = state_.get()] { state->live(); });
-  ::pthread_setname_np(state_->thread.native_handle(), "world files");
-}
-
-WorldFiles::~WorldFiles() {
-  stop();
-  if (state_->thread.joinable()) state_->thread.join();
-}
-
-void WorldFiles::stop() {
-  {
-    const std::lock_guard lock(state_->mutex);
-    state_->ending = true;
+void WorldFiles::live() {
+  const config::WorldSettings& settings = run_.settings;
+  std::unique_lock lock(mutex_);
+  while (!ending_) {
+    wake_.wait_for(lock, kLook, [this] { return ending_ || text_.has_value(); });
+    const std::optional<std::string> next = std::exchange(text_, std::nullopt);
+    lock.unlock();
+    const std::string error = next ? replace_file(settings.encoder_file, *next) : std::string();
+    const std::optional<std::string> seen = orientation_.look();
+    const HostNs now = monotonic_now();
+    const auto orientation_seen =
+        seen ? worlds::orientation_of(*seen, settings.orientation_template, settings.frame)
+             : std::nullopt;
+    const bool given = orientation_seen && give_(sample_of(*orientation_seen, now));
+    lock.lock();
+    if (next) ++(error.empty() ? counters_.written : counters_.write_errors);
+    if (seen) ++(orientation_seen ? counters_.read : counters_.rejected);
+    if (orientation_seen && !given) ++counters_.dropped;
+    if (!error.empty() && !std::exchange(reported_write_, true)) events_.note(error, kInfo);
+    if (seen && !orientation_seen && !std::exchange(reported_read_, true))
+      events_.note(settings.orientation_file + ": cannot be parsed; see world.orientation_template",
+                   kInfo);
   }
-  state_->wake.notify_one();
+  ended_ = true;
+  wake_.notify_all();
 }
 
-bool WorldFiles::ended_by(std::chrono::steady_clock::time_point deadline) {
-  std::unique_lock lock(state_->mutex);
-  return state_->wake.wait_until(lock, deadline, [this] { return state_->ended; });
-}
-
-void WorldFiles::take(const StepRecord& record) {
-  if (record.now_ns < state_->next_ns) return;
-  state_->next_ns = record.now_ns + from_s(1.0 / state_->run.settings.rate_hz);
-  std::string text = worlds::encoder_text(state_->run.settings.encoder_template, record,
-                                          state_->run.settings.frame);
-  {
-    const std::lock_guard lock(state_->mutex);
-    state_->text = std::move(text);
+WorldSample WorldFiles::sample_of(const worlds::Orientation& received, HostNs now) const {
+  WorldSample sample;
+  sample.session = 1;
+  sample.answered_ns = now;
+  sample.has_ground = true;
+  sample.height_m = received.pose.z_m;
+  sample.roll_rad = received.pose.roll_rad;
+  sample.pitch_rad = received.pose.pitch_rad;
+  if (run_.parameters.owns_pose && received.has_turn && received.has_place) {
+    sample.has_pose = true;
+    sample.pose = received.pose;
   }
-  state_->wake.notify_one();
+  return sample;
 }
 
-WorldFigures WorldFiles::figures() const {
-  const std::lock_guard lock(state_->mutex);
-  return {.files = state_->counters};
+}  // namespace
+
+std::unique_ptr<WorldLink> open_world_files(const config::WorldRun& run, config::GiveWorld give,
+                                            messages::EventQueue& events) {
+  return std::make_unique<WorldFiles>(run, std::move(give), events);
 }
 
 }  // namespace tp100::live

@@ -122,6 +122,12 @@ std::string recording_file(const std::string& path) {
   return std::filesystem::is_directory(path, error) ? path + "/" + kRecordingFile : path;
 }
 
+std::string run_name(const std::string& path) {
+  const std::filesystem::path file =
+      std::filesystem::absolute(recording_file(path)).lexically_normal();
+  return file.stem() == "run" ? file.parent_path().filename() : file.stem();
+}
+
 bool is_recording(const std::string& path) {
   std::array<char, kMcapMagic.size()> magic{};
   std::ifstream file(recording_file(path), std::ios::binary);

@@ -33,6 +33,9 @@ struct RecordingVisitor {
 bool is_recording(const std::string& path);
 /// The recording's file: `path`, or run.mcap in it if it is a folder.
 std::string recording_file(const std::string& path);
+/// Name of the run whose file or folder is `path`: of its folder, or of the file if that is not
+/// called run.mcap.
+std::string run_name(const std::string& path);
 
 class Recording {
  public:

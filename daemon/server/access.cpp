@@ -3,7 +3,7 @@
 #include <arpa/inet.h>
 
 #include <algorithm>
-#include <cctype>
+#include <boost/algorithm/string/case_conv.hpp>
 #include <random>
 
 #include "text/format.h"
@@ -12,9 +12,7 @@ namespace tp100::server {
 namespace {
 
 std::string lower(std::string_view text) {
-  std::string out(text);
-  for (char& c : out) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return out;
+  return boost::algorithm::to_lower_copy(std::string(text));
 }
 
 bool is_port(std::string_view text) {

@@ -16,7 +16,6 @@
 #include <vector>
 
 #include "messages/channels.h"
-#include "messages/figures.h"
 #include "server/protocol.h"
 
 namespace tp100::server {
@@ -51,7 +50,6 @@ class Outbox {
   /// Drops the data frames with this body: newer data replaces it.
   void forget(const std::string* body);
 
-  bool empty() const { return size() == 0; }
   std::size_t size() const;
   /// The next frame to write; nothing: there is none.
   std::optional<WebSocketFrame> pop();
@@ -67,7 +65,6 @@ class Outbox {
   std::uint64_t dropped_ = 0;
 };
 
-/// One connected client.
 class Viewer {
  public:
   /// `wake`: something waits in the outbox; it is called once until awake(). `fail`: the client
@@ -77,7 +74,6 @@ class Viewer {
 
   std::uint32_t id() const { return id_; }
   Outbox& outbox() { return outbox_; }  ///< any thread
-  const Outbox& outbox() const { return outbox_; }
   std::size_t subscriptions() const {
     return static_cast<std::size_t>(std::ranges::count_if(
         subscriptions_, [](const auto& subscription) { return subscription.has_value(); }));

@@ -1,5 +1,3 @@
-#include "server/connection.h"
-
 #include <sys/socket.h>
 
 #include <algorithm>

@@ -104,7 +104,6 @@ struct Motion {
   }
 };
 
-constexpr const char* kAccepted = R"({"accepted":true})";
 constexpr const char* kToken = R"({"token":""})";
 
 }  // namespace

@@ -64,7 +64,6 @@ struct HttpSources {
 /// Whether the answer to `target` is read from the disk, so that http_answer() may block.
 bool needs_disk(std::string_view target);
 HttpAnswer http_answer(const HttpRequest& request, const HttpSources& sources);
-/// A plain-text answer.
 HttpAnswer http_text(unsigned status, std::string text);
 
 }  // namespace tp100::server

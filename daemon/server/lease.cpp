@@ -1,7 +1,6 @@
 #include "server/lease.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "server/access.h"
 #include "text/format.h"
@@ -11,14 +10,6 @@ namespace {
 
 // Clocks of two machines drift apart by less than this.
 constexpr HostNs kDriftDivisor = 1000;
-
-std::string slow(HostNs round_trip_ns) {
-  return text::format(
-      "the first input came %.2f s after the token: driving by hand needs a path to the daemon "
-      "with a round trip of less than %.1f s, and a first input (zero speed will do) at once after "
-      "the token",
-      to_s(round_trip_ns), to_s(Lease::kMaxRoundTripNs));
-}
 
 }  // namespace
 
@@ -46,7 +37,11 @@ std::optional<VelocityInput> Lease::drive(const DriveRequest& request, HostNs no
   if (!clock_offset_ns_) {
     const HostNs round_trip_ns = now - taken_ns_;
     if (round_trip_ns >= kMaxRoundTripNs) {
-      why = slow(round_trip_ns);
+      why = text::format(
+          "the first input came %.2f s after the token: driving by hand needs a path to the daemon "
+          "with a round trip of less than %.1f s, and a first input (zero speed will do) at once "
+          "after the token",
+          to_s(round_trip_ns), to_s(kMaxRoundTripNs));
       clear();
       return std::nullopt;
     }

@@ -2,7 +2,6 @@
 // The lease: the right to drive by hand, which one client at a time holds, of whatever kind. Pure:
 // times are passed in; the caller locks.
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -48,7 +47,6 @@ class Lease {
   bool release(std::string_view token);
   /// The client is gone. True: it held the lease.
   bool lose(std::string_view driver);
-  /// Nobody holds the lease.
   void clear() { *this = Lease{}; }
 
   HostNs taken_ns() const { return taken_ns_; }

@@ -64,18 +64,19 @@ std::string url_of(const LocalDaemon& daemon, std::string_view name) {
 
 }  // namespace
 
-Announcement::Announcement(const LocalDaemon& daemon)
-    : socket_(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+Descriptor announce(const LocalDaemon& daemon) {
+  Descriptor socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
   const std::string name = std::string(kMark) + daemon.address + "/" + std::to_string(daemon.port) +
                            "/" + daemon.session;
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
   // Abstract: the first byte of the name stays 0.
-  if (!socket_ || name.size() >= sizeof address.sun_path) return;
+  if (!socket || name.size() >= sizeof address.sun_path) return socket;
   std::memcpy(address.sun_path + 1, name.data(), name.size());
   const auto size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + name.size());
   // It never listens: nobody can connect or send anything.
-  ::bind(socket_.get(), reinterpret_cast<const sockaddr*>(&address), size);
+  ::bind(socket.get(), reinterpret_cast<const sockaddr*>(&address), size);
+  return socket;
 }
 
 std::vector<LocalDaemon> daemons_in(std::string_view table) {

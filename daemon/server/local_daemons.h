@@ -22,15 +22,9 @@ struct LocalDaemon {
   bool operator==(const LocalDaemon&) const = default;
 };
 
-/// Makes a daemon known for as long as the object lives.
-class Announcement {
- public:
-  /// If the kernel refuses, nothing is announced; then only other pages do not list this daemon.
-  explicit Announcement(const LocalDaemon& daemon);
-
- private:
-  Descriptor socket_;
-};
+/// Makes a daemon known for as long as the descriptor lives. If the kernel refuses, nothing is
+/// announced; then only other pages do not list this daemon.
+Descriptor announce(const LocalDaemon& daemon);
 
 /// The daemons in a table of Unix sockets like /proc/net/unix: the first 64, by port. Whatever is
 /// not announced in exactly this form is skipped. Pure.

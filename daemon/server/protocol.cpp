@@ -1,9 +1,11 @@
 #include "server/protocol.h"
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "core/bytes.h"
 #include "server/access.h"
 
 namespace tp100::server {
@@ -78,7 +80,7 @@ std::optional<messages::ParameterValue> parameter_value(const Json& json) {
   return std::nullopt;
 }
 
-SetParameters::One parameter(const Json& json) {
+NamedValue parameter(const Json& json) {
   if (!json.is_object()) throw Refused{"a parameter must be an object"};
   const auto value = json.find("value");
   return {optional_text(json, "name"),
@@ -102,16 +104,6 @@ ClientMessage message(const Json& json) {
                             "unsubscribeConnectionGraph", "fetchAsset"})
     if (op == known) return Unserved{op};
   return Malformed{"unknown op"};
-}
-
-std::uint32_t little(std::span<const std::uint8_t> bytes) {
-  return static_cast<std::uint32_t>(bytes[0]) | static_cast<std::uint32_t>(bytes[1]) << 8U |
-         static_cast<std::uint32_t>(bytes[2]) << 16U | static_cast<std::uint32_t>(bytes[3]) << 24U;
-}
-
-template <class Byte, class Out>
-void put_little(Out out, std::uint64_t value, int bytes) {
-  for (int i = 0; i < bytes; ++i) *out++ = static_cast<Byte>(value >> (8 * i));
 }
 
 std::string text_of(const Written& json) {
@@ -145,39 +137,36 @@ ClientMessage parse_text(std::string_view text) {
 }
 
 std::optional<std::uint32_t> call_of(std::uint32_t service, std::span<const std::uint8_t> bytes) {
-  if (bytes.size() < 5 || bytes[0] != kServiceCall || little(bytes.subspan(1)) != service)
+  ByteReader in(bytes);
+  if (in.number<std::uint8_t>() != kServiceCall || in.number<std::uint32_t>() != service ||
+      !in.ok())
     return std::nullopt;
-  return bytes.size() < 9 ? 0 : little(bytes.subspan(5));
+  return in.number<std::uint32_t>();
 }
 
 ClientMessage parse_binary(std::span<const std::uint8_t> bytes) {
   if (bytes.empty()) return Malformed{"an empty binary message"};
   if (bytes[0] == kClientData) return Unserved{"client message data"};
   if (bytes[0] != kServiceCall) return Malformed{"a binary message of an unknown kind"};
-  bytes = bytes.subspan(1);
-  if (bytes.size() < 12) return Malformed{"a service call that is too short"};
+  ByteReader in(bytes.subspan(1));
+  if (in.left() < 12) return Malformed{"a service call that is too short"};
   ServiceCall out;
-  out.service = little(bytes);
-  out.call = little(bytes.subspan(4));
-  const std::size_t encoding = little(bytes.subspan(8));
-  bytes = bytes.subspan(12);
-  if (encoding > bytes.size()) return Malformed{"a service call whose encoding is cut off"};
-  out.payload.assign(bytes.begin(), bytes.end());
-  out.encoding = out.payload.substr(0, encoding);
-  out.payload.erase(0, encoding);
+  out.service = in.number<std::uint32_t>();
+  out.call = in.number<std::uint32_t>();
+  out.encoding = in.text();
+  if (!in.ok()) return Malformed{"a service call whose encoding is cut off"};
+  const auto payload = in.bytes(in.left());
+  out.payload.assign(payload.begin(), payload.end());
   return out;
 }
 
-std::optional<std::vector<RequestField>> parse_request(std::string_view text) {
-  std::vector<RequestField> fields;
+std::optional<std::vector<NamedValue>> parse_request(std::string_view text) {
+  std::vector<NamedValue> fields;
   if (text.empty()) return fields;
   const std::optional<Json> json = parse(text);
   if (!json) return std::nullopt;
-  for (const auto& [name, content] : json->items()) {
-    fields.push_back({name, RequestField::Other{}});
-    if (auto value = parameter_value(content))
-      std::visit([&](auto& plain) { fields.back().value = std::move(plain); }, *value);
-  }
+  for (const auto& [name, content] : json->items())
+    fields.push_back({name, parameter_value(content)});
   return fields;
 }
 
@@ -244,20 +233,20 @@ std::string service_failure(std::uint32_t service, std::uint32_t call, std::stri
 MessageHead message_head(std::uint32_t subscription, std::uint64_t unix_ns) {
   MessageHead head{};
   head[0] = kMessageData;
-  put_little<std::uint8_t>(head.begin() + 1, subscription, 4);
-  put_little<std::uint8_t>(head.begin() + 5, unix_ns, 8);
+  std::memcpy(head.data() + 1, &subscription, sizeof subscription);
+  std::memcpy(head.data() + 5, &unix_ns, sizeof unix_ns);
   return head;
 }
 
 std::string service_response(std::uint32_t service, std::uint32_t call, std::string_view json) {
-  static constexpr std::string_view kEncoding = "json";
-  std::string out(1, static_cast<char>(kServiceResponse));
-  put_little<char>(std::back_inserter(out), service, 4);
-  put_little<char>(std::back_inserter(out), call, 4);
-  put_little<char>(std::back_inserter(out), kEncoding.size(), 4);
-  out += kEncoding;
-  out += json;
-  return out;
+  Bytes bytes;
+  ByteWriter out(bytes);
+  out.number(kServiceResponse);
+  out.number(service);
+  out.number(call);
+  out.text("json");
+  out.bytes(bytes_of(json));
+  return {bytes.begin(), bytes.end()};
 }
 
 }  // namespace tp100::server

@@ -38,12 +38,13 @@ struct GetParameters {
   std::vector<std::string> names;  ///< empty: all
   std::string id;                  ///< returned with the answer; empty: none
 };
+/// A parameter to set, or a field of a service request.
+struct NamedValue {
+  std::string name;
+  std::optional<messages::ParameterValue> value;  ///< nothing: none, null, a list or an object
+};
 struct SetParameters {
-  struct One {
-    std::string name;
-    std::optional<messages::ParameterValue> value;  ///< nothing: a type that no parameter has
-  };
-  std::vector<One> parameters;
+  std::vector<NamedValue> parameters;
   std::string id;
 };
 struct ParameterSubscription {
@@ -74,13 +75,7 @@ ClientMessage parse_text(std::string_view text);
 ClientMessage parse_binary(std::span<const std::uint8_t> bytes);
 
 /// Fields of a JSON object, for service requests; nothing if `text` is no object.
-struct RequestField {
-  struct Other {};  ///< null, a list or an object: no argument is one
-  using Value = std::variant<double, bool, std::string, Other>;
-  std::string name;
-  Value value;
-};
-std::optional<std::vector<RequestField>> parse_request(std::string_view text);
+std::optional<std::vector<NamedValue>> parse_request(std::string_view text);
 
 // Messages from the server.
 enum class StatusLevel : std::uint8_t { kInfo = 0, kWarning = 1, kError = 2 };

@@ -227,6 +227,20 @@ void Publisher::take_image(HostNs at, std::string_view jpeg) {
   publish(Channel::kCameraImage, at, messages::image_text(messages_, at, jpeg));
 }
 
+void Publisher::take(messages::ClientsFigures figures, HostNs now) {
+  for (messages::ClientFigures& each : figures.clients)
+    for (const auto& viewer : broker_.viewers())
+      if (viewer->id() == each.id) each.subscriptions = viewer->subscriptions();
+  publish(Channel::kClient, now, messages::clients_message(figures));
+}
+
+void Publisher::failed(const std::string& why, HostNs now) {
+  take(Event{.at_ns = now,
+             .level = Event::Level::kError,
+             .text = "the server could not do what a viewer asked for",
+             .cause = why});
+}
+
 void Publisher::stop_pressed(const std::string& by, HostNs now) {
   stop_.press(by, now);
   publish_state(now, false);

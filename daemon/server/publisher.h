@@ -23,7 +23,6 @@ namespace tp100::server {
 /// Rates of the link over the last second, from its counters. Pure.
 class LinkMeter {
  public:
-  /// Takes the counters of one step.
   void take(const StepRecord& record);
   /// State and rates over the last second; leaves port and sample ages unset.
   messages::LinkFigures figures() const;
@@ -45,7 +44,6 @@ class StopMonitor {
 
   /// STOP was pressed. A press while one is unanswered does not restart its time.
   void press(const std::string& by, HostNs now);
-  /// The robot acknowledged one.
   void answered(HostNs at);
   /// A run was under way at host time `at`, and may have begun then (`began`). Only a start ends a
   /// STOP; a run under way when STOP is pressed has not received it yet.
@@ -78,7 +76,6 @@ class History {
 
   /// Whether the channel is kept at all, and a message of it is due.
   bool due(messages::Channel channel, HostNs now) const;
-  /// Keeps the message if it is due.
   void take(messages::Channel channel, HostNs now, std::string_view json);
   /// The messages of a topic without its slash, oldest first, as a JSON array; nothing: no such
   /// topic is kept.
@@ -116,6 +113,10 @@ class Publisher {
   void take(const StepRecord& record);
   void take(const messages::Event& event);
   void take_image(HostNs at, std::string_view jpeg);
+  /// `figures`: of the clients, without their subscriptions.
+  void take(messages::ClientsFigures figures, HostNs now);
+  /// The server could not do what a viewer asked for.
+  void failed(const std::string& why, HostNs now);
   /// STOP was pressed; the robot acknowledged one.
   void stop_pressed(const std::string& by, HostNs now);
   void stop_answered(HostNs at, HostNs now);

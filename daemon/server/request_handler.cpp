@@ -14,6 +14,9 @@ using messages::ParameterText;
 
 constexpr HostNs kOverdueNs = 500 * kNsPerMs;
 constexpr std::size_t kChangeBytes = 4096;  // what every viewer is told of a change
+// With server.stop_unwatched: a run or a drive is stopped this long after the last sign of a page
+// in sight.
+constexpr HostNs kUnwatchedNs = 2 * kNsPerS;
 constexpr const char* kSteering = "estimation.steering";
 
 constexpr auto kStop = static_cast<std::uint32_t>(Service::kStop);
@@ -55,7 +58,7 @@ RequestHandler::RequestHandler(Broker& broker, Publisher& publisher, Controls& c
   services_.push_back(
       {Service::kStop, "stop", "{}", R"({"acknowledged":true,"acknowledged_ms":1.5})", {}, kOpen});
   // Whoever may stop the robot may say that it is watched.
-  services_.push_back({Service::kWatch, "watch", "{}", R"({"accepted":true})", watch, kOpen});
+  services_.push_back({Service::kWatch, "watch", "{}", kAccepted, watch, kOpen});
   std::ranges::sort(services_, {}, &ServiceRow::service);
   publish_parameters(publisher_.clock().start_ns);
 }
@@ -218,8 +221,7 @@ void RequestHandler::watch_parameters(const Viewer& viewer, const ParameterSubsc
   }
 }
 
-Result<const ParameterText*> RequestHandler::set_one(const SetParameters::One& one,
-                                                     Permission permission) {
+Result<const ParameterText*> RequestHandler::set_one(const NamedValue& one, Permission permission) {
   if (permission != Permission::kCommand)
     return Refusal{"parameters are not taken from this client (server.commands)"};
   const auto found = std::ranges::find(parameters_, one.name, &ParameterText::name);
@@ -239,7 +241,7 @@ void RequestHandler::set_parameters(Viewer& viewer, const SetParameters& wanted,
                                     Permission permission, HostNs now) {
   std::vector<std::string> names;
   bool changed = false;
-  for (const SetParameters::One& one : wanted.parameters) {
+  for (const NamedValue& one : wanted.parameters) {
     names.push_back(one.name);
     const Result<const ParameterText*> done = set_one(one, permission);
     if (!done) {

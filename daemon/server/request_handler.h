@@ -20,10 +20,6 @@ namespace tp100::server {
 
 class RequestHandler {
  public:
-  /// With server.stop_unwatched: a run or a drive is stopped this long after the last sign of a
-  /// page in sight.
-  static constexpr HostNs kUnwatchedNs = 2 * kNsPerS;
-
   /// Publishes the parameters. `broker`, `publisher` and `controls` must outlive the handler.
   /// `services`: those of others, besides those of motion.
   RequestHandler(Broker& broker, Publisher& publisher, Controls& controls,
@@ -75,8 +71,7 @@ class RequestHandler {
   std::vector<const messages::ParameterText*> select(const std::vector<std::string>& names) const;
   void set_parameters(Viewer& viewer, const SetParameters& wanted, Permission permission,
                       HostNs now);
-  Result<const messages::ParameterText*> set_one(const SetParameters::One& one,
-                                                 Permission permission);
+  Result<const messages::ParameterText*> set_one(const NamedValue& one, Permission permission);
   void watch_parameters(const Viewer& viewer, const ParameterSubscription& wanted);
   void parameter_changed(const messages::ParameterText& parameter, HostNs now);
   void publish_parameters(HostNs now);

@@ -17,7 +17,6 @@
 #include <variant>
 
 #include "core/clock.h"
-#include "messages/status_messages.h"
 #include "server/local_daemons.h"
 #include "server/publisher.h"
 #include "server/request_handler.h"
@@ -49,12 +48,7 @@ struct Server::State {
         session(random_name()),
         handler(broker, publisher, controls, std::move(parameters), std::move(settings.services),
                 session, settings.name),
-        sockets(
-            settings, controls, context, broker, handler, sources, session,
-            [this](const messages::ClientsFigures& figures) {
-              post([this, figures] { take(figures); });
-            },
-            [this](const std::string& why) { post([this, why] { failed(why); }); }) {
+        sockets(settings, controls, context, broker, publisher, handler, sources, session) {
     sources.health = [this] { return health(); };
     sources.robots = [this, robots = settings.robots](std::string_view host) {
       return robots_json(sockets.own(), local_daemons(), robots, host);
@@ -62,16 +56,9 @@ struct Server::State {
     sources.history = [this](std::string_view topic) { return publisher.history().json(topic); };
   }
 
-  /// Calls `what` in the worker's thread.
-  template <class What>
-  void post(What what) {
-    asio::post(context, std::move(what));
-  }
   void push(StepOrChange next);
   void take_all();
-  void take(messages::ClientsFigures figures);
   void tick();
-  void failed(const std::string& why);
   std::string health() const;
 
   HttpSources sources;
@@ -92,7 +79,7 @@ struct Server::State {
 
 void Server::State::push(StepOrChange next) {
   const std::lock_guard lock(mutex);
-  if (taken.empty()) post([this] { take_all(); });
+  if (taken.empty()) asio::post(context, [this] { take_all(); });
   if (taken.size() >= kMaxSteps && std::holds_alternative<StepRecord>(taken.front()))
     taken.pop_front();
   taken.push_back(std::move(next));
@@ -115,14 +102,6 @@ void Server::State::take_all() {
   handler.tick(monotonic_now());
 }
 
-void Server::State::take(messages::ClientsFigures figures) {
-  for (messages::ClientFigures& each : figures.clients)
-    for (const auto& viewer : broker.viewers())
-      if (viewer->id() == each.id) each.subscriptions = viewer->subscriptions();
-  broker.publish(messages::Channel::kClient, publisher.clock().unix_ns(monotonic_now()),
-                 messages::clients_message(figures));
-}
-
 void Server::State::tick() {
   timer.expires_after(kTick);
   timer.async_wait([this](boost::system::error_code error) {
@@ -131,13 +110,6 @@ void Server::State::tick() {
   publisher.tick(monotonic_now());
   // Also what an error has left.
   take_all();
-}
-
-void Server::State::failed(const std::string& why) {
-  publisher.take(messages::Event{.at_ns = monotonic_now(),
-                                 .level = messages::Event::Level::kError,
-                                 .text = "the server could not do what a viewer asked for",
-                                 .cause = why});
 }
 
 std::string Server::State::health() const {
@@ -161,7 +133,7 @@ Server::~Server() {
   if (!state_->thread.joinable()) return;
   state_->sockets.stop();
   // After what the sockets have left to do.
-  state_->post([this] { state_->context.stop(); });
+  asio::post(state_->context, [this] { state_->context.stop(); });
   state_->thread.join();
 }
 
@@ -170,9 +142,10 @@ const std::string& Server::note() const { return state_->sockets.note(); }
 
 void Server::start() {
   state_->thread = std::thread([this] {
-    state_->post([this] { state_->tick(); });
+    asio::post(state_->context, [this] { state_->tick(); });
     run_handlers(
-        state_->context, [this](const std::string& why) { state_->failed(why); }, [] {});
+        state_->context,
+        [this](const std::string& why) { state_->publisher.failed(why, monotonic_now()); }, [] {});
   });
   ::pthread_setname_np(state_->thread.native_handle(), "server");
   state_->sockets.start();
@@ -196,19 +169,21 @@ void Server::take(const StepRecord& record) {
 }
 
 void Server::take(const messages::Event& event) {
-  state_->post([this, event] { state_->publisher.take(event); });
+  asio::post(state_->context, [this, event] { state_->publisher.take(event); });
 }
 
 void Server::take_image(HostNs at, std::string jpeg) {
-  state_->post([this, at, image = std::move(jpeg)] { state_->publisher.take_image(at, image); });
+  asio::post(state_->context,
+             [this, at, image = std::move(jpeg)] { state_->publisher.take_image(at, image); });
 }
 
 void Server::stop_pressed(const std::string& by) {
-  state_->post([this, by, now = monotonic_now()] { state_->publisher.stop_pressed(by, now); });
+  asio::post(state_->context,
+             [this, by, now = monotonic_now()] { state_->publisher.stop_pressed(by, now); });
 }
 
 void Server::stop_answered(HostNs at) {
-  state_->post([this, at] {
+  asio::post(state_->context, [this, at] {
     const HostNs now = monotonic_now();
     state_->publisher.stop_answered(at, now);
     state_->handler.tick(now);
@@ -218,7 +193,7 @@ void Server::stop_answered(HostNs at) {
 void Server::flush() {
   if (!state_->thread.joinable()) return;
   const auto flushed = std::make_shared<std::promise<void>>();
-  state_->post([flushed] { flushed->set_value(); });
+  asio::post(state_->context, [flushed] { flushed->set_value(); });
   flushed->get_future().wait_for(kFlush);
 }
 

@@ -7,13 +7,33 @@
 #include <string>
 #include <vector>
 
+#include "config/configuration.h"
 #include "messages/messages.h"
 #include "messages/parameter_text.h"
 #include "messages/sink.h"
+#include "server/access.h"
+#include "server/broker.h"
 #include "server/controls.h"
-#include "server/shared_state.h"
+#include "server/http_content.h"
 
 namespace tp100::server {
+
+struct ServerSettings {
+  /// HOST:PORT, with port 0 for any free one; "auto": 127.0.0.1:8765, or any free port of that
+  /// address if that one is in use; "off": serves only `listener`.
+  std::string listen = "auto";
+  AccessRules access{};
+  config::CommandsFrom commands = config::CommandsFrom::kLocal;
+  std::size_t max_clients = 64;
+  double units_per_s = Budgets::kUnitsPerS;  ///< of viewers, and of HTTP requests of an address
+  std::string name{};                        ///< of the robot, for people
+  /// Pages of other robots, besides those found on this machine.
+  std::vector<std::string> robots{};
+  HttpSources content{};             ///< the server itself adds health, robots and history
+  std::vector<ServiceRow> services;  ///< besides those of motion
+  bool real_time = false;            ///< the sockets' thread has loop::kBelowTheLoop, if permitted
+  Listener listener;  ///< called from the constructor and the worker's thread; must not block
+};
 
 class Server : public messages::Sink {
  public:

@@ -45,22 +45,22 @@ Result<Consent> consent_of(const Arguments& given, const messages::PublishClock&
   return consent;
 }
 
-const char* kind_of(const RequestField::Value& value) {
+const char* kind_of(const messages::ParameterValue& value) {
   return std::holds_alternative<double>(value) ? " must be a number"
          : std::holds_alternative<bool>(value) ? " must be true or false"
                                                : " must be a string";
 }
 
 /// Whether all have names and types of the example.
-Result<> check(const ServiceRow& row, const std::vector<RequestField>& arguments) {
-  const std::vector<RequestField>& known = row.request.fields;
-  for (const RequestField& field : arguments) {
-    const auto like = std::ranges::find(known, field.name, &RequestField::name);
+Result<> check(const ServiceRow& row, const std::vector<NamedValue>& arguments) {
+  const std::vector<NamedValue>& known = row.request.fields;
+  for (const NamedValue& field : arguments) {
+    const auto like = std::ranges::find(known, field.name, &NamedValue::name);
     const bool of_consent = row.rules.consents && (field.name == "stops" || field.name == "t_s");
     if (like == known.end() && !row.rules.more_arguments && !of_consent)
       return no_such("argument", field.name);
-    if (like != known.end() && like->value.index() != field.value.index())
-      return Refusal{field.name + kind_of(like->value)};
+    if (like != known.end() && (!field.value || field.value->index() != like->value->index()))
+      return Refusal{field.name + kind_of(*like->value)};
   }
   return Done{};
 }
@@ -73,8 +73,8 @@ ServiceText text_of(const ServiceRow& row) {
   if (row.rules.consents)
     request.insert(1, request == "{}" ? R"("stops":1,"t_s":1.5)" : R"("stops":1,"t_s":1.5,)");
   return {static_cast<std::uint32_t>(row.service), row.name, type,
-          messages::schema_of(type + "Request", request),
-          messages::schema_of(type + "Response", row.response)};
+          messages::schema_of(type + "Request", {request}),
+          messages::schema_of(type + "Response", {row.response})};
 }
 
 Result<Request> read_request(const ServiceRow& row, std::string_view json, std::uint32_t viewer,
@@ -106,7 +106,7 @@ std::string json_of(std::initializer_list<std::pair<const char*, std::string_vie
 
 Result<std::string> accepted(const Result<>& done) {
   if (!done) return done.refusal();
-  return std::string(R"({"accepted":true})");
+  return std::string(kAccepted);
 }
 
 }  // namespace tp100::server

@@ -51,19 +51,17 @@ enum class Service : std::uint32_t {
   kWatch,
 };
 
-/// What a client may do.
 enum class Permission : std::uint8_t {
   kCommand,
   kStopOnly,  ///< view, and STOP
 };
 
-/// The fields of a request.
 class Arguments {
  public:
-  Arguments(std::vector<RequestField> fields = {}) : fields_(std::move(fields)) {}
+  Arguments(std::vector<NamedValue> fields = {}) : fields_(std::move(fields)) {}
 
   bool empty() const { return fields_.empty(); }
-  const std::vector<RequestField>& fields() const { return fields_; }
+  const std::vector<NamedValue>& fields() const { return fields_; }
   // Nothing: there is none of that name and type.
   std::optional<std::string> text(std::string_view name) const { return get<std::string>(name); }
   std::optional<double> number(std::string_view name) const { return get<double>(name); }
@@ -72,12 +70,12 @@ class Arguments {
  private:
   template <class T>
   std::optional<T> get(std::string_view name) const {
-    for (const RequestField& field : fields_)
-      if (const T* value = std::get_if<T>(&field.value); value != nullptr && field.name == name)
-        return *value;
+    for (const NamedValue& field : fields_)
+      if (field.name == name && field.value)
+        if (const T* value = std::get_if<T>(&*field.value)) return *value;
     return std::nullopt;
   }
-  std::vector<RequestField> fields_;
+  std::vector<NamedValue> fields_;
 };
 
 /// A request whose arguments have the names and types of the row's example.
@@ -105,7 +103,7 @@ struct RequestExample {
   RequestExample(const char* text) : json(text), fields(parse_request(text).value()) {}
 
   const char* json;
-  std::vector<RequestField> fields;
+  std::vector<NamedValue> fields;
 };
 
 struct ServiceRow {
@@ -141,6 +139,7 @@ Refusal no_such(const std::string& what, const std::string& name);
 /// A JSON object of texts.
 std::string json_of(std::initializer_list<std::pair<const char*, std::string_view>> texts);
 /// The answer of most requests that are carried out at once.
+inline constexpr const char* kAccepted = R"({"accepted":true})";
 Result<std::string> accepted(const Result<>& done);
 
 }  // namespace tp100::server

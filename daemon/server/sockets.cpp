@@ -1,7 +1,6 @@
 #include "server/sockets.h"
 
 #include <pthread.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <boost/asio/post.hpp>
@@ -11,7 +10,7 @@
 #include "core/clock.h"
 #include "core/error.h"
 #include "loop/real_time.h"
-#include "server/connection.h"
+#include "server/publisher.h"
 #include "server/viewer_socket.h"
 #include "text/format.h"
 
@@ -57,8 +56,8 @@ void run_handlers(asio::io_context& context, const Worker::Failed& failed,
 }
 
 Sockets::Sockets(ServerSettings settings, Controls& controls, asio::io_context& work,
-                 Broker& broker, RequestHandler& handler, HttpSources& sources, std::string session,
-                 Report report, Worker::Failed failed)
+                 Broker& broker, Publisher& publisher, RequestHandler& handler,
+                 HttpSources& sources, std::string session)
     : shared_{.settings = std::move(settings),
               .controls = controls,
               .context = context_,
@@ -67,8 +66,7 @@ Sockets::Sockets(ServerSettings settings, Controls& controls, asio::io_context& 
               .handler = handler,
               .sources = sources,
               .disk = disk_},
-      report_(std::move(report)),
-      failed_(std::move(failed)),
+      publisher_(publisher),
       own_{.session = std::move(session)} {
   listen();
 }
@@ -112,13 +110,17 @@ void Sockets::listen() {
 }
 
 void Sockets::start() {
-  if (!url_.empty()) announcement_.emplace(own_);
+  if (!url_.empty()) announcement_ = announce(own_);
   thread_ = std::thread([this] {
     // Before the other programs of a busy machine, if that is permitted.
     loop::apply_to_this_thread({.priority = shared_.settings.real_time ? loop::kBelowTheLoop : 0});
     if (acceptor_.is_open()) accept();
     asio::post(context_, [this] { tick(); });
-    run_handlers(context_, failed_, [this] { rest(); });
+    const auto failed = [this](const std::string& why) {
+      asio::post(shared_.work,
+                 [&publisher = publisher_, why] { publisher.failed(why, monotonic_now()); });
+    };
+    run_handlers(context_, failed, [this] { rest(); });
   });
   ::pthread_setname_np(thread_.native_handle(), "sockets");
 }
@@ -167,7 +169,9 @@ void Sockets::tick() {
     figures.dropped_total += figures.clients.back().dropped;
     viewer->tick(now);
   }
-  report_(std::move(figures));
+  asio::post(shared_.work, [&publisher = publisher_, figures = std::move(figures)]() mutable {
+    publisher.take(std::move(figures), monotonic_now());
+  });
 }
 
 void Sockets::stop() {

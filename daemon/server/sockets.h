@@ -8,17 +8,63 @@
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <chrono>
+#include <cstdint>
 #include <functional>
-#include <optional>
+#include <map>
+#include <memory>
 #include <string>
 #include <thread>
 
+#include "core/descriptor.h"
 #include "core/worker.h"
 #include "messages/figures.h"
+#include "server/access.h"
+#include "server/broker.h"
+#include "server/controls.h"
+#include "server/http_content.h"
 #include "server/local_daemons.h"
-#include "server/shared_state.h"
+#include "server/server.h"
 
 namespace tp100::server {
+
+class Publisher;
+class RequestHandler;
+class ViewerSocket;
+
+/// What connections share: the sockets' thread's, except for what is marked.
+struct SharedState {
+  /// Limit of body_bytes.
+  static constexpr std::size_t kMaxBodyBytes = 48 << 20;
+  /// Most HTTP connections at once, besides the viewers; further ones are closed on accept.
+  static constexpr std::size_t kMaxConnections = 64;
+  /// Share of these, and of the viewers, reserved for programs of this machine: idle remote clients
+  /// must not lock out the operator's page.
+  static constexpr std::size_t kKeptForLocal = 4;
+
+  ServerSettings settings;
+  Controls& controls;                ///< only STOP
+  boost::asio::io_context& context;  ///< the sockets' thread
+  boost::asio::io_context& work;     ///< the worker, whose are broker, handler and most sources
+  Broker& broker;
+  RequestHandler& handler;
+  HttpSources& sources;
+  Worker& disk;  ///< makes the answers that need it; no other thread waits for a disk
+  // A flood of one kind leaves the other alone.
+  Budgets viewer_budgets{settings.units_per_s}, http_budgets{settings.units_per_s};
+  std::map<std::uint32_t, std::weak_ptr<ViewerSocket>> viewers{};  // by id
+  std::uint32_t last_id = 0;
+  std::size_t sockets = 0;             // viewers, including those connecting or leaving
+  std::size_t connections = 0;         // HTTP connections
+  std::size_t body_bytes = 0;          // of answers in memory that are being written
+  messages::ClientsFigures figures{};  // totals, of clients that are gone
+};
+
+/// The other end of a connection.
+struct Peer {
+  std::string address;  ///< with its port
+  std::string network;  ///< whose budget it has, see Budgets
+  bool local = false;   ///< a program of this machine
+};
 
 /// Runs the handlers of `context` until it is stopped, and `after` after each. Nothing that one
 /// throws ends the program: `failed` gets it, as of a job of Worker.
@@ -27,15 +73,12 @@ void run_handlers(boost::asio::io_context& context, const Worker::Failed& failed
 
 class Sockets {
  public:
-  /// Called once a second by the sockets' thread, with all but the viewers' subscriptions.
-  using Report = std::function<void(messages::ClientsFigures)>;
-
   /// Listens; serves nothing before start(). Throws UserError if the address is not available.
-  /// `work` is the worker's; it and all others must outlive this object. `failed`: as of
-  /// run_handlers(), called by the sockets' thread.
+  /// `work` is the worker's, in which `publisher` gets the clients' figures once a second, and what
+  /// handlers throw; it and all others must outlive this object.
   Sockets(ServerSettings settings, Controls& controls, boost::asio::io_context& work,
-          Broker& broker, RequestHandler& handler, HttpSources& sources, std::string session,
-          Report report, Worker::Failed failed);
+          Broker& broker, Publisher& publisher, RequestHandler& handler, HttpSources& sources,
+          std::string session);
 
   /// As in Server.
   const std::string& url() const { return url_; }
@@ -46,7 +89,6 @@ class Sockets {
   void start();
   /// Closes every connection, waiting half a second at most, and ends the thread.
   void stop();
-  /// Whether a client's request still waits for the disk.
   bool waits_for_disk() { return !disk_.idle_by(std::chrono::steady_clock::now()); }
 
  private:
@@ -59,11 +101,10 @@ class Sockets {
   void await_goodbyes();
 
   SharedState shared_;
-  Report report_;
-  Worker::Failed failed_;
+  Publisher& publisher_;  // the worker's
   LocalDaemon own_;
   std::string url_, note_;
-  std::optional<Announcement> announcement_;
+  Descriptor announcement_;
   HostNs stop_by_ns_ = 0;
   bool stopping_ = false;
   HostNs at_ns_ = 0, used_ns_ = 0, credit_ns_ = 0;  // of the thread's use of a processor

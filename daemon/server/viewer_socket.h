@@ -3,7 +3,6 @@
 // to the worker, writes the frames of its outbox, and disconnects it when it misbehaves.
 
 #include <atomic>
-#include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/beast/core/basic_stream.hpp>
@@ -16,7 +15,7 @@
 #include <string>
 
 #include "server/access.h"
-#include "server/shared_state.h"
+#include "server/sockets.h"
 
 namespace tp100::server {
 
@@ -80,5 +79,9 @@ class ViewerSocket : public std::enable_shared_from_this<ViewerSocket> {
   // Reports of STOP that are on their way to the worker, which may be gone after this.
   std::shared_ptr<std::atomic<int>> stops_ = std::make_shared<std::atomic<int>>(0);
 };
+
+/// Serves an accepted connection until it ends: HTTP requests, which others answer, until it
+/// becomes a viewer.
+void serve_connection(boost::asio::ip::tcp::socket socket, SharedState& shared);
 
 }  // namespace tp100::server

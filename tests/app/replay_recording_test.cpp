@@ -5,7 +5,6 @@
 
 #include "../record/random_record.h"
 #include "app/commands.h"
-#include "app/replay.h"
 #include "core/processor.h"
 #include "recorded_run.h"
 #include "support/refusal.h"

@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <vector>
 
-#include "app/replay.h"
 #include "bridge/step.h"
 #include "core/statistics.h"
 #include "kept_run.h"

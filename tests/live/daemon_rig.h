@@ -15,7 +15,7 @@
 #include "live/live_cycle.h"
 #include "live/live_events.h"
 #include "live/live_recording.h"
-#include "live/ros2_requests.h"
+#include "live/ros2_node.h"
 #include "live/setup_changer.h"
 #include "live/terminal.h"
 #include "ros2/message_types.h"

@@ -316,7 +316,7 @@ class Doors : public DaemonRig {
     const bool there = !came_later_;
     if (physical_ && there) acts_.push_back({.by = "--go", .life_ns = Consent::kOptionLifeNs});
     // An emulated robot hurts nobody, but STOP and the first run end its own start, too.
-    if (!physical_ && !cycle_.has_run()) acts_.push_back({.by = "emulator", .at_ns = now_});
+    if (!physical_ && !cycle_.consents().ran()) acts_.push_back({.by = "emulator", .at_ns = now_});
     return controls_.start_by_itself(came_later_, 0, now_);
   }
 

@@ -1,4 +1,4 @@
-#include "live/recording_policies.h"
+#include "live/live_recording.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Starts of the robot over ROS 2, and STOP. Driving: tests/robot/hand_drive_test.cpp.
-#include "live/ros2_requests.h"
+#include "live/ros2_node.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

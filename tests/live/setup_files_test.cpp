@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "../support/temporary_folder.h"
-#include "live/setup_list.h"
+#include "live/services.h"
 #include "support/refusal.h"
 
 namespace tp100::live {
@@ -161,7 +161,7 @@ TEST_F(SetupListTest, SaysWhyACourseDoesNotFitTheRobot) {
 TEST(CheckedFile, NamesTheFirstErrorWithItsPlaceOrTheLengthAndTime) {
   const config::LoadedRun run;
   const auto check = [&](const std::string& text) {
-    return Json::parse(checked_file(run, Bundled::kCourses, {"mine.toml", text}));
+    return Json::parse(checked_file(run, Bundled::kCourses, {"mine.toml", text}).json);
   };
   std::string text = kLine;
   text.replace(text.find("0.3"), 3, "300");
@@ -180,7 +180,7 @@ TEST(CheckedFile, NamesTheFirstErrorWithItsPlaceOrTheLengthAndTime) {
 TEST(CheckedFile, DrawsACourseWhosePiecesDoNotFitTogether) {
   const config::LoadedRun run;
   const auto check = [&](const std::string& text) {
-    return Json::parse(checked_file(run, Bundled::kCourses, {"mine.toml", text}));
+    return Json::parse(checked_file(run, Bundled::kCourses, {"mine.toml", text}).json);
   };
   std::string far = kLine;
   far.replace(far.find("0.3"), 3, "9.5");

@@ -1,4 +1,4 @@
-#include "live/world_files.h"
+// The two text files of an external world.
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -12,6 +12,7 @@
 
 #include "../support/eventually.h"
 #include "core/error.h"
+#include "live/external_inputs.h"
 #include "support/temporary_folder.h"
 
 namespace tp100::live {
@@ -28,7 +29,7 @@ class Files : public testing::Test {
     run_.settings.rate_hz = 1000.0;
   }
   void open() {
-    files_ = std::make_unique<WorldFiles>(
+    files_ = open_world_files(
         run_,
         [this](const WorldSample& sample) {
           const std::lock_guard lock(mutex_);
@@ -56,7 +57,7 @@ class Files : public testing::Test {
   std::unique_ptr<StepRecord> record_ = std::make_unique<StepRecord>();
   std::mutex mutex_;
   WorldSample sample_{};
-  std::unique_ptr<WorldFiles> files_;
+  std::unique_ptr<WorldLink> files_;
 };
 
 TEST_F(Files, TheNewestStepIsWrittenAsAWhole) {

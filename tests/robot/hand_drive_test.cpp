@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "app/replay.h"
+#include "app/commands.h"
 #include "dead_man.h"
 #include "fence_runs.h"
 #include "record/recording.h"

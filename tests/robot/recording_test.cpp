@@ -13,7 +13,6 @@
 
 #include "../programs/process.h"
 #include "app/commands.h"
-#include "app/replay.h"
 #include "report/metrics.h"
 #include "report/result_text.h"
 #include "report/run_result.h"

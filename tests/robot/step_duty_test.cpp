@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "../bench/kept_run.h"
-#include "app/replay.h"
 #include "bridge/step.h"
 #include "support/real_time_monitor.h"
 

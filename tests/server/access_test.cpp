@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "server/local_daemons.h"
 #include "support/refusal.h"
@@ -74,15 +73,15 @@ TEST(LocalDaemons, AreKnownWhileTheyRun) {
   // No other process uses it.
   const std::string session = random_name();
   const LocalDaemon one{"127.0.0.1", 1, session}, other{"::1", 2, session};
-  std::optional<Announcement> first(one);
+  Descriptor first = announce(one);
   {
-    const Announcement second(other);
+    const Descriptor second = announce(other);
     EXPECT_THAT(local_daemons(), Contains(one));
     EXPECT_THAT(local_daemons(), Contains(other));
   }
   EXPECT_THAT(local_daemons(), Contains(one));
   EXPECT_THAT(local_daemons(), Not(Contains(other)));
-  first.reset();
+  first = Descriptor();
   EXPECT_THAT(local_daemons(), Not(Contains(one)));
 }
 

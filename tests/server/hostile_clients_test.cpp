@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "server/service.h"
-#include "server/shared_state.h"
+#include "server/sockets.h"
 #include "server_rig.h"
 
 namespace tp100::server {

@@ -30,7 +30,7 @@ TEST_F(RequestHandlerTest, ASubscriberGetsWhatIsKeptAtOnceAndThenWhatIsNewUntilI
   send(subscribe);
   broker_.remove(viewer_);
   step(ready());
-  EXPECT_TRUE(viewer_->outbox().empty());
+  EXPECT_EQ(viewer_->outbox().size(), 0U);
 }
 
 TEST_F(RequestHandlerTest, SubscriptionsAreChecked) {
