@@ -19,7 +19,8 @@ inline std::string ask(WebClient& viewer, Service service, const std::string& re
   // Both repeat service and call; other calls of this viewer may be answered later than this one.
   const std::string response = {'\x03', code, 0, 0, 0, number, 0, 0, 0};
   const std::string failure = "\"serviceId\":" + std::to_string(int{code}) +
-                              ",\"callId\":" + std::to_string(int{number}) + ",";
+                              ",\"callId\":" + std::to_string(static_cast<unsigned char>(number)) +
+                              ",";
   for (;;) {
     viewer.drain();
     for (const std::string& message : viewer.take())
