@@ -58,18 +58,19 @@ DriveMotion::DriveMotion(const RecordedDrive& drive, double counts_per_metre) {
   }
 }
 
-std::vector<Pose> DriveMotion::poses(const model::ModelForm& form,
-                                     const model::TrackParameters& parameters) const {
+void DriveMotion::replace_poses(const model::ModelForm& form,
+                                const model::TrackParameters& parameters,
+                                std::vector<Pose>& all) const {
   model::DeadReckoning reckoning(form, parameters, {}, kTurnShapeLagS);
-  std::vector<Pose> poses = {reckoning.pose()};
-  poses.reserve(times_s_.size());
+  all.clear();
+  all.reserve(times_s_.size());
+  all.push_back(reckoning.pose());
   for (std::size_t i = 0; i < intervals_.size(); ++i) {
     const Interval& interval = intervals_[i];
     const double gyro_radps = (gyro_rad_[i + 1] - gyro_rad_[i]) / interval.dt_s;
     reckoning.advance(interval.left_mps, interval.right_mps, gyro_radps, interval.dt_s);
-    poses.push_back(reckoning.pose());
+    all.push_back(reckoning.pose());
   }
-  return poses;
 }
 
 DriveMotion::Place DriveMotion::place(double t_s) const {
@@ -80,8 +81,8 @@ DriveMotion::Place DriveMotion::place(double t_s) const {
   return {index, (t_s - times_s_[index]) / intervals_[index].dt_s};
 }
 
-Pose DriveMotion::at(const std::vector<Pose>& poses, double t_s) const {
-  const auto [index, share] = place(t_s);
+Pose DriveMotion::at(const std::vector<Pose>& poses, const Place& place) {
+  const auto [index, share] = place;
   const Pose& a = poses[index];
   const Pose& b = poses[index + 1];
   Pose pose;

@@ -47,8 +47,7 @@ FittedRun::FittedRun(const RecordedDrive& drive, double counts_per_metre, double
   images_per_s = static_cast<double>(images.size()) / (motion.end_s() - motion.begin_s());
 }
 
-Pose FittedRun::predicted(const std::vector<Pose>& poses, double t_s) const {
-  const Pose driven = motion.at(poses, t_s);
+Pose FittedRun::predicted(const Pose& driven) const {
   const double c = std::cos(own[2]), s = std::sin(own[2]);
   Pose pose;
   pose.x_m = own[0] + c * driven.x_m - s * driven.y_m;
@@ -59,7 +58,7 @@ Pose FittedRun::predicted(const std::vector<Pose>& poses, double t_s) const {
 
 Residual FittedRun::residual(const std::vector<Pose>& poses, const SeenPose& seen,
                              double late_s) const {
-  return residual(seen, predicted(poses, seen.t_s - late_s));
+  return residual(seen, predicted(motion.at(poses, motion.place(seen.t_s - late_s))));
 }
 
 }  // namespace tp100::identify

@@ -40,8 +40,8 @@ struct FittedRun {
   /// beyond it, a model that does not fit is not.
   double usual_m = 0.0, usual_rad = 0.0;
 
-  /// World pose at `t_s` from the poses since the start.
-  Pose predicted(const std::vector<Pose>& poses, double t_s) const;
+  /// World pose of a pose since the start.
+  Pose predicted(const Pose& driven) const;
   /// Residual of an image against the pose predicted for it.
   static Residual residual(const SeenPose& seen, const Pose& here) {
     return {seen.x_m - here.x_m, seen.y_m - here.y_m, seen.yaw_rad - here.yaw_rad};

@@ -24,7 +24,8 @@ MatrixXd solve(const Lu& a, const MatrixXd& b) { return a.solve(b); }
 VectorXd solve(const Lu& a, const VectorXd& b) { return a.solve(b); }
 MatrixXd inverse(const MatrixXd& a) { return Lu(a).inverse(); }
 MatrixXd identity(Eigen::Index size) { return MatrixXd::Identity(size, size); }
-void add_outer_product(MatrixXd& sum, double weight, const VectorXd& a, const VectorXd& b) {
+void add_outer_product(MatrixXd& sum, double weight, const RunSums::Derivatives& a,
+                       const RunSums::Derivatives& b) {
   for (Eigen::Index column = 0; column < b.size(); ++column)
     for (Eigen::Index row = 0; row < a.size(); ++row)
       sum(row, column) += weight * a[row] * b[column];
@@ -63,7 +64,7 @@ RunSums::RunSums(Eigen::Index shared, Eigen::Index own)
       score_(VectorXd::Zero(shared)),
       own_score_(VectorXd::Zero(own)) {}
 
-void RunSums::add(const VectorXd& by_shared, const VectorXd& by_own, double residual,
+void RunSums::add(const Derivatives& by_shared, const Derivatives& by_own, double residual,
                   double weight) {
   add_outer_product(information_, weight, by_shared, by_shared);
   add_outer_product(cross_, weight, by_shared, by_own);

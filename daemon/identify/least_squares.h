@@ -18,10 +18,11 @@ double samples_together(const std::vector<double>& residuals);
 /// Sums of one run: shared parameters first, own ones eliminated.
 class RunSums {
  public:
+  using Derivatives = Eigen::Ref<const Eigen::VectorXd>;
+
   RunSums(Eigen::Index shared, Eigen::Index own);
   /// One residual (measured - predicted) with the derivatives of the prediction.
-  void add(const Eigen::VectorXd& by_shared, const Eigen::VectorXd& by_own, double residual,
-           double weight);
+  void add(const Derivatives& by_shared, const Derivatives& by_own, double residual, double weight);
   /// Call after the last residual.
   void eliminate();
 

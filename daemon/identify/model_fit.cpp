@@ -110,11 +110,14 @@ double ModelFit::cost() const {
 double ModelFit::take_images(const FittedRun& run, const Poses& poses, RunSums* sums) const {
   const double together = std::max(1.0, run.images_per_s * correlated_s_);
   const double gyro_scale = values_.tracks.gyro_scale;
+  const double turned_x = std::cos(run.own[2]), turned_y = std::sin(run.own[2]);
   double cost = 0.0;
   Eigen::VectorXd by_x(size()), by_y(size()), by_yaw(size()), by_gyro(size());
   for (const SeenPose& seen : run.images) {
     const double t_s = seen.t_s - values_.delay_s;
-    const Pose here = run.predicted(poses[0], t_s);
+    const DriveMotion::Place now = run.motion.place(t_s);
+    const DriveMotion::Place before = run.motion.place(t_s - kDifference);
+    const Pose driven = DriveMotion::at(poses[0], now), here = run.predicted(driven);
     const Residual off = FittedRun::residual(seen, here);
     const double turned = run.motion.gyro_rad(t_s);
     const double gyro = seen.yaw_rad - (run.own[3] + gyro_scale * turned);
@@ -130,11 +133,12 @@ double ModelFit::take_images(const FittedRun& run, const Poses& poses, RunSums* 
     for (Eigen::Index k = 0; k < size(); ++k) {
       const std::size_t i = shared_index(k);
       const bool delay = i == kDelay;
-      const Pose there = run.predicted(poses[delay ? 0 : static_cast<std::size_t>(k) + 1],
-                                       delay ? t_s - kDifference : t_s);
-      by_x[k] = (there.x_m - here.x_m) / kDifference;
-      by_y[k] = (there.y_m - here.y_m) / kDifference;
-      by_yaw[k] = (there.yaw_rad - here.yaw_rad) / kDifference;
+      const Pose there = delay ? DriveMotion::at(poses[0], before)
+                               : DriveMotion::at(poses[static_cast<std::size_t>(k) + 1], now);
+      const double dx_m = there.x_m - driven.x_m, dy_m = there.y_m - driven.y_m;
+      by_x[k] = (turned_x * dx_m - turned_y * dy_m) / kDifference;
+      by_y[k] = (turned_y * dx_m + turned_x * dy_m) / kDifference;
+      by_yaw[k] = (there.yaw_rad - driven.yaw_rad) / kDifference;
       if (i == kGyroScale) by_gyro[k] = turned;
       if (delay)
         by_gyro[k] = gyro_scale * (run.motion.gyro_rad(t_s - kDifference) - turned) / kDifference;
@@ -182,12 +186,16 @@ double ModelFit::take_measured(const FittedRun& run, const Poses& poses, RunSums
 }
 
 double ModelFit::linearise(const FittedRun& run, RunSums* sums) const {
-  Poses poses = {this->poses(run, values_)};
+  Poses& poses = kept_poses_;
+  poses.resize(free_.size() + 1);
+  run.motion.replace_poses(*form_, values_.tracks, poses[0]);
   for (std::size_t k = 0; sums != nullptr && k < free_.size(); ++k) {
     Values changed = values_;
     changed[free_[k]] += kDifference;
-    const bool moves = free_[k] != kDelay && (free_[k] != kGyroScale || form_->yaw_from_gyro);
-    poses.push_back(moves ? this->poses(run, changed) : poses[0]);
+    if (free_[k] != kDelay && (free_[k] != kGyroScale || form_->yaw_from_gyro))
+      run.motion.replace_poses(*form_, changed.tracks, poses[k + 1]);
+    else
+      poses[k + 1] = poses[0];
   }
   const double cost = take_images(run, poses, sums) + take_measured(run, poses, sums);
   if (sums != nullptr) sums->eliminate();

@@ -124,6 +124,7 @@ class ModelFit {
   double correlated_s_;
   double sd_m_, sd_rad_, sd_gyro_rad_;
   bool rejecting_ = false;
+  mutable Poses kept_poses_;  // of linearise(), which would allocate them anew in each call
 };
 
 }  // namespace tp100::identify
