@@ -15,6 +15,8 @@ PARTS = {
               "20 s with random commands in a fence", [
                   ("what", "what", "<62s"), ("count", "count", "5d"), ("p50", "p50", "9.1f"), ("p99", "p99", "9.1f"),
                   ("max", "max", "9.1f"), ("unit", "unit", "<3s")]),
+    "firmware": ("what the firmware takes of a Mega 2560, in cycles of the emulated chip", [
+        ("what", "what", "<40s"), ("now", "now", "9.2f"), ("limit", "limit", ">10s")]),
     "step": ("the bridge's step with every estimate, rewind, terrain and control on, course 3 [us]; a step's time is "
              "the median of five passes", [
         ("setup", "set-up", "<7s"), ("steps", "steps", "6d"), ("which", "which", "<22s"), ("caches", "caches", "<6s"),
