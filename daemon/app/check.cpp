@@ -1,3 +1,4 @@
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -15,6 +16,7 @@
 #include "course/robot_file.h"
 #include "live/services.h"
 #include "terrain/climbable.h"
+#include "text/command_line.h"
 #include "text/format.h"
 #include "text/toml_document.h"
 
@@ -152,6 +154,16 @@ int run_check(const std::vector<std::string>& files, bool json) {
     }
   }
   return status;
+}
+
+void add_check(CLI::App& app, Action& action) {
+  static std::vector<std::string> files;
+  static bool json = false;
+  CLI::App* command = app.add_subcommand("check", "Check configuration, course and robot files");
+  text::option(command, "FILE", files, "FILE", "Files of any of these kinds")->required();
+  command->add_flag("--json", json, "Course files only: also where path, ground and fence lie");
+  command->footer("Example: tp100d check config/tp100.toml config/courses/2.toml");
+  command->callback([&action] { action = [] { return run_check(files, json); }; });
 }
 
 }  // namespace tp100::app

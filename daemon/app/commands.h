@@ -1,7 +1,8 @@
 #pragma once
-// The subcommands of tp100d: options in, exit status or a UserError out. Each is a source file of
-// its name.
+// The subcommands of tp100d, each a source file of its name with its options: here is the list of
+// them, and what others than the command line call, options in, exit status or a UserError out.
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -11,13 +12,34 @@
 
 #include "bridge/parameters.h"
 #include "config/run_setup.h"
-#include "identify/next_manoeuvre.h"
 #include "link/port_discovery.h"
 #include "live/daemon.h"
 #include "record/recording.h"
 #include "record/step_difference.h"
 
+namespace CLI {
+class App;
+}
+
 namespace tp100::app {
+
+/// Action to run after parsing the command line. Returns the exit status.
+using Action = std::function<int()>;
+
+// Each adds one subcommand, which sets the action when it is parsed.
+void add_run(CLI::App& app, Action& action);
+void add_ports(CLI::App& app, Action& action);
+void add_doctor(CLI::App& app, Action& action);
+void add_check(CLI::App& app, Action& action);
+void add_replay(CLI::App& app, Action& action);
+void add_identify(CLI::App& app, Action& action);
+void add_recover(CLI::App& app, Action& action);
+void add_export(CLI::App& app, Action& action);
+void add_report(CLI::App& app, Action& action);
+void add_compare(CLI::App& app, Action& action);
+inline constexpr std::array kSubcommands = {add_run,    add_ports,    add_doctor,  add_check,
+                                            add_replay, add_identify, add_recover, add_export,
+                                            add_report, add_compare};
 
 /// Runs this process at idle priority and ends it when its parent ends: for work that is done while
 /// a robot drives.
@@ -50,8 +72,6 @@ std::string ports_text(const std::vector<link::PortInfo>& ports,
                        const std::vector<std::string>& stable_names,
                        const std::vector<link::PassedOver>& passed_over);
 
-int run_ports();
-
 // `tp100d check`: validates files.
 
 /// Kinds of files that a user writes.
@@ -68,52 +88,6 @@ std::string check_file(const std::string& path);
 /// The command: one line per file, errors on stderr; with `json` of course files only, each as
 /// the service file_check answers (CHANNELS.md). Exit status 0 if all are valid, else 2.
 int run_check(const std::vector<std::string>& files, bool json = false);
-
-// `tp100d doctor`: finds what prevents the robot from driving, with one line to fix each.
-
-struct DoctorOptions {
-  std::string config;
-  std::string robot;         ///< empty: as configured
-  std::string port;          ///< empty: as configured
-  double link_test_s = 1.0;  ///< 0: no link test
-  bool wheels_up = false;    ///< also run the guided test of the tracks
-  bool json = false;
-};
-
-/// The command. 0: nothing prevents the robot from driving; 1: something does.
-int run_doctor(const DoctorOptions& options);
-
-// The guided calibration of `tp100d identify --drive`: drives one calibration course after the
-// other on a port and records them; the end of each is measured by a camera or by hand.
-
-struct GuidedOptions {
-  RunOptions run{};  ///< port, camera, robot, configuration, go; its course is set here
-  std::vector<std::string> courses;  ///< bundled names or files; empty: calibration_courses
-  int repeats = 2;                   ///< of each drive
-  std::string folder;  ///< for the recordings, one CSV file per drive; created if absent
-  double narrow = identify::AutoSettings{}.narrow;  ///< see IdentifyOptions::by_itself
-};
-
-// `tp100d identify`: identifies a robot's parameters from recorded drives and writes a robot file.
-
-struct IdentifyOptions {
-  std::vector<std::string> runs;  ///< recordings or CSV files of drives; none if it drives
-  std::string out;                ///< robot file to write
-  std::string robot;              ///< source of all other values; empty: the configuration's
-  std::string measured;           ///< CSV file of hand measurements; empty: none
-  std::string config;  ///< empty: the recordings' robot and configuration, unless `robot` is given
-                       ///< or it drives; else defaults
-  std::string date;    ///< date of the runs for the file; empty: today
-  bool drive = false;  ///< drive the calibration courses first
-  bool by_itself = false;  ///< drive manoeuvres that it chooses instead
-  bool json = false;       ///< print JSON
-  GuidedOptions guided{};  ///< options of the drives; robot and configuration are taken from above
-};
-
-/// The command. Prints the report; writes a file only if everything succeeded. Returns the exit
-/// status: 1 if a drive was not completed or, with `by_itself`, a confidence interval stayed too
-/// wide.
-int run_identify(const IdentifyOptions& options);
 
 // `tp100d replay`: runs the inputs of a recording through the step again, checks whether every pose
 // and command is reproduced (bit for bit, or, if it was recorded on another kind of processor,
@@ -189,16 +163,5 @@ int run_report(const ReportOptions& options);
 /// Writes compare.html, compare.json (the metrics of each run) and a .svg for each figure, of two
 /// to twenty runs.
 int run_compare(const ReportOptions& options);
-
-// `tp100d recover`: rebuilds a complete recording from a truncated or corrupted one.
-
-struct RecoverOptions {
-  std::string in;   ///< file, or the folder of a run
-  std::string out;  ///< empty: beside it, with -recovered before .mcap
-};
-
-/// Copies all intact content of `in` to `out`, with indexes and statistics; does not change `in`.
-/// 0: written, or nothing to recover.
-int run_recover(const RecoverOptions& options);
 
 }  // namespace tp100::app

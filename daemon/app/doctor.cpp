@@ -2,6 +2,7 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
 #include <array>
 #include <atomic>
 #include <cerrno>
@@ -28,10 +29,20 @@
 #include "doctor/wheels_up.h"
 #include "link/port_discovery.h"
 #include "loop/real_time.h"
+#include "text/command_line.h"
 #include "text/format.h"
 
 namespace tp100::app {
 namespace {
+
+struct DoctorOptions {
+  std::string config;
+  std::string robot;         ///< empty: as configured
+  std::string port;          ///< empty: as configured
+  double link_test_s = 1.0;  ///< 0: no link test
+  bool wheels_up = false;    ///< also run the guided test of the tracks
+  bool json = false;
+};
 
 using doctor::Findings;
 using doctor::Severity;
@@ -219,8 +230,6 @@ void examine_host(Examination& all) {
   append(all.findings, doctor::disk_findings(doctor::try_disk(all.configuration.record.directory)));
 }
 
-}  // namespace
-
 int run_doctor(const DoctorOptions& options) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, on_signal);
   Examination all = begin(options);
@@ -235,6 +244,30 @@ int run_doctor(const DoctorOptions& options) {
                                         : doctor::table(all.findings);
   std::fputs(text.c_str(), stdout);
   return stop || count(all.findings, Severity::kError) > 0 ? 1 : 0;
+}
+
+}  // namespace
+
+void add_doctor(CLI::App& app, Action& action) {
+  static DoctorOptions options;
+  CLI::App* command = app.add_subcommand(
+      "doctor", "Find what prevents the robot from driving, with a remedy for each problem");
+  text::option(command, "--port", options.port, "DEVICE",
+               "Serial port, or auto for a Mega by its USB ids (default: auto)");
+  command->add_flag("--json", options.json, "One JSON object instead of a table");
+  command->add_flag("--wheels-up", options.wheels_up,
+                    "Then, on a stand and after Enter, drive each track and check that motors, "
+                    "encoders and gyro have the right sign");
+  text::option(command, "--link-test", options.link_test_s, "SECONDS",
+               "How long to test the link [s]; 0: no link test")
+      ->check(CLI::Range(0.0, 3600.0))
+      ->capture_default_str();
+  text::option(command, "--config", options.config, "FILE",
+               "Configuration (default: as config/tp100.toml)");
+  text::option(command, "--robot", options.robot, "ROBOT",
+               "Name in config/robots or file (default: end-loaded)");
+  command->footer("Example: tp100d doctor --wheels-up");
+  command->callback([&action] { action = [] { return run_doctor(options); }; });
 }
 
 }  // namespace tp100::app

@@ -1,3 +1,4 @@
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -14,6 +15,7 @@
 #include "ros2/bag.h"
 #include "text/atomic_file.h"
 #include "text/base64.h"
+#include "text/command_line.h"
 #include "text/format.h"
 
 namespace tp100::app {
@@ -219,6 +221,23 @@ int run_export(const ExportOptions& options) {
     throw UserError("--images is for one run: its folder has the images of one recording");
   for (const std::string& run : wanted.runs) export_run(run, wanted);
   return 0;
+}
+
+void add_export(CLI::App& app, Action& action) {
+  static ExportOptions options;
+  CLI::App* command =
+      app.add_subcommand("export", "Turn recordings into CSV and TUM files, a ROS 2 bag or images");
+  text::option(command, "RUN", options.runs, "RUN", "Recordings, or their folders")->required();
+  command->add_flag("--csv", options.csv, "Only samples.csv and poses.csv");
+  command->add_flag("--tum", options.tum, "Only the trajectories, for evo: time x y z qx qy qz qw");
+  text::option(command, "--ros2", options.ros2, "FOLDER",
+               "A bag for ros2 bag, Foxglove and PlotJuggler, instead of CSV and TUM files");
+  text::option(command, "--images", options.images, "FOLDER",
+               "The camera's images as JPEG files, instead of CSV and TUM files");
+  text::option(command, "--out", options.out, "FOLDER",
+               "Folder to write to (default: beside the recording)");
+  command->footer("Example: tp100d export runs/RUN --csv --out figures");
+  command->callback([&action] { action = [] { return run_export(options); }; });
 }
 
 }  // namespace tp100::app

@@ -1,5 +1,6 @@
 #include "identify/identify.h"
 
+#include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -20,11 +21,33 @@
 #include "identify/identify_report.h"
 #include "identify/next_manoeuvre.h"
 #include "text/atomic_file.h"
+#include "text/command_line.h"
 #include "text/format.h"
-#include "text/toml_document.h"
 
 namespace tp100::app {
 namespace {
+
+struct GuidedOptions {
+  RunOptions run{};  ///< port, camera, robot, configuration, go; its course is set here
+  std::vector<std::string> courses;  ///< bundled names or files; empty: calibration_courses
+  int repeats = 2;                   ///< of each drive
+  std::string folder;  ///< for the recordings, one CSV file per drive; created if absent
+  double narrow = identify::AutoSettings{}.narrow;  ///< see IdentifyOptions::by_itself
+};
+
+struct IdentifyOptions {
+  std::vector<std::string> runs;  ///< recordings or CSV files of drives; none if it drives
+  std::string out;                ///< robot file to write
+  std::string robot;              ///< source of all other values; empty: the configuration's
+  std::string measured;           ///< CSV file of hand measurements; empty: none
+  std::string config;  ///< empty: the recordings' robot and configuration, unless `robot` is given
+                       ///< or it drives; else defaults
+  std::string date;    ///< date of the runs for the file; empty: today
+  bool drive = false;  ///< drive the calibration courses first
+  bool by_itself = false;  ///< drive manoeuvres that it chooses instead
+  bool json = false;       ///< print JSON
+  GuidedOptions guided{};  ///< options of the drives; robot and configuration are taken from above
+};
 
 /// A number from standard input; nothing for an empty line.
 std::optional<double> ask(const std::string& question) {
@@ -275,8 +298,6 @@ GuidedDrives driven(const IdentifyOptions& options, const course::Robot& robot,
   return result;
 }
 
-}  // namespace
-
 int run_identify(const IdentifyOptions& options) {
   if (!options.drive && options.runs.empty())
     throw UserError("identify: give recordings (RUN...), or --drive to make them");
@@ -318,6 +339,62 @@ int run_identify(const IdentifyOptions& options) {
   text::write_file(options.out, text);
   if (!options.json) std::printf("written to %s\n", options.out.c_str());
   return progress && !progress->narrow ? 1 : 0;
+}
+
+}  // namespace
+
+void add_identify(CLI::App& app, Action& action) {
+  static IdentifyOptions options;
+  CLI::App* command =
+      app.add_subcommand("identify", "Find slip, wheelbase and gyro scale from recorded drives");
+  text::option(command, "RUN", options.runs, "FILE",
+               "Recordings, or CSV t_s,left_count,right_count,gyro_z_radps"
+               "[,camera_x_m,camera_y_m,camera_yaw_rad], one file a run");
+  text::option(command, "--out", options.out, "FILE", "Robot file to write")->required();
+  text::option(command, "--robot", options.robot, "ROBOT",
+               "Source of all other values: name in config/robots or file (default: the "
+               "recordings', else end-loaded)");
+  text::option(command, "--measured", options.measured, "FILE",
+               "CSV of hand measurements: run[,distance_m][,ahead_m][,left_m][,turned_deg]"
+               "[,slope_deg]; run counts from 1, slope_deg is that of a board on which the run "
+               "was");
+  text::option(command, "--config", options.config, "FILE",
+               "Configuration (default: the recordings', else as config/tp100.toml)");
+  command->add_flag("--json", options.json, "Print what was found as JSON");
+  command->add_flag_callback("--background", become_background,
+                             "Run at idle priority; end when the parent process ends");
+  text::option(command, "--date", options.date, "DATE",
+               "Day of the runs for the file (default: today)");
+  command->add_flag("--drive", options.drive,
+                    "Drive the calibration courses on a port first, instead of RUN; without a "
+                    "camera it asks for what was measured");
+  command->add_flag("--auto", options.by_itself,
+                    "--drive chooses the manoeuvres that narrow the intervals most, until all are "
+                    "narrow enough; prints the seconds of driving");
+  text::option(command, "--narrow", options.guided.narrow, "PARTS",
+               "Goal of --auto: half width of each interval, relative to a harmless error")
+      ->check(CLI::Range(0.05, 10.0))
+      ->capture_default_str();
+  text::option(command, "--port", options.guided.run.port, "DEVICE",
+               "Serial port of --drive (default: auto)");
+  text::option(command, "--camera", options.guided.run.camera, "ADDRESS",
+               "Overhead camera of --drive: udp:PORT or udp:ADDRESS:PORT (default: none)");
+  command->add_flag(
+      "--go", options.guided.run.daemon.go,
+      "Start the first drive of --drive without confirmation on a physical port, too");
+  text::option(command, "--course", options.guided.courses, "COURSE",
+               "Courses of --drive: names in config/courses or files (default: those that "
+               "calibrate a robot of this size); with --auto the one whose fence holds the "
+               "manoeuvres (default: 1-straight)");
+  text::option(command, "--repeats", options.guided.repeats, "NUMBER",
+               "Number of times that --drive drives each course")
+      ->check(CLI::Range(1, 100))
+      ->capture_default_str();
+  text::option(command, "--runs-dir", options.guided.folder, "FOLDER",
+               "Folder for the recordings of --drive (default: beside --out)");
+  command->footer(
+      "Example: tp100d identify --drive --port auto --robot mine.toml --out mine-identified.toml");
+  command->callback([&action] { action = [] { return run_identify(options); }; });
 }
 
 }  // namespace tp100::app

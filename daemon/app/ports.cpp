@@ -1,8 +1,11 @@
+#include <CLI/CLI.hpp>
 #include <cstdio>
 
 #include "app/commands.h"
+#include "doctor/hello.h"
 #include "doctor/port_checks.h"
 #include "doctor/system.h"
+#include "text/command_line.h"
 #include "text/format.h"
 
 namespace tp100::app {
@@ -41,6 +44,8 @@ std::string ports_text(const std::vector<link::PortInfo>& ports,
   return text;
 }
 
+namespace {
+
 int run_ports() {
   const std::vector<link::PortInfo> all = link::list_ports();
   std::vector<link::PortInfo> ports = link::candidates(all);
@@ -55,6 +60,22 @@ int run_ports() {
       link::choose_for_auto(all, [](const std::string& path) { return link::port_holder(path); });
   std::fputs(ports_text(ports, names, choice.passed_over).c_str(), stdout);
   return 0;
+}
+
+}  // namespace
+
+void add_ports(CLI::App& app, Action& action) {
+  static doctor::HelloOptions hello;
+  CLI::App* command = app.add_subcommand("ports", "List serial ports, likely robots first");
+  text::option(command, "--hello", hello.port, "DEVICE",
+               "Wait for the firmware on this port and print its version");
+  command->add_option("--timeout", hello.timeout_s, "How long to wait for it [s]")
+      ->check(CLI::Range(0.1, 3600.0))
+      ->capture_default_str();
+  command->footer("Example: tp100d ports --hello /dev/ttyACM0");
+  command->callback([&action] {
+    action = [] { return hello.port.empty() ? run_ports() : doctor::run_hello(hello); };
+  });
 }
 
 }  // namespace tp100::app

@@ -1,3 +1,4 @@
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -9,9 +10,15 @@
 #include "record/mcap_reader.h"
 #include "record/mcap_writer.h"
 #include "record/recording.h"
+#include "text/command_line.h"
 
 namespace tp100::app {
 namespace {
+
+struct RecoverOptions {
+  std::string in;   ///< file, or the folder of a run
+  std::string out;  ///< empty: beside it, with -recovered before .mcap
+};
 
 namespace fs = std::filesystem;
 using record::McapChannel;
@@ -73,8 +80,6 @@ std::string beside(const std::string& path) {
   return (in.parent_path() / (in.stem().string() + "-recovered.mcap")).string();
 }
 
-}  // namespace
-
 int run_recover(const RecoverOptions& options) {
   const std::string in = record::recording_file(options.in);
   const record::McapReader reader(in);
@@ -101,6 +106,19 @@ int run_recover(const RecoverOptions& options) {
     std::printf("%llu corrupted parts were skipped\n",
                 static_cast<unsigned long long>(end.corrupted));
   return 0;
+}
+
+}  // namespace
+
+void add_recover(CLI::App& app, Action& action) {
+  static RecoverOptions options;
+  CLI::App* command =
+      app.add_subcommand("recover", "Rebuild a recording that was truncated or corrupted");
+  text::option(command, "FILE", options.in, "FILE", "Recording, or its folder")->required();
+  text::option(command, "--out", options.out, "FILE",
+               "File to write (default: beside it, ...-recovered.mcap)");
+  command->footer("Example: tp100d recover runs/RUN");
+  command->callback([&action] { action = [] { return run_recover(options); }; });
 }
 
 }  // namespace tp100::app

@@ -1,3 +1,4 @@
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <utility>
 
@@ -8,6 +9,7 @@
 #include "core/processor.h"
 #include "course/bundled_files.h"
 #include "text/atomic_file.h"
+#include "text/command_line.h"
 #include "text/format.h"
 
 namespace tp100::app {
@@ -216,6 +218,20 @@ int run_replay(const ReplayOptions& options) {
               text::counted(result.steps - result.before, "step").c_str(), verdict.c_str(),
               elsewhere ? (" (" + processors + ")").c_str() : "");
   return 0;
+}
+
+void add_replay(CLI::App& app, Action& action) {
+  static ReplayOptions options;
+  CLI::App* command = app.add_subcommand("replay", "Repeat a recording, and write its poses");
+  text::option(command, "IN", options.in, "FILE", "Recording or its folder: verified bit for bit")
+      ->required();
+  text::option(command, "--out", options.out, "FILE", "CSV file of poses to write [s, m, rad]")
+      ->required();
+  text::option(command, "--config", options.config, "FILE", "Configuration (default: as recorded)");
+  text::option(command, "--model", options.model, "MODEL",
+               "paper, extended, odometry or fused (default: the pose that steered)");
+  command->footer("Example: tp100d replay runs/RUN");
+  command->callback([&action] { action = [] { return run_replay(options); }; });
 }
 
 }  // namespace tp100::app

@@ -2,6 +2,7 @@
 #include <sys/prctl.h>
 #include <sys/resource.h>
 
+#include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
@@ -15,6 +16,7 @@
 #include "report/report_page.h"
 #include "report/result_text.h"
 #include "text/atomic_file.h"
+#include "text/command_line.h"
 
 namespace tp100::app {
 namespace {
@@ -107,6 +109,31 @@ int run_compare(const ReportOptions& options) {
   write(folder, "compare.json", metrics + "]}\n");
   write(folder, figures);
   return 0;
+}
+
+void add_report(CLI::App& app, Action& action) {
+  static ReportOptions options;
+  CLI::App* command =
+      app.add_subcommand("report", "Turn recordings into report.html, metrics.json and figures");
+  text::option(command, "RUN", options.runs, "RUN", "Recordings, or their folders")->required();
+  text::option(command, "--out", options.out, "FOLDER",
+               "Folder to write to (default: beside the recording)");
+  command->add_flag_callback("--background", become_background,
+                             "Run at idle priority; end when the parent process ends");
+  command->footer("Example: tp100d report runs/RUN");
+  command->callback([&action] { action = [] { return run_report(options); }; });
+}
+
+void add_compare(CLI::App& app, Action& action) {
+  static ReportOptions options{.runs = {}, .out = "."};
+  CLI::App* command = app.add_subcommand("compare", "Compare recorded runs in overlaid figures");
+  text::option(command, "RUN", options.runs, "RUN", "Recordings, or their folders")->required();
+  text::option(command, "--out", options.out, "FOLDER",
+               "Folder to write compare.html to (default: here)");
+  command->add_flag_callback("--background", become_background,
+                             "Run at idle priority; end when the parent process ends");
+  command->footer("Example: tp100d compare runs/before runs/after --out compared");
+  command->callback([&action] { action = [] { return run_compare(options); }; });
 }
 
 }  // namespace tp100::app

@@ -1,9 +1,12 @@
+#include <CLI/CLI.hpp>
+
 #include "app/commands.h"
 #include "config/run_setup.h"
 #include "config/setup_files.h"
 #include "core/error.h"
 #include "course/bundled_files.h"
 #include "live/daemon.h"
+#include "text/command_line.h"
 #include "text/format.h"
 
 namespace tp100::app {
@@ -40,6 +43,46 @@ int run_run(const RunOptions& options) {
   }
   const config::RunFiles files = files_of(options);
   return live::run_daemon({files, setup_run(files, options)}, options.daemon);
+}
+
+void add_run(CLI::App& app, Action& action) {
+  static RunOptions options;
+  CLI::App* command = app.add_subcommand("run", "Drive a robot, or just watch its pose");
+  text::option(command, "--config", options.config, "FILE",
+               "Configuration (default: as config/tp100.toml)");
+  text::option(command, "--port", options.port, "DEVICE",
+               "Serial port, or auto for a Mega by its USB ids (default: auto)");
+  command->add_flag("--wait", options.daemon.wait,
+                    "Wait for port and robot instead of ending with status 2");
+  command->add_flag("--go", options.daemon.go,
+                    "Start the first run without Enter on a physical port, too, within 10 s and if "
+                    "the robot is there at once, but not in a service; end after every fault. "
+                    "Every later run takes the word go and Enter; Enter alone is STOP");
+  text::option(command, "--course", options.course, "COURSE",
+               "Name in config/courses or file (default: none, poses only)");
+  text::option(command, "--robot", options.robot, "ROBOT",
+               "Name in config/robots or file (default: end-loaded)");
+  text::option(command, "--setup", options.setup, "SETUP",
+               "stand, flat or terrain (default: flat)");
+  text::option(command, "--camera", options.camera, "ADDRESS",
+               "Listen for an overhead camera: udp:PORT or udp:ADDRESS:PORT (default: none)");
+  text::option(command, "--world", options.world, "WORLD",
+               "Terrain source of the virtual robot: internal, files, or an external world at "
+               "udp:PORT or udp:ADDRESS:PORT (default: internal)");
+  text::option(command, "--listen", options.listen, "ADDRESS",
+               "Page and viewers: ADDRESS:PORT (port 0: any free one), auto or off (default: "
+               "auto, 127.0.0.1:8765)");
+  command->add_flag("--stay", options.daemon.stay,
+                    "When a run is over, wait for the next start instead of ending");
+  text::option(command, "--duration", options.daemon.duration_s, "SECONDS",
+               "End with status 1 after this time [s] (default: no limit)")
+      ->check(CLI::Range(0.001, 1e9));
+  text::option(command, "--record", options.record, "FOLDER",
+               "Folder for recordings; each run gets its own folder in it (default: none)");
+  text::option(command, "--stats", options.daemon.stats_path, "FILE",
+               "JSON file for the figures of the run, written once a second and at the end");
+  command->footer("Example: tp100d run --port auto --wait --course 1-curve");
+  command->callback([&action] { action = [] { return run_run(options); }; });
 }
 
 }  // namespace tp100::app

@@ -1,5 +1,5 @@
 #pragma once
-// The command line of a program with subcommands. It needs CLI11: only a program's main.cpp
+// The command line of a program with subcommands. It needs CLI11: only what defines options
 // includes it.
 
 #include <CLI/CLI.hpp>
