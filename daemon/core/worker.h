@@ -1,7 +1,7 @@
 #pragma once
-// A thread that waits for disks, so that no other thread has to. A thread that serves STOP, the
-// operator or the service manager never touches a file itself: it posts a job here. Nothing that a
-// job throws ends the program.
+// A thread with a queue of jobs that may wait, for a disk, a process or a port, so that no other
+// thread has to. A thread that serves STOP, the operator or the service manager never touches a
+// file itself: it posts a job here. Nothing that a job throws ends the program.
 
 #include <chrono>
 #include <condition_variable>

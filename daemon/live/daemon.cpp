@@ -58,7 +58,7 @@ class Daemon {
   void end();
   void take_figures();
   void await_signals();
-  std::string course() const { return parts_.setup.run()->course(); }
+  std::string course() const { return parts_.setup.in_force()->course(); }
   void finish_files();
 
   DaemonParts parts_;
@@ -126,6 +126,7 @@ int Daemon::run() {
   std::vector<loop::Privilege> privileges = parts_.process.privileges();
   began_ns_ = monotonic_now();
   await_signals();
+  take_figures();  // the first file of --stats waits for the disk, which nothing may do later
   parts_.loop.start();
   privileges.insert(privileges.end(), parts_.loop.privileges().begin(),
                     parts_.loop.privileges().end());
@@ -271,7 +272,8 @@ void Daemon::take_events() {
     const RunChange* change = std::get_if<RunChange>(&event);
     // An event that ends the program is reported once, as the error.
     if (report != nullptr)
-      connector_.on_event(*report, parts_.setup.run()->loaded.setup.robot.name, monotonic_now());
+      connector_.on_event(*report, parts_.setup.in_force()->loaded.setup.robot.name,
+                          monotonic_now());
     // Before the event is published, so that the recording includes it.
     if (change != nullptr) run_recordings_.on_run_state(change->to, change->at_ns);
     const std::vector<messages::Event> events = describe_event(event);
@@ -339,7 +341,7 @@ void Daemon::end() {
 }
 
 void Daemon::take_figures() {
-  figures_.run = parts_.setup.run();
+  figures_.run = parts_.setup.in_force();
   figures_.result = outcome_.result();
   figures_.faults = outcome_.faults();
   if (camera_) figures_.camera = camera_->figures();

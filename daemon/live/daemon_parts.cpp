@@ -123,7 +123,7 @@ std::vector<ExchangeListener> DaemonParts::listeners(bool continues) {
       [this](const Exchange&) { black_box.finish(); },
       [this](const Exchange& each) { self_test.choose(each.run->loaded.setup.robot); },
       [this](const Exchange& each) {
-        server.change_setup(each.run->context, each.for_viewers, each.run->parameters);
+        server.exchange(each.run->context, each.for_viewers, each.run->parameters);
       },
       [this](const Exchange& each) {
         if (ros2) ros2->exchange(each);

@@ -43,7 +43,7 @@ Result<UserFile> read_file(const Arguments& given) {
 }
 
 std::string check_file(const SetupChanger& changer, const UserFile& file) {
-  return checked_file(changer.run()->loaded, file.kind, {file.name + ".toml", file.text}).json;
+  return checked_file(changer.in_force()->loaded, file.kind, {file.name + ".toml", file.text}).json;
 }
 
 std::string save_file(const SetupChanger& changer, const UserFile& file) {
@@ -52,7 +52,7 @@ std::string save_file(const SetupChanger& changer, const UserFile& file) {
 }
 
 std::string delete_file(const SetupChanger& changer, const UserFile& file) {
-  const std::shared_ptr<const ActiveRun> now = changer.run();
+  const std::shared_ptr<const ActiveRun> now = changer.in_force();
   if (file.name == (file.kind == Bundled::kRobots ? now->loaded.setup.robot.name : now->course()))
     throw UserError(file.name + " is in use; choose another one first");
   changer.files().remove(file.kind, file.name);
@@ -89,7 +89,7 @@ std::string replaced(const course::TextFile& now, const std::string& next, bool 
 
 /// Throws UserError.
 course::TextFile configuration_file(const SetupChanger& changer) {
-  const std::string path = changer.run()->loaded.files.configuration.path;
+  const std::string path = changer.in_force()->loaded.files.configuration.path;
   if (path.empty())
     throw UserError("tp100d has no configuration file to save into: start it with --config FILE");
   if (!is_file(path))
@@ -136,7 +136,7 @@ Result<config::ParameterValues> read_values(const std::vector<messages::Paramete
 Result<> save_parameters(SetupChanger& changer, const Request& request, const Answer& answer) {
   const bool check = request.arguments.flag("check").value_or(false);
   const Result<config::ParameterValues> values =
-      read_values(changer.run()->parameters, request, check);
+      read_values(changer.in_force()->parameters, request, check);
   if (!values) return values.refusal();
   changer.disk().ask(answer, [&changer, check, values = *values] {
     const course::TextFile now = configuration_file(changer);
@@ -191,7 +191,7 @@ std::vector<server::ServiceRow> file_services(SetupChanger& changer) {
 }
 
 std::optional<std::string> setup_content(const SetupChanger& changer, std::string_view path) {
-  if (path == "/api/setup") return setup_list(changer.files(), changer.run()->loaded);
+  if (path == "/api/setup") return setup_list(changer.files(), changer.in_force()->loaded);
   constexpr std::string_view kEnding = ".toml";
   for (const auto& [folder, kind] :
        {std::pair<std::string_view, Bundled>{"/courses/", Bundled::kCourses},

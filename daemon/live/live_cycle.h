@@ -101,7 +101,7 @@ class LiveCycle : public loop::LoopClient {
   RunState run_state() const { return shown_run_state_.load(std::memory_order_acquire); }
   /// Passes a change to the loop, which makes it when the robot stands still, unless a run begins
   /// first. The loop owns it until setup_done() returns it; only then pass the next one.
-  void change_setup(SetupRequest& request) {
+  void offer_setup(SetupRequest& request) {
     setup_asked_.store(&request, std::memory_order_release);
   }
   /// The request that the loop has finished with, whether made or not; null: none. It is returned

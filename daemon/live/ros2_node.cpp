@@ -82,7 +82,7 @@ HostNs Ros2Node::publish() {
     const std::lock_guard lock(mutex_);
     next = std::exchange(next_, std::nullopt);
   }
-  if (next) publisher_.change_setup(next->run->context, *next->for_nodes);
+  if (next) publisher_.exchange(next->run->context, *next->for_nodes);
   while (const StepRecord* step = steps_.front()) {
     publisher_.take(*step);
     requests_.observe(*step, monotonic_now());

@@ -50,7 +50,7 @@ SetupChanger::SetupChanger(std::shared_ptr<const ActiveRun> run, LiveCycle& cycl
       files_(config::library_folder(run->loaded.setup.configuration.library), run->loaded.files),
       run_(std::move(run)) {}
 
-std::shared_ptr<const ActiveRun> SetupChanger::run() const {
+std::shared_ptr<const ActiveRun> SetupChanger::in_force() const {
   const std::lock_guard lock(mutex_);
   return run_;
 }
@@ -90,7 +90,7 @@ void SetupChanger::ask(Order order, server::Answer answer) {
     request->until_ns = monotonic_now() + kChangeTimeoutNs;
     const std::lock_guard lock(mutex_);
     request_ = std::move(request);
-    cycle_.change_setup(*request_);
+    cycle_.offer_setup(*request_);
   };
   const auto failed = [this](const std::string& why) { end(why); };
   if (!needs_disk) return Worker::run_here(change, failed);
@@ -99,7 +99,7 @@ void SetupChanger::ask(Order order, server::Answer answer) {
 
 // The step is built here: in the loop nothing is allocated.
 std::unique_ptr<SetupRequest> SetupChanger::make(const Order& order) {
-  const std::shared_ptr<const ActiveRun> active = run();
+  const std::shared_ptr<const ActiveRun> active = in_force();
   const config::LoadedRun& now = active->loaded;
   if (now.setup.parameters.world.kind != bridge::WorldKind::kInternal)
     throw UserError(

@@ -32,8 +32,7 @@ class SetupChanger {
   /// Whether a change of course, robot or set-up is pending: then no run may be started.
   bool changing() const;
 
-  /// In force.
-  std::shared_ptr<const ActiveRun> run() const;
+  std::shared_ptr<const ActiveRun> in_force() const;
   const config::SetupFiles& files() const { return files_; }
   /// For those who wait for the same disk.
   Worker& disk() { return disk_; }
@@ -47,7 +46,7 @@ class SetupChanger {
   /// Call it with each record before anything else takes the record: returns the change of which it
   /// is the first step. Then call finish().
   std::optional<MadeChange> take(const StepRecord& next);
-  /// Answers the request: the change is in force everywhere.
+  /// Answers the request: the change is in force in the loop and here, and on its way to the server.
   void finish();
   /// Answers a change that the loop did not make. Call it regularly.
   void tick();

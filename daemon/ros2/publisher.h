@@ -27,8 +27,8 @@ class Publisher : public messages::Sink {
     if (virtual_time_) send_(Topic::kGroundTruth, ground_truth(clock_.unix_ns(at), truth));
   }
   /// Another course, robot or set-up is in force; `setup` are its messages, made elsewhere.
-  void change_setup(messages::RunContext run_context, const SetupMessages& setup) {
-    messages_.change_setup(std::move(run_context));
+  void exchange(messages::RunContext run_context, const SetupMessages& setup) {
+    messages_.exchange(std::move(run_context));
     for (const auto& [topic, cdr] : setup) send_(topic, cdr);
   }
 

@@ -250,7 +250,7 @@ TopicMessages::TopicMessages(messages::RunContext run_context, messages::Publish
                              bool virtual_time)
     : messages_(std::move(run_context), clock), virtual_time_(virtual_time) {}
 
-void TopicMessages::change_setup(messages::RunContext run_context) {
+void TopicMessages::exchange(messages::RunContext run_context) {
   messages_ = messages::Messages(std::move(run_context), messages_.clock());
   state_due_ns_ = 0;
 }

@@ -79,7 +79,7 @@ class TopicMessages {
   TopicMessages(messages::RunContext run_context, messages::PublishClock clock, bool virtual_time);
 
   /// Another course, robot or set-up is in force.
-  void change_setup(messages::RunContext run_context);
+  void exchange(messages::RunContext run_context);
   /// Sets the last answer to a node, for the next messages of /tp100/state.
   void answer(const messages::Event& answer);
   /// Sends setup_messages().

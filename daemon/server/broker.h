@@ -1,6 +1,6 @@
 #pragma once
 // Connects channels to viewers: subscriptions, a new subscriber's first messages, waiting frames.
-// No socket; one thread, the worker's, but for what is marked for the sockets' thread.
+// No socket; one thread, the server thread's, but for what is marked for the sockets' thread.
 
 #include <algorithm>
 #include <array>
@@ -91,9 +91,9 @@ class Viewer {
   // The sockets' thread.
   /// Call it before taking frames out of the outbox.
   void awake() { woken_ = false; }
-  /// A request of so many bytes is on its way to the worker. False: too many are.
+  /// A request of so many bytes is on its way to the server thread. False: too many are.
   [[nodiscard]] bool admit(std::size_t bytes);
-  // The worker's.
+  // The server thread's.
   /// It is answered.
   void answered(std::size_t bytes) { waiting_bytes_ -= bytes + kRequestBytes; }
 

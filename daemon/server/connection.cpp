@@ -169,8 +169,8 @@ bool Connection::may_ask() const {
   return followed_link || fetch_site_allowed(view(request["Sec-Fetch-Site"]));
 }
 
-/// Does `job` on the disk's thread or the worker's, and `then` here with its result, or with that
-/// of `failed` if it throws; `late` if that takes too long.
+/// Does `job` on the disk's thread or the server thread's, and `then` here with its result, or with
+/// that of `failed` if it throws; `late` if that takes too long.
 template <class Result>
 void Connection::ask(bool disk, std::function<Result()> job,
                      std::function<Result(const std::string& why)> failed,
@@ -193,8 +193,8 @@ void Connection::ask(bool disk, std::function<Result()> job,
     back(failed(why));
   };
   if (!disk) {
-    asio::post(shared_.work, [done, broken] { Worker::run_here(done, broken); });
-  } else if (!shared_.disk.post(done, broken)) {
+    asio::post(shared_.server_context, [done, broken] { Worker::run_here(done, broken); });
+  } else if (!shared_.page_files.post(done, broken)) {
     return late();
   }
   stream_.expires_never();

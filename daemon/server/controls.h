@@ -1,6 +1,6 @@
 #pragma once
 // What the clients of all doors may ask of the robot and its run. Every call but stop() comes from
-// the worker's thread (server.h), or from another door's, and must not block: neither on a disk nor
+// the server's thread (server.h), or from another door's, and must not block: neither on a disk nor
 // on a lock that is held by a thread waiting for one.
 
 #include <cstdint>

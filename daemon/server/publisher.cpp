@@ -144,8 +144,8 @@ void Publisher::publish_setup(const messages::SharedMessages& setup, HostNs at) 
   if (messages_.path() != nullptr) state_.length_m = messages_.path()->length_m();
 }
 
-void Publisher::change_setup(messages::RunContext run_context,
-                             const messages::SharedMessages& setup, HostNs now) {
+void Publisher::exchange(messages::RunContext run_context, const messages::SharedMessages& setup,
+                         HostNs now) {
   messages_ = messages::Messages(std::move(run_context), clock());
   path_history_.clear();
   publish_setup(setup, now);

@@ -108,8 +108,8 @@ class Publisher {
   Publisher(Broker& broker, messages::Messages messages, Controls& controls);
 
   /// Another course, robot or set-up is in force; `setup` are its messages, made elsewhere.
-  void change_setup(messages::RunContext run_context, const messages::SharedMessages& setup,
-                    HostNs now);
+  void exchange(messages::RunContext run_context, const messages::SharedMessages& setup,
+                HostNs now);
   void take(const StepRecord& record);
   void take(const messages::Event& event);
   void take_image(HostNs at, std::string_view jpeg);

@@ -112,19 +112,19 @@ void RequestHandler::leave(const Viewer& viewer, HostNs now) {
 }
 
 void RequestHandler::send_answers() {
-  std::vector<Arrivals::One> all;
+  std::vector<Answers::One> all;
   {
-    const std::lock_guard lock(arrivals_->mutex);
-    all.swap(arrivals_->answers);
+    const std::lock_guard lock(answers_->mutex);
+    all.swap(answers_->answers);
   }
-  for (Arrivals::One& each : all)
+  for (Answers::One& each : all)
     if (const auto viewer = each.viewer.lock()) viewer->reply(std::move(each.message), each.binary);
 }
 
 void RequestHandler::on(const std::shared_ptr<Viewer>& viewer, const ServiceCall& call,
                         Permission permission, HostNs now) {
   if (call.service == kStop) return stop_pressed(viewer, call.call, now);
-  const Answer answer = [arrivals = arrivals_, weak = std::weak_ptr(viewer), service = call.service,
+  const Answer answer = [arrivals = answers_, weak = std::weak_ptr(viewer), service = call.service,
                          number = call.call](const std::string& why, const std::string& json) {
     const bool done = why.empty();
     std::string message =
@@ -191,7 +191,7 @@ void RequestHandler::publish_parameters(HostNs now) {
                   messages::parameters_message(parameters_));
 }
 
-void RequestHandler::change_setup(std::vector<ParameterText> parameters, HostNs now) {
+void RequestHandler::exchange(std::vector<ParameterText> parameters, HostNs now) {
   for (ParameterText& next : parameters) {
     const auto old = std::ranges::find(parameters_, next.name, &ParameterText::name);
     if (next.live && old != parameters_.end()) next.value = old->value;

@@ -39,7 +39,7 @@ class RequestHandler {
   const std::vector<ServiceRow>& services() const { return services_; }
   /// Another course, robot or set-up is in force: these are its parameters. Those that viewers may
   /// set keep their values.
-  void change_setup(std::vector<messages::ParameterText> parameters, HostNs now);
+  void exchange(std::vector<messages::ParameterText> parameters, HostNs now);
   /// The viewer is gone: stops the robot that it drives.
   void leave(const Viewer& viewer, HostNs now);
   /// Call it regularly and after events: answers requests that waited for a STOP or for the disk,
@@ -52,7 +52,7 @@ class RequestHandler {
     std::uint32_t call;
   };
   /// Answers to requests, possibly by another thread and when the handler is gone.
-  struct Arrivals {
+  struct Answers {
     struct One {
       std::weak_ptr<Viewer> viewer;
       std::string message;
@@ -88,7 +88,7 @@ class RequestHandler {
   std::string advertised_services_;  // made when the first viewer comes
   std::vector<Waiting> waiting_;
   HostNs watched_ns_ = 0;  // when a page was in sight, or nothing was under way
-  std::shared_ptr<Arrivals> arrivals_ = std::make_shared<Arrivals>();
+  std::shared_ptr<Answers> answers_ = std::make_shared<Answers>();
 };
 
 }  // namespace tp100::server

@@ -38,17 +38,17 @@ using StepOrChange = std::variant<StepRecord, std::function<void()>>;
 
 }  // namespace
 
-// The worker: everything that viewers ask for and get, except STOP, is made here.
+// The server thread: everything that viewers ask for and get, except STOP, is made here.
 struct Server::State {
   State(ServerSettings settings, const messages::Messages& messages,
         std::vector<messages::ParameterText> parameters, Controls& controls)
       : sources(std::move(settings.content)),
         broker(messages::channel_texts(), std::move(settings.listener)),
         publisher(broker, messages, controls),
-        session(random_name()),
+        session_id(random_name()),
         handler(broker, publisher, controls, std::move(parameters), std::move(settings.services),
-                session, settings.name),
-        sockets(settings, controls, context, broker, publisher, handler, sources, session) {
+                session_id, settings.name),
+        sockets(settings, controls, context, broker, publisher, handler, sources, session_id) {
     sources.health = [this] { return health(); };
     sources.robots = [this, robots = settings.robots](std::string_view host) {
       return robots_json(sockets.own(), local_daemons(), robots, host);
@@ -64,16 +64,16 @@ struct Server::State {
   HttpSources sources;
   Broker broker;
   Publisher publisher;
-  const std::string session;
+  const std::string session_id;
   RequestHandler handler;
   std::mutex mutex;  // of the next
-  // On their way to the worker, in order; the oldest steps are dropped.
+  // On their way to the server thread, in order; the oldest steps are dropped.
   std::deque<StepOrChange> taken;
   // Declared after the objects that its handlers refer to.
   asio::io_context context{1};
   asio::executor_work_guard<asio::io_context::executor_type> guard{context.get_executor()};
   asio::steady_timer timer{context};
-  Sockets sockets;  // what waits for the worker refers to them
+  Sockets sockets;  // what waits for the server thread refers to them
   std::thread thread;
 };
 
@@ -151,12 +151,12 @@ void Server::start() {
   state_->sockets.start();
 }
 
-void Server::change_setup(messages::RunContext run_context, messages::SharedMessages setup,
-                          std::vector<messages::ParameterText> parameters) {
+void Server::exchange(messages::RunContext run_context, messages::SharedMessages setup,
+                      std::vector<messages::ParameterText> parameters) {
   state_->push([this, m = std::move(run_context), s = std::move(setup), p = std::move(parameters)] {
     const HostNs now = monotonic_now();
-    state_->publisher.change_setup(m, s, now);
-    state_->handler.change_setup(p, now);
+    state_->publisher.exchange(m, s, now);
+    state_->handler.exchange(p, now);
   });
 }
 

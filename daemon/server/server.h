@@ -1,7 +1,8 @@
 #pragma once
 // The server: one TCP port for the page and the Foxglove WebSocket protocol (CHANNELS.md), in two
 // threads: "sockets" owns the sockets and carries out STOP at once (server/sockets.h), "server",
-// the worker, answers all other requests and publishes the steps. Beast stays in the source files.
+// the server thread, answers all other requests and publishes the steps. Beast stays in the source
+// files.
 
 #include <memory>
 #include <string>
@@ -32,14 +33,14 @@ struct ServerSettings {
   HttpSources content{};             ///< the server itself adds health, robots and history
   std::vector<ServiceRow> services;  ///< besides those of motion
   bool real_time = false;            ///< the sockets' thread has loop::kBelowTheLoop, if permitted
-  Listener listener;  ///< called from the constructor and the worker's thread; must not block
+  Listener listener;  ///< called from the constructor and the server's thread; must not block
 };
 
 class Server : public messages::Sink {
  public:
   /// Listens; serves nothing before start(). Throws UserError if the address is not available.
   /// `controls` must outlive the server; its stop() is called by the sockets' thread, all else by
-  /// the worker's.
+  /// the server thread's.
   Server(ServerSettings settings, const messages::Messages& messages,
          std::vector<messages::ParameterText> parameters, Controls& controls);
   /// Closes every client's connection, waiting a second at most.
@@ -55,8 +56,8 @@ class Server : public messages::Sink {
   // Call these from any one thread, never the real-time one; they never wait for a client.
   /// Another course, robot or set-up is in force with the steps that follow; `setup` are its
   /// messages::setup_messages(). Viewers stay.
-  void change_setup(messages::RunContext run_context, messages::SharedMessages setup,
-                    std::vector<messages::ParameterText> parameters);
+  void exchange(messages::RunContext run_context, messages::SharedMessages setup,
+                std::vector<messages::ParameterText> parameters);
   void take(const StepRecord& record) override;
   void take(const messages::Event& event);
   /// An image of a camera (JPEG), taken at host time `at`.

@@ -93,7 +93,7 @@ struct Request {
 /// from any thread.
 using Answer = std::function<void(const std::string& why, const std::string& json)>;
 
-/// What a service does, in the worker's thread (server.h), where it must not block: neither on a
+/// What a service does, in the server's thread (server.h), where it must not block: neither on a
 /// disk nor on a lock that is held by a thread waiting for one.
 using AtOnce = std::function<Result<std::string>(const Request&)>;     ///< returns the answer
 using Later = std::function<Result<>(const Request&, const Answer&)>;  ///< answers or refuses

@@ -55,17 +55,17 @@ void run_handlers(asio::io_context& context, const Worker::Failed& failed,
   while (!context.stopped()) Worker::run_here(run, failed);
 }
 
-Sockets::Sockets(ServerSettings settings, Controls& controls, asio::io_context& work,
+Sockets::Sockets(ServerSettings settings, Controls& controls, asio::io_context& server_context,
                  Broker& broker, Publisher& publisher, RequestHandler& handler,
                  HttpSources& sources, std::string session)
     : shared_{.settings = std::move(settings),
               .controls = controls,
               .context = context_,
-              .work = work,
+              .server_context = server_context,
               .broker = broker,
               .handler = handler,
               .sources = sources,
-              .disk = disk_},
+              .page_files = page_files_},
       publisher_(publisher),
       own_{.session = std::move(session)} {
   listen();
@@ -117,7 +117,7 @@ void Sockets::start() {
     if (acceptor_.is_open()) accept();
     asio::post(context_, [this] { tick(); });
     const auto failed = [this](const std::string& why) {
-      asio::post(shared_.work,
+      asio::post(shared_.server_context,
                  [&publisher = publisher_, why] { publisher.failed(why, monotonic_now()); });
     };
     run_handlers(context_, failed, [this] { rest(); });
@@ -140,7 +140,7 @@ void Sockets::accept() {
   });
 }
 
-// With its priority it would otherwise take a processor from the worker and the main thread,
+// With its priority it would otherwise take a processor from the server thread and the main thread,
 // whatever makes it compute.
 void Sockets::rest() {
   const HostNs used_ns = thread_cpu_ns(), now = monotonic_now();
@@ -169,9 +169,10 @@ void Sockets::tick() {
     figures.dropped_total += figures.clients.back().dropped;
     viewer->tick(now);
   }
-  asio::post(shared_.work, [&publisher = publisher_, figures = std::move(figures)]() mutable {
-    publisher.take(std::move(figures), monotonic_now());
-  });
+  asio::post(shared_.server_context,
+             [&publisher = publisher_, figures = std::move(figures)]() mutable {
+               publisher.take(std::move(figures), monotonic_now());
+             });
 }
 
 void Sockets::stop() {

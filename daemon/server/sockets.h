@@ -1,7 +1,7 @@
 #pragma once
 // The thread that owns the sockets: it accepts, reads requests and frames, writes answers and
 // frames, and carries out STOP. It does nothing whose time grows with a request or an answer: that
-// is the worker's. So nothing that a viewer asks for delays another one's STOP.
+// is the server thread's. So nothing that a viewer asks for delays another one's STOP.
 
 #include <boost/asio/executor_work_guard.hpp>
 #include <boost/asio/io_context.hpp>
@@ -44,11 +44,12 @@ struct SharedState {
   ServerSettings settings;
   Controls& controls;                ///< only STOP
   boost::asio::io_context& context;  ///< the sockets' thread
-  boost::asio::io_context& work;     ///< the worker, whose are broker, handler and most sources
+  boost::asio::io_context&
+      server_context;  ///< the server thread, whose are broker, handler and most sources
   Broker& broker;
   RequestHandler& handler;
   HttpSources& sources;
-  Worker& disk;  ///< makes the answers that need it; no other thread waits for a disk
+  Worker& page_files;  ///< makes the answers that need it; no other thread waits for a disk
   // A flood of one kind leaves the other alone.
   Budgets viewer_budgets{settings.units_per_s}, http_budgets{settings.units_per_s};
   std::map<std::uint32_t, std::weak_ptr<ViewerSocket>> viewers{};  // by id
@@ -74,9 +75,9 @@ void run_handlers(boost::asio::io_context& context, const Worker::Failed& failed
 class Sockets {
  public:
   /// Listens; serves nothing before start(). Throws UserError if the address is not available.
-  /// `work` is the worker's, in which `publisher` gets the clients' figures once a second, and what
-  /// handlers throw; it and all others must outlive this object.
-  Sockets(ServerSettings settings, Controls& controls, boost::asio::io_context& work,
+  /// `server_context` is the server thread's, in which `publisher` gets the clients' figures once a
+  /// second, and what handlers throw; it and all others must outlive this object.
+  Sockets(ServerSettings settings, Controls& controls, boost::asio::io_context& server_context,
           Broker& broker, Publisher& publisher, RequestHandler& handler, HttpSources& sources,
           std::string session);
 
@@ -89,7 +90,7 @@ class Sockets {
   void start();
   /// Closes every connection, waiting half a second at most, and ends the thread.
   void stop();
-  bool waits_for_disk() { return !disk_.idle_by(std::chrono::steady_clock::now()); }
+  bool waits_for_disk() { return !page_files_.idle_by(std::chrono::steady_clock::now()); }
 
  private:
   void listen();
@@ -101,7 +102,7 @@ class Sockets {
   void await_goodbyes();
 
   SharedState shared_;
-  Publisher& publisher_;  // the worker's
+  Publisher& publisher_;  // the server thread's
   LocalDaemon own_;
   std::string url_, note_;
   Descriptor announcement_;
@@ -115,7 +116,7 @@ class Sockets {
   boost::asio::ip::tcp::acceptor acceptor_{context_};
   boost::asio::steady_timer timer_{context_};
   boost::asio::steady_timer pause_{context_};
-  Worker disk_{"page files", SharedState::kMaxConnections};  // its jobs post to the context
+  Worker page_files_{"page files", SharedState::kMaxConnections};  // its jobs post to the context
   std::thread thread_;
 };
 

@@ -66,7 +66,7 @@ void ViewerSocket::accept(const Request& request, std::string_view sub_protocol)
 void ViewerSocket::opened() {
   connected_ns_ = monotonic_now();
   open_ = true;
-  // The worker never holds a socket: it would be closed in the wrong thread.
+  // The server thread never holds a socket: it would be closed in the wrong thread.
   const auto later = [this](void (ViewerSocket::*what)()) {
     return [&context = shared_.context, weak = weak_from_this(), what] {
       asio::post(context, [weak, what] {
@@ -78,7 +78,7 @@ void ViewerSocket::opened() {
                                      later(&ViewerSocket::fail));
   figures_.id = viewer_->id();
   shared_.viewers.emplace(viewer_->id(), weak_from_this());
-  asio::post(shared_.work, [&shared = shared_, viewer = viewer_, may = permission_] {
+  asio::post(shared_.server_context, [&shared = shared_, viewer = viewer_, may = permission_] {
     shared.broker.add(viewer);
     shared.handler.send_server_info(*viewer, may);
   });
@@ -130,20 +130,21 @@ void ViewerSocket::read_later() {
   });
 }
 
-// Before anything else, whatever the worker does and whatever is in the rest of the message.
+// Before anything else, whatever the server thread does and whatever is in the rest of the message.
 void ViewerSocket::stop(std::uint32_t call, HostNs now) {
   shared_.controls.stop();
   if (*stops_ >= kMaxStops) return;
   ++*stops_;
-  asio::post(shared_.work, [&shared = shared_, viewer = viewer_, stops = stops_, call, now] {
-    shared.handler.stop_pressed(viewer, call, now);
-    --*stops;
-  });
+  asio::post(shared_.server_context,
+             [&shared = shared_, viewer = viewer_, stops = stops_, call, now] {
+               shared.handler.stop_pressed(viewer, call, now);
+               --*stops;
+             });
 }
 
 void ViewerSocket::pass_on(std::string message, bool text, HostNs now) {
-  asio::post(shared_.work, [&shared = shared_, viewer = viewer_, weak = weak_from_this(),
-                            may = permission_, message = std::move(message), text, now] {
+  asio::post(shared_.server_context, [&shared = shared_, viewer = viewer_, weak = weak_from_this(),
+                                      may = permission_, message = std::move(message), text, now] {
     const auto* begin = reinterpret_cast<const std::uint8_t*>(message.data());
     const bool known = shared.handler.handle(
         viewer, text ? parse_text(message) : parse_binary({begin, message.size()}), may, now);
@@ -222,7 +223,7 @@ void ViewerSocket::gone() {
   ++shared_.figures.closed_total;
   shared_.figures.dropped_total += viewer_->outbox().dropped();
   shared_.viewers.erase(viewer_->id());
-  asio::post(shared_.work, [&shared = shared_, viewer = viewer_, now = monotonic_now()] {
+  asio::post(shared_.server_context, [&shared = shared_, viewer = viewer_, now = monotonic_now()] {
     shared.broker.remove(viewer);
     shared.handler.leave(*viewer, now);
   });

@@ -1,6 +1,6 @@
 #pragma once
 // One WebSocket client, in the sockets' thread: carries out its STOP, passes its other messages on
-// to the worker, writes the frames of its outbox, and disconnects it when it misbehaves.
+// to the server thread, writes the frames of its outbox, and disconnects it when it misbehaves.
 
 #include <atomic>
 #include <boost/asio/ip/tcp.hpp>
@@ -34,7 +34,7 @@ class ViewerSocket : public std::enable_shared_from_this<ViewerSocket> {
 
   /// Call it once a second: sends the status that is due, and disconnects clients that do not read.
   void tick(HostNs now);
-  /// Without its subscriptions, which are the worker's.
+  /// Without its subscriptions, which are the server thread's.
   messages::ClientFigures figures(HostNs now) const;
   /// The server is ending.
   void go_away();
@@ -76,7 +76,7 @@ class ViewerSocket : public std::enable_shared_from_this<ViewerSocket> {
   Budget own_{Budgets::kOwnPerS};
   Budget stops_left_;
   boost::asio::steady_timer pause_;
-  // Reports of STOP that are on their way to the worker, which may be gone after this.
+  // Reports of STOP that are on their way to the server thread, which may be gone after this.
   std::shared_ptr<std::atomic<int>> stops_ = std::make_shared<std::atomic<int>>(0);
 };
 

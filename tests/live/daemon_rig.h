@@ -41,7 +41,7 @@ class DaemonRig {
         handler_(broker_, publisher_, controls_, {}, controls_.services(), "session"),
         terminal_(nullptr, {controls_, [this](const std::string& line, bool) { said(line); },
                             [this] { publisher_.stop_pressed("keyboard", now()); },
-                            [this] { return setup_.run()->course(); }}) {}
+                            [this] { return setup_.in_force()->course(); }}) {}
   virtual ~DaemonRig() = default;
   DaemonRig(const DaemonRig&) = delete;
   DaemonRig& operator=(const DaemonRig&) = delete;
@@ -154,7 +154,7 @@ class DaemonRig {
         const std::shared_ptr<const ActiveRun>& run = made->exchange->run;
         ros2_.set_course(run->course());
         terminal_.ask(now());
-        publisher_.change_setup(run->context, made->exchange->for_viewers, now());
+        publisher_.exchange(run->context, made->exchange->for_viewers, now());
       }
       setup_.finish();
     }

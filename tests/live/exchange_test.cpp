@@ -134,7 +134,7 @@ TEST(Exchange, AllThatIsInForceChangesWithOneStepWhoeverHearsOfItFirst) {
       Stepped daemon(folder.file("runs"), seed);
       for (int i = 0; i < 5; ++i) daemon.step();
       ASSERT_EQ(daemon.choose({.course = "2", .robot = "worn"}), "");
-      EXPECT_EQ(daemon.setup().run()->course(), "2");
+      EXPECT_EQ(daemon.setup().in_force()->course(), "2");
       for (int i = 0; i < 5; ++i) daemon.step();
     }
     std::vector<std::string> runs;

@@ -105,7 +105,7 @@ TEST(LiveCycle, AChangeOfTheCourseNeitherLocksNorAllocates) {
     rig.watched = i > 0;
     CourseChange request(rig, line());
     request.change.parameters = bridge::session_settings({}).parameters;
-    rig.cycle.change_setup(request);
+    rig.cycle.offer_setup(request);
     rig.steps(300);
     ASSERT_EQ(rig.cycle.setup_done(), &request);
     EXPECT_TRUE(request.made);
@@ -120,7 +120,7 @@ TEST(LiveCycle, AChangeIsReturnedBeforeTheRecordOfItsFirstStep) {
   LiveRig rig(line());
   rig.steps(400);
   CourseChange request(rig, line());
-  rig.cycle.change_setup(request);
+  rig.cycle.offer_setup(request);
   rig.step();
   ASSERT_EQ(rig.cycle.setup_done(), &request);
   const StepRecord* record = rig.cycle.front_record();
@@ -135,7 +135,7 @@ TEST(LiveCycle, AStartBeforeAChangeBeginsTheOldCourseAndTheChangeIsNotMade) {
   rig.steps(400);
   CourseChange request(rig, nullptr);
   rig.start();
-  rig.cycle.change_setup(request);
+  rig.cycle.offer_setup(request);
   rig.steps(100);
   EXPECT_EQ(rig.cycle.setup_done(), &request);
   EXPECT_FALSE(request.made);
@@ -149,7 +149,7 @@ TEST(LiveCycle, AChangeIsGivenUpIfTheRobotDoesNotComeToRest) {
   rig.steps(100);
   SetupRequest request{.until_ns = rig.now + kNsPerS};
   request.change.place = Pose{};
-  rig.cycle.change_setup(request);
+  rig.cycle.offer_setup(request);
   rig.steps(150);
   EXPECT_EQ(rig.cycle.setup_done(), nullptr);
   rig.steps(100);

@@ -1,5 +1,3 @@
-#include "live/live_recording.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -8,6 +6,7 @@
 #include <memory>
 
 #include "../support/temporary_folder.h"
+#include "live/live_recording.h"
 #include "record/recording.h"
 
 namespace tp100::live {

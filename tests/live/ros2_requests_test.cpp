@@ -1,6 +1,4 @@
 // Starts of the robot over ROS 2, and STOP. Driving: tests/robot/hand_drive_test.cpp.
-#include "live/ros2_node.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,6 +7,7 @@
 #include <utility>
 
 #include "../server/fake_controls.h"
+#include "live/ros2_node.h"
 #include "ros2/message_types.h"
 
 namespace tp100::live {

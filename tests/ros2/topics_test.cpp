@@ -91,7 +91,7 @@ TEST_F(TopicMessagesTest, TheStateComesWithEachAnswerAndEachSetup) {
   messages_.answer({});
   EXPECT_THAT(step(), ElementsAre(Topic::kState));
   EXPECT_THAT(step(), IsEmpty());
-  messages_.change_setup(on_course_one());
+  messages_.exchange(on_course_one());
   EXPECT_THAT(step(), ElementsAre(Topic::kState));
 }
 

@@ -100,7 +100,7 @@ TEST_F(RequestHandlerTest, OtherParametersKeepWhatViewersHaveSet) {
   set("control.gain", "20");
   std::vector<messages::ParameterText> next = parameters();
   next[1].value = 400.0;
-  handler_.change_setup(next, kNow);
+  handler_.exchange(next, kNow);
   const Json values = send(R"({"op":"getParameters","parameterNames":[]})").texts.at(0);
   EXPECT_EQ(values["parameters"][0]["value"], 20.0);
   EXPECT_EQ(values["parameters"][1]["value"], 400.0);

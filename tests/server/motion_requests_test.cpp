@@ -62,7 +62,7 @@ TEST_F(RequestHandlerTest, ARunThatNoPageWatchesIsStoppedIfThatIsConfigured) {
   for (const bool configured : {false, true}) {
     messages::RunContext context = messages::example_subject();
     context.stop_unwatched = configured;
-    publisher_.change_setup(context, {}, record.now_ns);
+    publisher_.exchange(context, {}, record.now_ns);
     for (const RunState state : {RunState::kRunning, RunState::kDriving, RunState::kArming}) {
       record.snapshot.run_state = RunState::kIdle;
       run_for(10 * kNsPerS, false);

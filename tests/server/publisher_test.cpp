@@ -92,7 +92,7 @@ TEST_F(PublisherTest, AllViewersShareTheMessagesOfACourseUntilTheNextReplacesThe
       setup.emplace_back(channel, std::make_shared<const std::string>(1 << 20, ' '));
       texts.emplace_back(setup.back().second);
     }
-    publisher_.change_setup(messages::example_subject(), setup, kNsPerS * i);
+    publisher_.exchange(messages::example_subject(), setup, kNsPerS * i);
   }
   for (std::size_t i = 0; i < texts.size(); ++i)
     EXPECT_EQ(texts[i].use_count(), i < texts.size() - 2 ? 0 : 42) << i;

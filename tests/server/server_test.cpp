@@ -86,7 +86,7 @@ TEST_F(ServerTest, TheFirstStepOfAnotherSetUpIsShownWithThatSetUp) {
   step();
   messages::RunContext other = messages::example_subject();
   other.setup = "terrain";
-  server_->change_setup(other, {}, {});
+  server_->exchange(other, {}, {});
   record_.snapshot.run_state = RunState::kFinished;
   step();
   taken.set_value();
