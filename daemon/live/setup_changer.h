@@ -46,7 +46,8 @@ class SetupChanger {
   /// Call it with each record before anything else takes the record: returns the change of which it
   /// is the first step. Then call finish().
   std::optional<MadeChange> take(const StepRecord& next);
-  /// Answers the request: the change is in force in the loop and here, and on its way to the server.
+  /// Answers the request: the change is in force in the loop and here, and on its way to the
+  /// server.
   void finish();
   /// Answers a change that the loop did not make. Call it regularly.
   void tick();

@@ -53,7 +53,8 @@ std::string parameters_message(const std::vector<ParameterText>& parameters) {
       json.field("name", parameter.name);
       write_value(json, "value", parameter.value);
       write_value(json, "default", parameter.standard);
-      json.field("type", name_in(kParameterTypeNames, parameter.type)).field("unit", parameter.unit);
+      json.field("type", name_in(kParameterTypeNames, parameter.type))
+          .field("unit", parameter.unit);
       if (is_number(parameter.type))
         json.field("min", parameter.range.min).field("max", parameter.range.max);
       json.values("choices", parameter.choices)

@@ -11,13 +11,14 @@
 
 namespace tp100::test {
 
-/// Expects that the file at `path` in the sources holds `text`; under `scripts/test --accept`, writes
-/// it instead.
+/// Expects that the file at `path` in the sources holds `text`; under `scripts/test --accept`,
+/// writes it instead.
 inline void expect_accepted(const std::string& path, const std::string& text) {
   const std::string whole = source_path(path);
   if (std::getenv("TP100_ACCEPT") != nullptr) return write_bytes(whole, text);
   EXPECT_EQ(read_bytes(whole), text)
-      << path << " is not what the program writes; run scripts/test --accept and review the difference";
+      << path
+      << " is not what the program writes; run scripts/test --accept and review the difference";
 }
 
 }  // namespace tp100::test
