@@ -56,9 +56,9 @@ Json schema_of_value(const Json& value) {
 }
 
 /// Completes a schema: a list of which no element is known is one of objects. What is required can
-/// only be told from several examples.
+/// only be told from several examples, and is left out where nothing is.
 void finish(Json& schema, bool several) {
-  if (!several) schema.erase("required");
+  if (!several || schema["required"].empty()) schema.erase("required");
   if (schema["type"] == "array") {
     Json& items = schema["items"];
     if (items.is_null()) items = {{"type", "object"}, {"properties", Json::object()}};
@@ -325,8 +325,12 @@ std::vector<ChannelText> channel_texts() {
   add(Channel::kLink, "/link", "tp100.Link", {link_message(0.5, link), link_message(0.5, {})}, 1);
   const std::string loop = loop_message(0.5, {}, run_context);
   add(Channel::kLoop, "/loop", "tp100.Loop", {loop, loop}, 1);
+  StateFigures driven;
+  driven.driver.by = "viewer 3";
   add(Channel::kState, "/state", "tp100.State",
-      {state_message(0, {}, full_state(), run_context), state_message(0, {}, {}, {})}, 1);
+      {state_message(0, {}, full_state(), run_context), state_message(0, {}, driven, {}),
+       state_message(0, {}, {}, {})},
+      1);
   add(Channel::kCourse, "/course", "tp100.Course", {messages.course(), empty.course()}, 1);
   add(Channel::kEvent, "/event", "tp100.Event", {messages.event({}), messages.event({})}, 100);
   add(Channel::kParameter, "/parameter", "tp100.ParameterList",

@@ -107,8 +107,15 @@ TEST(Channels, MessagesHaveNoFieldThatTheirSchemaDoesNotName) {
       nothing.snapshot.estimates[PoseSource::kFused].covariance.xx =
           std::numeric_limits<double>::quiet_NaN();
   const Messages without({}, {});
-  StateFigures paused;
+  StateFigures paused, driven, asked;
   paused.pause_left_s = 3.0;
+  driven.driver.by = asked.driver.by = "viewer 3";
+  asked.driver.asked_by = "viewer 4";
+  asked.faults = fault_bit(Fault::stop_requested);
+  LinkFigures identified;
+  identified.port.firmware = "0.1.0";
+  ClientsFigures clients;
+  clients.clients.emplace_back();
   const std::vector<std::pair<std::string, std::string>> examples = {
       {"/tf", transforms_text(messages, record, std::nullopt)},
       {"/pose/model", pose_text(messages, 0, {})},
@@ -122,6 +129,13 @@ TEST(Channels, MessagesHaveNoFieldThatTheirSchemaDoesNotName) {
       {"/course", messages.course()},
       {"/state", state_message(0, {}, {}, example_subject())},
       {"/state", state_message(0, {}, paused, example_subject())},
+      {"/state", state_message(0, {}, driven, example_subject())},
+      {"/state", state_message(0, {}, asked, {})},
+      {"/link", link_message(0.5, identified)},
+      {"/client", clients_message(clients)},
+      {"/sample", without.sample({}, 0)},
+      {"/command", without.command(nothing)},
+      {"/slip", without.slip(nothing)},
       {"/event", messages.event({})},
       {"/link", link_message(0.5, {})},
       {"/loop", loop_message(0.5, {}, {})},
@@ -132,9 +146,6 @@ TEST(Channels, MessagesHaveNoFieldThatTheirSchemaDoesNotName) {
   };
   const std::vector<std::pair<std::string, std::string>> unknown = {
       {"/estimate", without.estimate(nothing, std::nullopt)},
-      {"/sample", without.sample({}, 0)},
-      {"/command", without.command(nothing)},
-      {"/slip", without.slip(nothing)},
   };
   std::map<std::string, Json> schemas;
   for (const ChannelText& text : channel_texts()) schemas[text.topic] = Json::parse(text.schema);
