@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <sstream>
+#include <string>
 
 #include "board_rig.h"
 #include "chip_time.h"
@@ -51,8 +53,11 @@ bool keeps_count(double per_channel_hz) {
 }
 
 /// Prints a figure for scripts/bench, and expects that PROTOCOL.md names its limit.
-void report(const char* what, double now, const char* limit) {
-  std::printf("{\"what\":\"%s\",\"now\":%.2f,\"limit\":\"%s\"}\n", what, now, limit);
+void report(const char* what, double now, double limit_value, const char* unit) {
+  std::ostringstream words;
+  words << limit_value << ' ' << unit;
+  const std::string limit = words.str();
+  std::printf("{\"what\":\"%s\",\"now\":%.2f,\"limit\":\"%s\"}\n", what, now, limit.c_str());
   EXPECT_THAT(test::read_bytes(source_path("firmware/PROTOCOL.md")),
               testing::HasSubstr(std::string("| ") + what + " | " + limit + " |"));
 }
@@ -64,10 +69,11 @@ TEST(FirmwareBudget, DrivingLeavesHalfOfTheProcessor) {
   const Drive drive(rig);
   ASSERT_EQ(rig.state(), wire::State::kRunning);
   const double longest_ms = 1e3 * static_cast<double>(drive.loop.longest()) / AvrCore::kHz;
-  report("processor busy while driving", 100.0 * drive.busy, "45 %");
-  report("longest pass of the main loop", longest_ms, "2.5 ms");
-  EXPECT_LE(drive.busy, 0.45);
-  EXPECT_LE(longest_ms, 2.5);
+  constexpr double kMostPercent = 45.0, kLongestMs = 2.5;
+  report("processor busy while driving", 100.0 * drive.busy, kMostPercent, "%");
+  report("longest pass of the main loop", longest_ms, kLongestMs, "ms");
+  EXPECT_LE(100.0 * drive.busy, kMostPercent);
+  EXPECT_LE(longest_ms, kLongestMs);
 }
 
 // An encoder of a faster robot loses edges above this rate, and the pose is wrong unnoticed.
@@ -79,11 +85,15 @@ TEST(FirmwareBudget, CountsEveryEdgeOfFourFastChannels) {
   rig.forced_mps = mps_of_edges(10'000.0);
   rig.run(200);
   const auto longest = std::max(left.longest(), right.longest());
-  report("interrupt of an encoder's edge", static_cast<double>(longest), "87 cycles");
-  EXPECT_LE(longest, 87U);
-  constexpr double kFastest = 16'900.0;
-  report("edges counted on each of four channels", 1e-3 * kFastest, "16.9 kHz");
-  EXPECT_TRUE(keeps_count(kFastest));
+  constexpr unsigned kMostCycles = 87;
+  report("interrupt of an encoder's edge", static_cast<double>(longest), kMostCycles, "cycles");
+  EXPECT_LE(longest, kMostCycles);
+  // Finds the fastest rate of those above the limit, too, which scripts/bench shows.
+  constexpr double kLeastKhz = 16.9;
+  double counted_khz = 0.0;
+  for (double khz = kLeastKhz; khz < 30.0 && keeps_count(1e3 * khz); khz += 0.5) counted_khz = khz;
+  report("edges counted on each of four channels", counted_khz, kLeastKhz, "kHz");
+  EXPECT_GE(counted_khz, kLeastKhz);
 }
 
 }  // namespace
