@@ -33,12 +33,6 @@ void mirror(Place& place) {
   place.heading_rad = -place.heading_rad;
 }
 
-struct Mirror {
-  void operator()(Line& /*line*/) const {}
-  void operator()(Arc& arc) const { arc.angle_rad = -arc.angle_rad; }
-  void operator()(Pivot& pivot) const { pivot.angle_rad = -pivot.angle_rad; }
-};
-
 }  // namespace
 
 // A ray to the right crosses the edges an odd number of times.
@@ -121,7 +115,7 @@ Course mirrored(const Course& course) {
   other.name += "-mirrored";
   other.start.y_m = -other.start.y_m;
   other.start.yaw_rad = -other.start.yaw_rad;
-  for (Segment& segment : other.path) std::visit(Mirror{}, segment);
+  for (Segment& segment : other.path) mirror(segment);
   for (Disturbance& disturbance : other.disturbances) {
     disturbance.sideways_m = -disturbance.sideways_m;
     disturbance.yaw_rad = -disturbance.yaw_rad;

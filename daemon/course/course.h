@@ -4,11 +4,11 @@
 
 #include <cstddef>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "core/fields.h"
 #include "core/pose.h"
+#include "course/segment.h"
 #include "course/terrain.h"
 
 namespace tp100::course {
@@ -53,26 +53,8 @@ Polygon corners_of(const Fence& fence);
 /// The point nearest to a place on the edge that follows corner `index`.
 Vertex nearest_on_edge(const Polygon& polygon, std::size_t index, double x_m, double y_m);
 
-/// Smaller segments are invalid.
-inline constexpr double kSmallestLengthM = 0.001, kSmallestTurnDeg = 0.1;
-
 /// Longer paths are invalid: what viewers get of a course grows with its path.
 inline constexpr double kLongestPathM = 1000.0;
-
-/// Straight segment. [m]
-struct Line {
-  double length_m;
-};
-/// Circular segment; a positive angle turns left.
-struct Arc {
-  double radius_m;
-  double angle_rad;
-};
-/// Turn on the spot; a positive angle turns left.
-struct Pivot {
-  double angle_rad;
-};
-using Segment = std::variant<Line, Arc, Pivot>;
 
 /// A disturbance: the robot is pushed sideways (left positive) and in yaw, once it has driven
 /// `at_m` of the path.

@@ -16,7 +16,6 @@ constexpr std::size_t kMaxSegments = 1000;
 constexpr std::size_t kMaxDisturbances = 100;
 constexpr text::Range kPlace{-100.0, 100.0};
 constexpr text::Range kAngle{-3600.0, 3600.0};
-constexpr text::Range kLength{kSmallestLengthM, 100.0};
 
 constexpr std::size_t kMaxPieces = 50;
 constexpr std::size_t kMaxCorners = 100;
@@ -80,29 +79,6 @@ Terrain terrain_of(text::TomlTable& root) {
   terrain.blocks = read<Block>(root, "block", block_of);
   terrain.surfaces = read<Surface>(root, "surface", surface_of);
   return terrain;
-}
-
-double turn_rad(text::TomlTable& table) {
-  const double angle_deg = table.required_number("angle_deg", kAngle);
-  if (std::abs(angle_deg) < kSmallestTurnDeg)
-    table.fail("angle_deg", "'angle_deg' is " + text::number_text(angle_deg) +
-                                ", smallest turn is " + text::number_text(kSmallestTurnDeg) +
-                                " deg to either side");
-  return angle_deg * kRadPerDeg;
-}
-
-Segment segment_of(text::TomlTable table) {
-  const std::string type = table.required_choice("type", {"line", "arc", "pivot"});
-  if (type == "line") return Line{table.required_number("length_m", kLength)};
-  if (type == "pivot") return Pivot{turn_rad(table)};
-  const double radius_m = table.required_number("radius_m", {0.01, 100.0});
-  return Arc{radius_m, turn_rad(table)};
-}
-
-double length_of(const Segment& segment) {
-  if (const auto* line = std::get_if<Line>(&segment)) return line->length_m;
-  const auto* arc = std::get_if<Arc>(&segment);
-  return arc == nullptr ? 0.0 : arc->radius_m * std::abs(arc->angle_rad);
 }
 
 Pose start_of(text::TomlTable table) {
@@ -207,7 +183,7 @@ Draft parse_draft(const std::string& text, const std::string& file) {
     root.fail("disturbance", "more than 100 disturbances");
   double length_m = 0.0;
   for (const text::TomlTable& segment : segments) {
-    course.path.push_back(segment_of(segment));
+    course.path.push_back(read_segment(segment));
     length_m += length_of(course.path.back());
     if (length_m > kLongestPathM + 1e-6)  // sums are rounded
       segment.fail(

@@ -14,25 +14,10 @@ namespace {
 /// Reads back as the same number.
 std::string exact(double value) { return text::format("%.17g", value); }
 
-std::string segment(const char* type, const std::string& values) {
-  return std::string("\n[[segment]]\ntype = \"") + type + "\"\n" + values;
-}
-std::string text_of(const Line& line) {
-  return segment("line", "length_m = " + exact(line.length_m) + "\n");
-}
-std::string text_of(const Arc& arc) {
-  return segment("arc", "radius_m = " + exact(arc.radius_m) +
-                            "\nangle_deg = " + exact(arc.angle_rad * kDegPerRad) + "\n");
-}
-std::string text_of(const Pivot& pivot) {
-  return segment("pivot", "angle_deg = " + exact(pivot.angle_rad * kDegPerRad) + "\n");
-}
-
 std::string text_of(const Pose& start, const std::vector<Segment>& path) {
   std::string text = "\n[start]\nx_m = " + exact(start.x_m) + "\ny_m = " + exact(start.y_m) +
                      "\nyaw_deg = " + exact(wrap_angle(start.yaw_rad) * kDegPerRad) + "\n";
-  for (const Segment& segment : path)
-    text += std::visit([](const auto& of) { return text_of(of); }, segment);
+  for (const Segment& segment : path) text += segment_text(segment);
   return text;
 }
 

@@ -19,7 +19,8 @@ struct PathPoint {
 
 /// A segment of the course in its place on the path. The robot stops before and after every pivot.
 struct PathSegment {
-  enum class Kind { kLine, kArc, kPivot } kind = Kind::kLine;
+  using Kind = SegmentKind;
+  Kind kind = Kind::kLine;
   PathPoint begin{};
   PathPoint end{};        ///< for a pivot: same place, yaw turned
   double length_m = 0.0;  ///< 0 for a pivot

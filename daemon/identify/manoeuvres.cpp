@@ -110,7 +110,7 @@ void ManoeuvreMotion::still(double duration_s) {
 
 // Speed is a trapezoid over the length; the steps add up to the length.
 void ManoeuvreMotion::along(const course::Segment& segment, bool from_rest, bool to_rest) {
-  double length = 0.0, most = speed_mps_, acceleration = kAccelerationMps2;
+  double length = length_of(segment), most = speed_mps_, acceleration = kAccelerationMps2;
   MotionStep unit{1.0, 0.0};
   if (const auto* pivot = std::get_if<Pivot>(&segment)) {
     length = std::abs(pivot->angle_rad);
@@ -118,10 +118,7 @@ void ManoeuvreMotion::along(const course::Segment& segment, bool from_rest, bool
     acceleration = kPivotRadps2;
     unit = {0.0, std::copysign(1.0, pivot->angle_rad)};
   } else if (const auto* arc = std::get_if<Arc>(&segment)) {
-    length = arc->radius_m * std::abs(arc->angle_rad);
     unit.radps = std::copysign(1.0 / arc->radius_m, arc->angle_rad);
-  } else {
-    length = std::get<Line>(segment).length_m;
   }
   double done = 0.0;
   while (length - done > 1e-9) {

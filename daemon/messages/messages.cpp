@@ -1,7 +1,6 @@
 #include "messages/messages.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -14,12 +13,6 @@ namespace tp100::messages {
 namespace {
 
 constexpr double kPathSpacingM = 0.02;
-
-constexpr std::array<EnumName<course::PathSegment::Kind>, 3> kKindNames = {{
-    {course::PathSegment::Kind::kLine, "line"},
-    {course::PathSegment::Kind::kArc, "arc"},
-    {course::PathSegment::Kind::kPivot, "pivot"},
-}};
 
 void write_motion(text::JsonWriter& json, const Estimate& estimate) {
   json.fields(estimate.pose).fields(estimate.twist);
@@ -99,7 +92,7 @@ void write_path(text::JsonWriter& json, const course::Path* path, const terrain:
   static const std::vector<course::PathSegment> kNone;
   json.objects("segments", path == nullptr ? kNone : path->segments(),
                [&](const course::PathSegment& segment) {
-                 json.field("kind", name_in(kKindNames, segment.kind))
+                 json.field("kind", name_in(course::kSegmentKindNames, segment.kind))
                      .field("from_m", segment.begin.s_m)
                      .field("to_m", segment.end.s_m);
                  json.object("begin", [&] { json.floor_pose(segment.begin); });
