@@ -18,7 +18,6 @@ namespace {
 constexpr std::size_t kMaxKeptPoints = std::size_t{1} << 18;
 // No robot drives farther than this.
 constexpr double kFarthest = 1e6;
-constexpr double kEndToleranceM = 0.15;
 constexpr std::size_t kLongestEvent = std::size_t{1} << 16;
 
 double known(double value) {
@@ -255,11 +254,8 @@ void Reader::judge() {
     result.cause = "unknown";
   } else {
     result.finished = true;
-    const course::Path path(*run_.run_context.course);
-    const course::PathPoint goal = path.at(path.segments().size() - 1, path.length_m());
-    const Pose& end = result.points.back().world;
-    if (magnitude(end.x_m - goal.x_m, end.y_m - goal.y_m) > kEndToleranceM)
-      result.cause = "ended too far from the end of the path";
+    if (!at_end(course::Path(*run_.run_context.course), result.points.back().world))
+      result.cause = kMissedEnd;
   }
   result.completed = result.cause.empty();
 }

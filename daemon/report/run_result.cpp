@@ -7,6 +7,11 @@
 
 namespace tp100::report {
 
+bool at_end(const course::Path& path, const Pose& truth) {
+  const course::PathPoint end = path.at(path.segments().size() - 1, path.length_m());
+  return magnitude(truth.x_m - end.x_m, truth.y_m - end.y_m) <= kEndToleranceM;
+}
+
 std::string pose_columns(std::string_view name) {
   std::string columns;
   constexpr Pose kAny{};

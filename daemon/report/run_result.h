@@ -15,6 +15,7 @@
 #include "core/link_state.h"
 #include "core/pose.h"
 #include "core/time.h"
+#include "course/path.h"
 #include "report/baselines.h"
 
 namespace tp100::report {
@@ -85,7 +86,7 @@ struct RunResult {
   std::string floor;  ///< of an emulated robot: even or uneven; empty in recordings
   std::uint64_t seed = 0;
   bool finished = false;           ///< the controller reached the end of the course
-  bool completed = false;          ///< ... and the true end lies within 15 cm of the path's
+  bool completed = false;          ///< ... and the robot was at_end() then
   std::string cause;               ///< why it was not completed; empty otherwise
   std::optional<HostNs> began_ns;  ///< where t_s is 0; empty: the run never began
   double duration_s = 0.0;         ///< virtual time of the run
@@ -101,6 +102,14 @@ struct RunResult {
   /// Whether the run has all inputs of the estimate.
   bool has_estimate(PoseSource source) const { return has_camera || !needs_camera(source); }
 };
+
+/// How far from the end of the path a completed run may truly end. [m]
+inline constexpr double kEndToleranceM = 0.15;
+/// Cause of a run that ended farther from it.
+inline constexpr const char* kMissedEnd = "ended too far from the end of the path";
+
+/// Whether a robot that the controller brought to the end of the path truly stands there.
+bool at_end(const course::Path& path, const Pose& truth);
 
 /// The columns of a pose in a CSV header, each after a comma: `,<name>_x_m` and y_m, z_m, roll_rad,
 /// pitch_rad, yaw_rad.

@@ -28,7 +28,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kEndToleranceM = 0.15;
 // The robot stands still this long before the host opens the port.
 constexpr HostNs kOpenNs = 20 * kNsPerMs;
 constexpr double kStandstillS = 0.5;
@@ -341,20 +340,18 @@ report::RunResult Lockstep::run() {
 
 void Lockstep::judge(RunState state, HostNs end_ns) {
   result_.duration_s = begin_ns_ < 0 ? 0.0 : to_s(end_ns - from_s(kStandstillS) - begin_ns_);
-  const course::PathPoint goal = path_.at(path_.segments().size() - 1, path_.length_m());
   const Pose end = begin_ns_ < 0 || (stand() && result_.points.empty()) ? settings_.course.start
                    : stand() ? result_.points.back().world
                              : behind_.of(truth_now());
-  const double miss_m = magnitude(end.x_m - goal.x_m, end.y_m - goal.y_m);
   result_.finished = state == RunState::kFinished;
-  result_.completed = result_.finished && miss_m <= kEndToleranceM;
+  result_.completed = result_.finished && report::at_end(path_, end);
   result_.cause.clear();
   if (!result_.completed) {
     const std::optional<Fault> fault = first_fault(cycle_.outputs().snapshot.faults);
     const bool no_world = begin_ns_ < 0 && world_ && world_->silent();
     result_.cause = no_world           ? std::string(describe(Fault::world_lost).name)
                     : begin_ns_ < 0    ? "never began"
-                    : result_.finished ? "ended too far from the end of the path"
+                    : result_.finished ? report::kMissedEnd
                     : fault            ? std::string(describe(*fault).name)
                                        : "unknown";
   }
