@@ -124,13 +124,13 @@ void RequestHandler::send_answers() {
 void RequestHandler::on(const std::shared_ptr<Viewer>& viewer, const ServiceCall& call,
                         Permission permission, HostNs now) {
   if (call.service == kStop) return stop_pressed(viewer, call.call, now);
-  const Answer answer = [arrivals = answers_, weak = std::weak_ptr(viewer), service = call.service,
+  const Answer answer = [answers = answers_, weak = std::weak_ptr(viewer), service = call.service,
                          number = call.call](const std::string& why, const std::string& json) {
     const bool done = why.empty();
     std::string message =
         done ? service_response(service, number, json) : service_failure(service, number, why);
-    const std::lock_guard lock(arrivals->mutex);
-    arrivals->answers.push_back({weak, std::move(message), done});
+    const std::lock_guard lock(answers->mutex);
+    answers->answers.push_back({weak, std::move(message), done});
   };
   const Result<> begun = begin(call, viewer->id(), permission, now, answer);
   if (!begun) answer(begun.why(), {});

@@ -82,7 +82,7 @@ TEST_F(ServerTest, TheFirstStepOfAnotherSetUpIsShownWithThatSetUp) {
     if (channel == messages::Channel::kState && is_finished) finished.emplace_back(json);
   };
   start();
-  server_->take(messages::Event{});  // the worker has to do while the rest arrives
+  server_->take(messages::Event{});  // its thread has to do while the rest arrives
   step();
   messages::RunContext other = messages::example_subject();
   other.setup = "terrain";
@@ -185,7 +185,7 @@ TEST_F(ServerTest, WhoAsksTooMuchIsClosedAndOthersOfItsAddressAreServed) {
   EXPECT_FALSE(polite.closed());
 }
 
-// A program that reads without end must not fill the worker's time, nor close the page's viewers.
+// A program that reads without end must not fill its thread's time, nor close the page's viewers.
 TEST_F(ServerTest, WhoReadsTooMuchIsToldToWait) {
   settings_.units_per_s = 10.0;  // fewer than any machine asks for
   start();
