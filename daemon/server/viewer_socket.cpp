@@ -59,7 +59,8 @@ void ViewerSocket::accept(const Request& request, std::string_view sub_protocol)
   socket_.read_message_max(kMaxMessage);
   socket_.auto_fragment(false);
   socket_.async_accept(request, [self = shared_from_this()](beast::error_code error) {
-    error ? self->gone() : self->opened();
+    if (error) return self->gone();
+    self->opened();
   });
 }
 
