@@ -31,6 +31,11 @@ bool plausible(const Pose& pose) {
       [](double value) { return std::abs(value) <= kFarthest; });
 }
 
+/// 0: none is known.
+std::uint64_t seed_of(const std::string& fact) {
+  return text::number_in<std::uint64_t>(fact).value_or(0);
+}
+
 /// Distributions of one run.
 struct Times {
   Histogram jitter{}, sample_age{}, world_age{};
@@ -303,7 +308,7 @@ RecordedRun read_run(const record::Recording& recording, const RecordedContext& 
   run.result.robot = recording.fact("robot");
   run.result.setup = recording.fact("setup");
   run.result.baselines = baselines_of(run_context.robot, run_context.turning_threshold_radps);
-  run.result.seed = text::number_in<std::uint64_t>(recording.fact("seed")).value_or(0);
+  run.result.seed = seed_of(recording.fact("seed"));
 
   const auto reader = std::make_unique<Reader>(run, recording);
   recording.visit({.step =
