@@ -55,17 +55,27 @@ Json schema_of_value(const Json& value) {
   }
 }
 
-/// Completes a schema: a list of which no element is known is one of objects. What is required can
-/// only be told from several examples, and is left out where nothing is.
-void finish(Json& schema, bool several) {
-  if (!several || schema["required"].empty()) schema.erase("required");
+/// Completes a schema: a list of which no element is known is one of objects. `required`: what all
+/// examples have is, and is left out where nothing is.
+void finish(Json& schema, bool required) {
+  if (!required || schema["required"].empty()) schema.erase("required");
   if (schema["type"] == "array") {
     Json& items = schema["items"];
     if (items.is_null()) items = {{"type", "object"}, {"properties", Json::object()}};
-    finish(items, several);
+    finish(items, required);
   } else if (schema["type"] == "object") {
-    for (Json& property : schema["properties"]) finish(property, several);
+    for (Json& property : schema["properties"]) finish(property, required);
   }
+}
+
+Json schema_json(const std::string& title, const std::vector<std::string>& examples,
+                 bool required) {
+  Json body;
+  for (const std::string& example : examples) merge(body, schema_of_value(Json::parse(example)));
+  finish(body, required);
+  Json schema = {{"title", title}};
+  schema.update(body);
+  return schema;
 }
 
 template <class Names>
@@ -249,24 +259,22 @@ void drop_values(Json& schema) {
   }
 }
 
-/// `examples`: the first one has every field, the second as few as possible.
-std::string channel_schema(const char* name, const std::vector<std::string>& examples) {
-  Json schema = Json::parse(schema_of(name, examples));
+/// Whether a schema is ours, and so tells what is required and which names a text may be.
+bool is_ours(std::string_view schema_name) { return schema_name.starts_with("tp100."); }
+
+/// `examples`: one with every field; of our own schemas also such as lack what may be left out.
+std::string channel_schema(const std::string& name, const std::vector<std::string>& examples) {
+  Json schema = schema_json(name, examples, is_ours(name));
   for (const ChoiceField& field : choice_fields())
-    if (std::string_view(name) == field.schema_name) set_choices(schema, field);
-  if (std::string_view(name) == "tp100.ParameterList") drop_values(schema);
+    if (name == field.schema_name) set_choices(schema, field);
+  if (name == "tp100.ParameterList") drop_values(schema);
   return schema.dump();
 }
 
 }  // namespace
 
-std::string schema_of(const std::string& title, const std::vector<std::string>& examples) {
-  Json body;
-  for (const std::string& example : examples) merge(body, schema_of_value(Json::parse(example)));
-  finish(body, examples.size() > 1);
-  Json schema = {{"title", title}};
-  schema.update(body);
-  return schema.dump();
+std::string schema_of(const std::string& title, const std::string& example) {
+  return schema_json(title, {example}, false).dump();
 }
 
 void StepMessages::take(const StepRecord& record, const Wanted& wanted, const Send& send) {
@@ -313,7 +321,7 @@ std::vector<ChannelText> channel_texts() {
   };
   for (const StepChannel& one : step_channels()) {
     std::vector<std::string> examples = one.texts({messages, full_record(), truth, true});
-    if (std::string_view(one.schema_name).starts_with("tp100."))
+    if (is_ours(one.schema_name))
       examples.push_back(one.texts({empty, least_record(one.channel), no_truth, false}).front());
     add(one.channel, one.topic, one.schema_name, examples, one.kept);
   }
@@ -323,8 +331,7 @@ std::vector<ChannelText> channel_texts() {
   add(Channel::kPathHistory, "/path_history", "foxglove.SceneUpdate", {scene}, 0);
   add(Channel::kLog, "/log", "foxglove.Log", {log_text(messages, {})}, 100);
   add(Channel::kLink, "/link", "tp100.Link", {link_message(0.5, link), link_message(0.5, {})}, 1);
-  const std::string loop = loop_message(0.5, {}, run_context);
-  add(Channel::kLoop, "/loop", "tp100.Loop", {loop, loop}, 1);
+  add(Channel::kLoop, "/loop", "tp100.Loop", {loop_message(0.5, {}, run_context)}, 1);
   StateFigures driven;
   driven.driver.by = "viewer 3";
   add(Channel::kState, "/state", "tp100.State",
@@ -332,11 +339,10 @@ std::vector<ChannelText> channel_texts() {
        state_message(0, {}, {}, {})},
       1);
   add(Channel::kCourse, "/course", "tp100.Course", {messages.course(), empty.course()}, 1);
-  add(Channel::kEvent, "/event", "tp100.Event", {messages.event({}), messages.event({})}, 100);
+  add(Channel::kEvent, "/event", "tp100.Event", {messages.event({})}, 100);
   add(Channel::kParameter, "/parameter", "tp100.ParameterList",
       {parameters_message(number), parameters_message(text)}, 1);
-  add(Channel::kRecording, "/recording", "tp100.Recording",
-      {recording_message({}), recording_message({})}, 1);
+  add(Channel::kRecording, "/recording", "tp100.Recording", {recording_message({})}, 1);
   add(Channel::kCameraImage, "/camera/image", "foxglove.CompressedImage",
       {image_text(messages, 0, "\xff")}, 1);
   add(Channel::kClient, "/client", "tp100.ClientList",

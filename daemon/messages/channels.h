@@ -93,9 +93,8 @@ class StepMessages {
   std::array<HostNs, kChannelCount> due_ns_{};
 };
 
-/// JSON schema of messages like these examples, objects without null fields; with several, of the
-/// fields that all of them have as required. An array that is empty in all of them is taken for an
-/// array of objects.
-std::string schema_of(const std::string& title, const std::vector<std::string>& examples);
+/// JSON schema of messages like `example`: an object without null fields. An empty array is taken
+/// for an array of objects.
+std::string schema_of(const std::string& title, const std::string& example);
 
 }  // namespace tp100::messages

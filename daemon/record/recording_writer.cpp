@@ -67,7 +67,7 @@ void RecordingWriter::add_channels() {
   step_channel_ = add({kStepSchemaName, kStepEncoding, step_schema()}, kStepTopic, kStepEncoding);
   truth_channel_ =
       add({kTruthSchemaName, "jsonschema",
-           messages::schema_of(kTruthSchemaName, {truth_text(settings_.clock, messages::Truth{})})},
+           messages::schema_of(kTruthSchemaName, truth_text(settings_.clock, messages::Truth{}))},
           kTruthTopic, "json");
   for (const messages::ChannelText& channel : messages::channel_texts()) {
     if (!recorded(channel.channel)) continue;

@@ -73,8 +73,8 @@ ServiceText text_of(const ServiceRow& row) {
   if (row.rules.consents)
     request.insert(1, request == "{}" ? R"("stops":1,"t_s":1.5)" : R"("stops":1,"t_s":1.5,)");
   return {static_cast<std::uint32_t>(row.service), row.name, type,
-          messages::schema_of(type + "Request", {request}),
-          messages::schema_of(type + "Response", {row.response})};
+          messages::schema_of(type + "Request", request),
+          messages::schema_of(type + "Response", row.response)};
 }
 
 Result<Request> read_request(const ServiceRow& row, std::string_view json, std::uint32_t viewer,
