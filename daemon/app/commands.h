@@ -41,9 +41,9 @@ inline constexpr std::array kSubcommands = {add_run,    add_ports,    add_doctor
                                             add_replay, add_identify, add_recover, add_export,
                                             add_report, add_compare};
 
-/// Runs this process at idle priority and ends it when its parent ends: for work that is done while
-/// a robot drives.
-void become_background();
+/// Adds --background: runs this process at idle priority and ends it when its parent ends, for work
+/// that is done while a robot drives.
+void add_background(CLI::App& command);
 
 // `tp100d run`: the live bridge.
 

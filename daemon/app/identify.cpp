@@ -361,8 +361,7 @@ void add_identify(CLI::App& app, Action& action) {
   text::option(command, "--config", options.config, "FILE",
                "Configuration (default: the recordings', else as config/tp100.toml)");
   command->add_flag("--json", options.json, "Print what was found as JSON");
-  command->add_flag_callback("--background", become_background,
-                             "Run at idle priority; end when the parent process ends");
+  add_background(*command);
   text::option(command, "--date", options.date, "DATE",
                "Day of the runs for the file (default: today)");
   command->add_flag("--drive", options.drive,

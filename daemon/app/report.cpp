@@ -59,8 +59,6 @@ std::string name_of(const std::string& path, std::set<std::string>& taken) {
   return name;
 }
 
-}  // namespace
-
 // Each call may be refused; the report is made all the same.
 void become_background() {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -69,6 +67,13 @@ void become_background() {
   ::sched_setscheduler(0, SCHED_IDLE, &priority);
   // If memory runs out, the kernel is to end this program first.
   std::ofstream("/proc/self/oom_score_adj") << 1000;
+}
+
+}  // namespace
+
+void add_background(CLI::App& command) {
+  command.add_flag_callback("--background", become_background,
+                            "Run at idle priority; end when the parent process ends");
 }
 
 int run_report(const ReportOptions& options) {
@@ -118,8 +123,7 @@ void add_report(CLI::App& app, Action& action) {
   text::option(command, "RUN", options.runs, "RUN", "Recordings, or their folders")->required();
   text::option(command, "--out", options.out, "FOLDER",
                "Folder to write to (default: beside the recording)");
-  command->add_flag_callback("--background", become_background,
-                             "Run at idle priority; end when the parent process ends");
+  add_background(*command);
   command->footer("Example: tp100d report runs/RUN");
   command->callback([&action] { action = [] { return run_report(options); }; });
 }
@@ -130,8 +134,7 @@ void add_compare(CLI::App& app, Action& action) {
   text::option(command, "RUN", options.runs, "RUN", "Recordings, or their folders")->required();
   text::option(command, "--out", options.out, "FOLDER",
                "Folder to write compare.html to (default: here)");
-  command->add_flag_callback("--background", become_background,
-                             "Run at idle priority; end when the parent process ends");
+  add_background(*command);
   command->footer("Example: tp100d compare runs/before runs/after --out compared");
   command->callback([&action] { action = [] { return run_compare(options); }; });
 }
