@@ -78,63 +78,64 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 
 /// A segment as edges are compared with it: in the frame of its begin, u ahead and v to the left,
 /// mirrored to a left turn.
-struct Crossing {
+class Crossing {
+ public:
   explicit Crossing(const PathSegment& segment)
-      : begin(segment.begin),
-        length_m(segment.length_m),
-        cosine(std::cos(begin.yaw_rad)),
-        sine(std::sin(begin.yaw_rad)),
-        side(begin.curvature_1pm < 0.0 ? -1.0 : 1.0) {
+      : begin_(segment.begin),
+        length_m_(segment.length_m),
+        cosine_(std::cos(begin_.yaw_rad)),
+        sine_(std::sin(begin_.yaw_rad)),
+        side_(begin_.curvature_1pm < 0.0 ? -1.0 : 1.0) {
     const PathPoint& end = segment.end;
-    min_x_m = std::min(begin.x_m, end.x_m), max_x_m = std::max(begin.x_m, end.x_m);
-    min_y_m = std::min(begin.y_m, end.y_m), max_y_m = std::max(begin.y_m, end.y_m);
-    if (begin.curvature_1pm == 0.0) return;
-    radius_m = 1.0 / std::abs(begin.curvature_1pm);
-    const double x_m = begin.x_m - side * radius_m * sine,
-                 y_m = begin.y_m + side * radius_m * cosine;
-    min_x_m = x_m - radius_m, max_x_m = x_m + radius_m;
-    min_y_m = y_m - radius_m, max_y_m = y_m + radius_m;
+    min_x_m_ = std::min(begin_.x_m, end.x_m), max_x_m_ = std::max(begin_.x_m, end.x_m);
+    min_y_m_ = std::min(begin_.y_m, end.y_m), max_y_m_ = std::max(begin_.y_m, end.y_m);
+    if (begin_.curvature_1pm == 0.0) return;
+    radius_m_ = 1.0 / std::abs(begin_.curvature_1pm);
+    const double x_m = begin_.x_m - side_ * radius_m_ * sine_,
+                 y_m = begin_.y_m + side_ * radius_m_ * cosine_;
+    min_x_m_ = x_m - radius_m_, max_x_m_ = x_m + radius_m_;
+    min_y_m_ = y_m - radius_m_, max_y_m_ = y_m + radius_m_;
   }
 
   /// Offset of the segment's first point on the edge from `a` to `b`; kNever: there is none.
   double first_m(const Vertex& a, const Vertex& b) const {
-    if (std::max(a.x_m, b.x_m) < min_x_m || std::min(a.x_m, b.x_m) > max_x_m ||
-        std::max(a.y_m, b.y_m) < min_y_m || std::min(a.y_m, b.y_m) > max_y_m)
+    if (std::max(a.x_m, b.x_m) < min_x_m_ || std::min(a.x_m, b.x_m) > max_x_m_ ||
+        std::max(a.y_m, b.y_m) < min_y_m_ || std::min(a.y_m, b.y_m) > max_y_m_)
       return kNever;
-    const double dx = a.x_m - begin.x_m, dy = a.y_m - begin.y_m;
+    const double dx = a.x_m - begin_.x_m, dy = a.y_m - begin_.y_m;
     const double ex = b.x_m - a.x_m, ey = b.y_m - a.y_m;
-    const double u = dx * cosine + dy * sine, v = side * (dy * cosine - dx * sine);
-    const double du = ex * cosine + ey * sine, dv = side * (ey * cosine - ex * sine);
-    return radius_m == 0.0 ? on_line(u, v, du, dv) : on_arc(u, v, du, dv);
+    const double u = dx * cosine_ + dy * sine_, v = side_ * (dy * cosine_ - dx * sine_);
+    const double du = ex * cosine_ + ey * sine_, dv = side_ * (ey * cosine_ - ex * sine_);
+    return radius_m_ == 0.0 ? on_line(u, v, du, dv) : on_arc(u, v, du, dv);
   }
 
  private:
   double on_line(double u, double v, double du, double dv) const {
     if (dv == 0.0) return kNever;  // parallel: the path meets one of the neighbouring edges
     const double part = -v / dv, offset_m = u + part * du;
-    const bool meets = part >= 0.0 && part <= 1.0 && offset_m >= 0.0 && offset_m <= length_m;
+    const bool meets = part >= 0.0 && part <= 1.0 && offset_m >= 0.0 && offset_m <= length_m_;
     return meets ? offset_m : kNever;
   }
   double on_arc(double u, double v, double du, double dv) const {
     // (u + part du)^2 + (v + part dv - radius)^2 = radius^2
-    const double squared = du * du + dv * dv, half = u * du + (v - radius_m) * dv;
-    const double under_root = half * half - squared * (u * u + v * v - 2.0 * v * radius_m);
+    const double squared = du * du + dv * dv, half = u * du + (v - radius_m_) * dv;
+    const double under_root = half * half - squared * (u * u + v * v - 2.0 * v * radius_m_);
     if (squared == 0.0 || under_root < 0.0) return kNever;
     double first = kNever;
     for (const double root : {-std::sqrt(under_root), std::sqrt(under_root)}) {
       const double part = (root - half) / squared;
       if (part < 0.0 || part > 1.0) continue;
-      double angle = std::atan2(u + part * du, radius_m - v - part * dv);
+      double angle = std::atan2(u + part * du, radius_m_ - v - part * dv);
       if (angle < 0.0) angle += 2.0 * kPi;
-      if (angle * radius_m <= length_m) first = std::min(first, angle * radius_m);
+      if (angle * radius_m_ <= length_m_) first = std::min(first, angle * radius_m_);
     }
     return first;
   }
 
-  PathPoint begin;
-  double length_m, cosine, sine, side;
-  double radius_m = 0.0;                      // 0: a line
-  double min_x_m, max_x_m, min_y_m, max_y_m;  // of an arc: of its whole circle
+  PathPoint begin_;
+  double length_m_, cosine_, sine_, side_;
+  double radius_m_ = 0.0;                         // 0: a line
+  double min_x_m_, max_x_m_, min_y_m_, max_y_m_;  // of an arc: of its whole circle
 };
 
 /// Offset of the first of 181 points that lies outside of a rectangular fence.
