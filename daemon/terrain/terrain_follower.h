@@ -21,7 +21,7 @@ model::ClimbGeometry climb_geometry(const course::ShapeValues& shape);
 /// The robot's contact at the end of the last interval, and the ground during it.
 struct ContactState {
   /// Its slope is minus the pitch on ramps and blocks alike: eq 6 has no slip on a block, but the
-  /// tracks slip there as on a slope of that pitch (sim/lab/RESULTS.md).
+  /// tracks of both emulated bodies slip there as on a slope of that pitch.
   model::Incline incline{};
   double height_m = 0.0;  ///< of the reference point
   double pitch_rad = 0.0;

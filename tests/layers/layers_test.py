@@ -5,6 +5,7 @@ FOLDERS has a line for each library: its folder, and the directories in which it
 INCLUDE holds one directory for each library, through which alone its headers are reached.
 """
 import pathlib
+import re
 import subprocess
 import sys
 
@@ -35,6 +36,16 @@ def included(compiler, directories, headers):
     return {line.removeprefix('yes ') for line in run.stdout.splitlines()}
 
 
+def names_the_laboratory(root):
+    """The product's sources that name the laboratory, which a user need not have."""
+    kinds = ('.cpp', '.h', '.ts', '.gd', '.toml', '.service')
+    for folder in ('daemon', 'firmware', 'sim', 'config', 'scripts'):
+        for path in (root / folder).rglob('*'):
+            if path.suffix in kinds and not {'node_modules', 'lab'} & set(path.parts):
+                if re.search('sim/lab|tp100-lab|tp100_sim_lab', path.read_text(encoding='utf-8')):
+                    yield str(path.relative_to(root))
+
+
 def main():
     compiler, folders, include = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3])
     seen = {}
@@ -59,6 +70,7 @@ def main():
             if (header in possible) != wanted:
                 failures.append(f'{folder} {"cannot" if wanted else "can"} include "{header}"')
             allowed, forbidden = allowed + wanted, forbidden + (not wanted)
+    failures += [f'{path} names the laboratory' for path in names_the_laboratory(pathlib.Path(__file__).parents[2])]
     for failure in failures:
         print(failure)
     print(f'{len(seen)} folders, {allowed} allowed and {forbidden} forbidden pairs tried')
