@@ -71,7 +71,9 @@ course::Fence fence_of(const course::Course* course) {
 
 control::MonitoredRobot monitored_robot(const Parameters& parameters,
                                         const course::Course* course) {
-  return {.motor = {parameters.drive.dead_band, parameters.drive.feed_forward},
+  return {.motor = {.dead_band = parameters.drive.dead_band,
+                    .feed_forward = parameters.drive.feed_forward,
+                    .stall_s = parameters.drive.stall_s},
           .wheelbase_m = parameters.model.wheelbase_m,
           .identified = course == nullptr || !course->identifies,
           .max_counts_per_s =

@@ -174,9 +174,9 @@ PerSource<Estimate> Perception::estimates() const {
 
 /// Distance by the tracks, their usual slip subtracted.
 double Perception::distance_m() const {
-  return (interval_.tracks.left_mps * (1.0 - parameters_.model.slip_left) +
-          interval_.tracks.right_mps * (1.0 - parameters_.model.slip_right)) /
-         2.0 * interval_.dt_s;
+  const auto [left, right] = model::over_ground(
+      interval_.tracks, {parameters_.model.slip_left, parameters_.model.slip_right});
+  return (left + right) / 2.0 * interval_.dt_s;
 }
 
 // Where the body is tilted, its own z axis is not the world's.

@@ -9,15 +9,9 @@
 namespace tp100::control {
 namespace {
 
-// Shortest time until a blocked track is reported, whatever its duty.
-constexpr double kSoonestS = 0.7;
-constexpr double kDutyPerSlopeRad = 0.8;
-constexpr double kObstacleDuty = 0.4;
+using Limits = shared::HostLimits<double>;
+
 constexpr double kObstacleS = 1.0;
-// Slip also takes part of one track's distance, as a fraction of what it may take of a turn.
-constexpr double kDistanceShare = 0.8;
-// One track may stand on a block while the other slips.
-constexpr double kObstacleShare = 0.25;
 
 // The robot itself gives up after 200 ms without a valid command.
 constexpr double kNoneTakenS = 0.3;
@@ -56,11 +50,11 @@ bool at_standstill(double commanded_mps, double track_mps) {
 bool DutyMonitor::update(double duty, double track_mps, const Load& load, double dt_s) {
   obstacle_s_ = load.on_obstacle ? kObstacleS : std::max(0.0, obstacle_s_ - dt_s);
   const double load_duty = turn_duty_.update(load.turning, dt_s) +
-                           kDutyPerSlopeRad * std::abs(load.pitch_rad) +
-                           (obstacle_s_ > 0.0 ? kObstacleDuty : 0.0);
-  const bool free = load_duty < shared::HostLimits<double>::free_duty();
+                           Limits::duty_per_slope_rad() * std::abs(load.pitch_rad) +
+                           (obstacle_s_ > 0.0 ? shared::obstacle_duty<double>() : 0.0);
+  const bool free = load_duty < Limits::free_duty();
   return law_.update(duty, track_mps, load_duty, free, dt_s, motor_.dead_band, motor_.feed_forward,
-                     kSoonestS);
+                     Limits::soonest_share() * motor_.stall_s);
 }
 
 bool JumpMonitor::update(const Sample& sample) {
@@ -123,9 +117,8 @@ bool Monitor::duty_disagrees(const Observation& seen) {
 
 bool Monitor::turn_disagrees(const Observation& seen) {
   if (!seen.gyro_in_use) return false;
-  const double share = slip_share_ + (seen.on_obstacle ? kObstacleShare : 0.0);
-  const double slip_radps =
-      share * (std::abs(seen.gyro_yaw_rate_radps) + kDistanceShare * mean_mps(seen) / wheelbase_m_);
+  const double slip_radps = shared::slip_of_turn<double, Limits>(
+      slip_share_, seen.on_obstacle, seen.gyro_yaw_rate_radps, mean_mps(seen) / wheelbase_m_);
   return turn_.update(seen.gyro_yaw_rate_radps * seen.dt_s, seen.encoder_yaw_rate_radps * seen.dt_s,
                       slip_radps * seen.dt_s, seen.dt_s);
 }

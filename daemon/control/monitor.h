@@ -20,6 +20,7 @@ namespace tp100::control {
 struct MotorModel {
   double dead_band = 0.15;    ///< duty at which a track just moves
   double feed_forward = 4.0;  ///< duty per m/s above it; 0: no relation known
+  double stall_s = 1.0;       ///< time after which the robot reports a track that stands
 };
 
 /// Loads that need duty without adding speed. A freely spinning track has none.

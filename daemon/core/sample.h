@@ -10,6 +10,7 @@
 #include "core/faults.h"
 #include "core/pose.h"
 #include "core/time.h"
+#include "shared/monitors.h"
 
 namespace tp100 {
 
@@ -102,8 +103,7 @@ inline constexpr double kBiasStandstillS = 0.3;
 
 /// Counts per second that no track reaches, whether driven, pushed or rolling down a ramp.
 constexpr double max_counts_per_s(double max_track_mps, double counts_per_metre) {
-  constexpr double kFastest = 3.0;  // times the drive's limit
-  return kFastest * max_track_mps * counts_per_metre;
+  return shared::HostLimits<double>::jump_speeds() * max_track_mps * counts_per_metre;
 }
 
 /// True if a track can have made so many counts in `dt_s`; always true if `max_per_s` is 0.

@@ -1,9 +1,7 @@
 #pragma once
 // Time of the host and of the robot. Neither is ever the wall clock.
 
-#include <concepts>
 #include <cstdint>
-#include <type_traits>
 
 namespace tp100 {
 
@@ -31,12 +29,5 @@ inline constexpr std::int64_t whole_time(double value) {
 
 /// Seconds as nanoseconds.
 inline constexpr HostNs from_s(double s) { return whole_time(s * 1e9); }
-
-/// How far `newer` is ahead of `older`, two values of a counter that wraps: exact up to half its
-/// range, negative if it is behind.
-template <std::unsigned_integral Counter>
-constexpr std::make_signed_t<Counter> wrapped_difference(Counter newer, Counter older) {
-  return static_cast<std::make_signed_t<Counter>>(static_cast<Counter>(newer - older));
-}
 
 }  // namespace tp100

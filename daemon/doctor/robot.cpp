@@ -2,6 +2,7 @@
 
 #include "core/faults.h"
 #include "doctor/hello.h"
+#include "shared/number.h"
 #include "text/format.h"
 
 namespace tp100::doctor {
@@ -144,7 +145,7 @@ void LinkMeter::restart(std::span<const Sample> samples) {
 void LinkMeter::on_sample(const Sample& sample, HostNs now) {
   ++samples_;
   if (age_) age_->add(now - sample.measured_ns);
-  if (!awaited_ || wrapped_difference(sample.last_command, *awaited_) < 0) return;
+  if (!awaited_ || shared::wrapped_difference(sample.last_command, *awaited_) < 0) return;
   if (round_trip_) round_trip_->add(now - awaited_since_ns_);
   awaited_.reset();
 }

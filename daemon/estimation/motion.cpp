@@ -5,6 +5,7 @@
 
 #include "core/arithmetic.h"
 #include "estimation/kalman.h"
+#include "shared/skid_steer.h"
 
 namespace tp100::estimation {
 namespace {
@@ -103,7 +104,7 @@ model::Turn MotionModel::turn_of(const Motion& motion) const {
 }
 
 TrackSpeeds MotionModel::over_ground(const StateVector& mean, const Motion& motion) const {
-  const TrackSpeeds expected = expected_speeds(motion.tracks, motion.ground);
+  const TrackSpeeds expected = model::over_ground(motion.tracks, motion.ground.slip);
   const Shares covered = shares(mean);
   return {expected.left_mps * covered.left, expected.right_mps * covered.right};
 }
@@ -120,7 +121,8 @@ Twist MotionModel::twist(const StateVector& mean, const Motion& motion) const {
   Twist twist;
   twist.vx_mps = (right + left) / 2.0 * (1.0 - turn.slip);
   twist.yaw_rate_radps = motion.gyro ? motion.gyro_z_radps - mean[kBias]
-                                     : (right - left) / turn.wheelbase_m * (1.0 + mean[kTurnGain]);
+                                     : shared::turn_of<double>({left, right}, turn.wheelbase_m) *
+                                           (1.0 + mean[kTurnGain]);
   twist.vy_mps =
       twist.vx_mps * std::tan(model::slip_angle_rad(tracks_, turn, twist.yaw_rate_radps)) -
       turn.x_icr_m * twist.yaw_rate_radps;
@@ -132,7 +134,7 @@ PlanarCovariance MotionModel::twist_covariance(const FilterState& state,
   const double dt = motion.dt_s;
   const Twist twist = this->twist(state.mean, motion);
   const model::Turn turn = turn_of(motion);
-  const auto [left, right] = expected_speeds(motion.tracks, motion.ground);
+  const auto [left, right] = model::over_ground(motion.tracks, motion.ground.slip);
 
   // Derivatives of forward speed and yaw rate by the state, as in twist().
   Eigen::Matrix<double, 2, kStates> by_state = Eigen::Matrix<double, 2, kStates>::Zero();
@@ -229,7 +231,7 @@ void MotionModel::predict(FilterState& state, const Motion& motion) const {
       by_rate(of, difference_mps / shape.wheelbase_m * (1.0 + state.mean[kTurnGain]));
   };
   if (motion.gyro) by_rate(kBias, -1.0);
-  const auto [left, right] = expected_speeds(motion.tracks, motion.ground);
+  const auto [left, right] = model::over_ground(motion.tracks, motion.ground.slip);
   by_slip(kCommonSlip, -(right + left) / 2.0, -(right - left));
   by_slip(kSlipDifference, (right - left) / 2.0, right + left);
   if (!motion.gyro) {

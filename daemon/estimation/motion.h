@@ -36,11 +36,6 @@ struct Residual {
   double gyro_z_radps = 0.0;
 };
 
-/// Track speeds with the slip that the ground is expected to have.
-inline TrackSpeeds expected_speeds(const TrackSpeeds& tracks, const Ground& ground) {
-  return {tracks.left_mps * (1.0 - ground.slip.left), tracks.right_mps * (1.0 - ground.slip.right)};
-}
-
 /// One interval, and the measurements at its end.
 struct Motion {
   HostNs end_ns = 0;

@@ -117,7 +117,7 @@ void Odometry::compare_tracks_with_gyro() {
   }
   const FilterParameters& noise = model_.noise();
   const double base_m = model_.turn_of(motion_).wheelbase_m;
-  const TrackSpeeds expected = expected_speeds(motion_.tracks, motion_.ground);
+  const TrackSpeeds expected = model::over_ground(motion_.tracks, motion_.ground.slip);
   const Residual rates{.left_radps = expected.left_mps / base_m,
                        .right_radps = expected.right_mps / base_m,
                        .gyro_z_radps = motion_.gyro_z_radps};

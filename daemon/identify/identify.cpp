@@ -7,6 +7,7 @@
 
 #include "core/arithmetic.h"
 #include "core/error.h"
+#include "shared/skid_steer.h"
 #include "text/format.h"
 
 namespace tp100::identify {
@@ -25,8 +26,9 @@ constexpr double kTurnedRad = 1.0;
 double first_wheelbase(const std::vector<FittedRun>& runs, const Prior& base) {
   double products = 0.0, squares = 0.0;
   for (const FittedRun& run : runs) {
-    const double difference = run.motion.right_m() * (1.0 - base.tracks.slip_right) -
-                              run.motion.left_m() * (1.0 - base.tracks.slip_left);
+    const auto ground = shared::over_ground(run.motion.left_m(), run.motion.right_m(),
+                                            base.tracks.slip_left, base.tracks.slip_right);
+    const double difference = ground.right - ground.left;
     const double turned = run.measured.turned_rad.value_or(base.tracks.gyro_scale *
                                                            run.motion.gyro_rad(run.motion.end_s()));
     products += difference * turned;
@@ -129,8 +131,8 @@ model::AddedSlip added_slip_of(const RecordedDrive& drive, const Prior& level) {
   const DriveMotion motion(drive, level.counts_per_metre);
   const model::TrackParameters& tracks = level.tracks;
   const double distance_m = *drive.measured.distance_m;
-  const double left_m = motion.left_m() * (1.0 - tracks.slip_left);
-  const double right_m = motion.right_m() * (1.0 - tracks.slip_right);
+  const auto [left_m, right_m] =
+      shared::over_ground(motion.left_m(), motion.right_m(), tracks.slip_left, tracks.slip_right);
   const double half_m = drive.measured.turned_rad
                             ? *drive.measured.turned_rad * tracks.wheelbase_m / 2.0
                             : (right_m - left_m) / 2.0;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "shared/number.h"
+
 namespace tp100::link {
 namespace {
 
@@ -218,7 +220,7 @@ DeviceUs DeviceClock::extend(std::uint32_t device_us, HostNs now) {
   // The host's clock gives the number of wraps, so that a long silence does not matter.
   const DeviceUs expected = newest_us_ + (now - newest_ns_) / kNsPerUs;
   const DeviceUs result =
-      expected + wrapped_difference(device_us, static_cast<std::uint32_t>(expected));
+      expected + shared::wrapped_difference(device_us, static_cast<std::uint32_t>(expected));
   if (result > newest_us_) {
     newest_us_ = result;
     newest_ns_ = now;
@@ -266,8 +268,8 @@ void RobotClock::age(HostNs now) {
 // arrive late.
 void RobotClock::count_robots_own(const wire::SyncReply& reply) {
   const wire::SyncReply before = last_reply_.value_or(reply);
-  const auto corrupted = wrapped_difference(reply.corrupted, before.corrupted);
-  const auto missed = wrapped_difference(reply.missed_edges, before.missed_edges);
+  const auto corrupted = shared::wrapped_difference(reply.corrupted, before.corrupted);
+  const auto missed = shared::wrapped_difference(reply.missed_edges, before.missed_edges);
   if (corrupted < 0 || missed < 0) return;
   counters_.robot_corrupted += static_cast<std::uint64_t>(corrupted);
   counters_.missed_edges += static_cast<std::uint64_t>(missed);

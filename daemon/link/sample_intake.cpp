@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "core/arithmetic.h"
+#include "shared/number.h"
 
 namespace tp100::link {
 namespace {
@@ -18,8 +19,6 @@ constexpr std::uint64_t kNewest = 1;
 
 // After a longer gap it is unknown whether the track continued.
 constexpr double kLongestHoldS = 0.1;
-// A glitch and its return are one jump.
-constexpr double kOneJumpS = 0.1;
 
 bool values_plausible(const wire::Sample& sample) {
   return sample.state <= static_cast<std::uint8_t>(wire::State::kFaulted) &&
@@ -29,24 +28,20 @@ bool values_plausible(const wire::Sample& sample) {
 
 }  // namespace
 
-bool EncoderCount::update(std::int32_t value, double dt_s) {
+bool EncoderCount::update(std::int32_t value, DeviceUs elapsed_us) {
   if (!known_) {
+    *this = EncoderCount(max_per_s_);
     known_ = true;
     counts_ = last_ = value;
-    per_s_ = 0.0;
-    held_in_row_ = 0;
-    since_jump_s_ = kForgottenS;
     return true;
   }
-  const std::int32_t step =
-      wrapped_difference(static_cast<std::uint32_t>(value), static_cast<std::uint32_t>(last_));
+  const std::int32_t step = shared::wrapped_difference(value, last_);
   last_ = value;
-  const bool possible = counts_possible(step, max_per_s_, dt_s);
-  since_jump_s_ += std::max(dt_s, 0.0);
-  if (possible) held_in_row_ = 0;
-  const bool again = since_jump_s_ >= kOneJumpS && since_jump_s_ < kForgottenS;
-  if (!possible && !again && held_in_row_ < kHeldInRow) {
-    if (since_jump_s_ >= kForgottenS) since_jump_s_ = 0.0;
+  const double dt_s = static_cast<double>(elapsed_us) * 1e-6;
+  jumps_.pass(static_cast<std::uint32_t>(std::clamp<DeviceUs>(elapsed_us, 0, 1'000'000)));
+  if (counts_possible(step, max_per_s_, dt_s)) {
+    held_in_row_ = 0;
+  } else if (held_in_row_ < kHeldInRow && !jumps_.again()) {
     ++held_in_row_;
     if (dt_s <= kLongestHoldS) counts_ += std::llround(per_s_ * dt_s);
     return false;
@@ -70,7 +65,7 @@ void SampleIntake::begin(bool new_boot) {
 bool SampleIntake::in_order(std::uint16_t sequence, DeviceUs device_us, std::uint32_t& missing) {
   missing = 0;
   if (!started_) return true;
-  const std::int16_t ahead = wrapped_difference(sequence, last_sequence_);
+  const std::int16_t ahead = shared::wrapped_difference(sequence, last_sequence_);
   if (ahead <= 0) {
     const unsigned back = static_cast<unsigned>(-int{ahead});
     const std::uint64_t bit = back < 64 ? kNewest << back : 0;
@@ -94,9 +89,8 @@ bool SampleIntake::in_order(std::uint16_t sequence, DeviceUs device_us, std::uin
 }
 
 void SampleIntake::count(const wire::Sample& wire, DeviceUs device_us) {
-  const double dt_s = static_cast<double>(device_us - last_device_us_) * 1e-6;
-  const bool left = left_.update(wire.left_counts, dt_s);
-  const bool right = right_.update(wire.right_counts, dt_s);
+  const bool left = left_.update(wire.left_counts, device_us - last_device_us_);
+  const bool right = right_.update(wire.right_counts, device_us - last_device_us_);
   if (!left || !right) ++counters_.implausible;
 }
 

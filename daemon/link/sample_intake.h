@@ -9,6 +9,7 @@
 
 #include "core/link_state.h"
 #include "core/sample.h"
+#include "shared/monitors.h"
 #include "wire/messages.h"
 
 namespace tp100::link {
@@ -26,22 +27,20 @@ class EncoderCount {
   void set_limit(double max_per_s) { max_per_s_ = max_per_s; }
   /// A new boot: the count begins with the next value.
   void forget() { known_ = false; }
-  /// Takes the board's count, `dt_s` after the last one. False: it jumped (a glitch on the
+  /// Takes the board's count, `elapsed_us` after the last one. False: it jumped (a glitch on the
   /// encoder's wires), and the track is taken to continue at its last rate, for 0.1 s at most. A
-  /// jump that follows another within 0.1 s to 1 s is accepted, so that the track monitors see it.
-  bool update(std::int32_t value, double dt_s);
+  /// repeated jump, see shared::JumpMemory, is accepted, so that the track monitors see it.
+  bool update(std::int32_t value, DeviceUs elapsed_us);
   std::int64_t counts() const { return counts_; }
 
  private:
-  static constexpr double kForgottenS = 1.0;
-
   double max_per_s_;
   bool known_ = false;
   std::int32_t last_ = 0;
   std::int64_t counts_ = 0;
   double per_s_ = 0.0;
   int held_in_row_ = 0;
-  double since_jump_s_ = kForgottenS;
+  shared::JumpMemory<std::uint32_t, 1000> jumps_{};  ///< in microseconds
 };
 
 class SampleIntake {

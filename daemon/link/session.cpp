@@ -7,6 +7,7 @@
 #include "core/arithmetic.h"
 #include "core/board.h"
 #include "core/sample.h"
+#include "shared/number.h"
 
 namespace tp100::link {
 namespace {
@@ -198,7 +199,7 @@ void Session::on_sample(const wire::Sample& sample, HostNs now) {
     ++counters_.early;
     return;
   }
-  const auto ahead = wrapped_difference(command_sequence_, sample.last_command);
+  const auto ahead = shared::wrapped_difference(command_sequence_, sample.last_command);
   if (!std::exchange(sequence_known_, true) || ahead < 0 || ahead > kFurthestAhead)
     command_sequence_ = sample.last_command;
   const DeviceUs device_us = clock_.extend(sample.device_us, now);

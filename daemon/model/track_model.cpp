@@ -131,20 +131,17 @@ double slip_angle_rad(const TrackParameters& parameters, const Turn& turn, doubl
 
 Twist body_twist(const TrackParameters& parameters, Mode mode, double left_mps, double right_mps,
                  const Incline& incline) {
-  const Slip slip = slip_on(parameters, mode, incline);
-  return body_twist(parameters, mode, left_mps, right_mps, incline,
-                    turn_shape(left_mps * (1.0 - slip.left), right_mps * (1.0 - slip.right)));
+  const auto [left, right] = over_ground({left_mps, right_mps}, slip_on(parameters, mode, incline));
+  return body_twist(parameters, mode, left_mps, right_mps, incline, turn_shape(left, right));
 }
 
 Twist body_twist(const TrackParameters& parameters, Mode mode, double left_mps, double right_mps,
                  const Incline& incline, const TurnShape& shape) {
-  const Slip slip = slip_on(parameters, mode, incline);
-  const double left = left_mps * (1.0 - slip.left);
-  const double right = right_mps * (1.0 - slip.right);
+  const auto [left, right] = over_ground({left_mps, right_mps}, slip_on(parameters, mode, incline));
   const Turn turn = turn_of(parameters, mode, shape);
   Twist twist;
   twist.vx_mps = (right + left) / 2.0 * (1.0 - turn.slip);
-  twist.yaw_rate_radps = (right - left) / turn.wheelbase_m;
+  twist.yaw_rate_radps = shared::turn_of<double>({left, right}, turn.wheelbase_m);
   const double slip_angle = slip_angle_rad(parameters, turn, twist.yaw_rate_radps);
   twist.vy_mps = twist.vx_mps * std::tan(slip_angle) - turn.x_icr_m * twist.yaw_rate_radps;
   return twist;
@@ -177,8 +174,8 @@ const Twist& TrackModel::advance(double left_mps, double right_mps, double dt_s,
                                  const Incline& incline) {
   const Incline under = mode_ == Mode::kPaper ? Incline{} : incline;
   slip_ = slip_on(parameters_, mode_, under);
-  const TurnShape shape = turn_shape_filter_.update(left_mps * (1.0 - slip_.left),
-                                                    right_mps * (1.0 - slip_.right), dt_s);
+  const auto [left, right] = over_ground({left_mps, right_mps}, slip_);
+  const TurnShape shape = turn_shape_filter_.update(left, right, dt_s);
   twist_ = body_twist(parameters_, mode_, left_mps, right_mps, under, shape);
   model::advance(pose_, twist_, dt_s, under);
   return twist_;

@@ -6,6 +6,7 @@
 
 #include "core/pose.h"
 #include "model/track_parameters.h"
+#include "shared/skid_steer.h"
 
 namespace tp100::model {
 
@@ -80,6 +81,13 @@ TurnShape turn_shape(double left_mps, double right_mps);
 
 /// Lag of the filter below, enough for encoders that give a few edges per interval. [s]
 inline constexpr double kTurnLagS = 0.1;
+
+/// Eq 1: the tracks' speeds over the ground. Pure.
+inline TrackSpeeds over_ground(const TrackSpeeds& tracks, const Slip& slip) {
+  const auto [left, right] =
+      shared::over_ground(tracks.left_mps, tracks.right_mps, slip.left, slip.right);
+  return {left, right};
+}
 
 /// The shape of a turn from track speeds that are low-pass filtered. No allocation; safe in the
 /// real-time thread.

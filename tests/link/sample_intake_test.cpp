@@ -20,12 +20,12 @@ constexpr double kMaxPerS = 6000.0;  // 30 counts per sample, and 4 that an inte
 struct Track {
   explicit Track(double max_per_s = kMaxPerS, std::int32_t from = 0)
       : counts(max_per_s), board(from) {
-    counts.update(from, 0.0);
+    counts.update(from, 0);
   }
   bool moves(std::int32_t by, double dt_s = kDtS) {
     board = static_cast<std::int32_t>(static_cast<std::uint32_t>(board) +
                                       static_cast<std::uint32_t>(by));
-    return counts.update(board, dt_s);
+    return counts.update(board, std::llround(dt_s * 1e6));
   }
   EncoderCount counts;
   std::int32_t board;
@@ -76,7 +76,7 @@ TEST(EncoderCount, ASecondJumpIsAcceptedUnlessItIsTheWayBackOrComesLongAfter) {
     EXPECT_FALSE(track.moves(507));
     for (int i = 1; i < apart; ++i) EXPECT_TRUE(track.moves(7));
     // 20 samples are 0.1 s, 200 are 1 s.
-    EXPECT_EQ(track.moves(-493), apart >= 20 && apart < 200) << apart;
+    EXPECT_EQ(track.moves(-493), apart > 20 && apart < 200) << apart;
   }
 }
 

@@ -77,16 +77,17 @@ TEST(SessionCommands, AreNewHoweverManyWereRefusedBefore) {
     int begun_anew = 0;
     for (int ms = 0; ms < refused; ++ms) {
       rig.run(1);
-      begun_anew += wrapped_difference(commands.back().sequence, last) == 1 ? 0 : 1;
+      begun_anew += shared::wrapped_difference(commands.back().sequence, last) == 1 ? 0 : 1;
       last = commands.back().sequence;
       // The robot has accepted none of them.
       commands.back().sequence = accepted;
     }
     EXPECT_LE(begun_anew, refused / 16'384) << "those under way would look old";
     rig.run(20);
-    EXPECT_GT(wrapped_difference(commands.back().sequence, accepted), 0) << refused;
+    EXPECT_GT(shared::wrapped_difference(commands.back().sequence, accepted), 0) << refused;
     for (std::size_t i = commands.size() - 10; i < commands.size(); ++i)
-      EXPECT_EQ(wrapped_difference(commands[i].sequence, commands[i - 1].sequence), 1) << refused;
+      EXPECT_EQ(shared::wrapped_difference(commands[i].sequence, commands[i - 1].sequence), 1)
+          << refused;
   }
 }
 

@@ -6,8 +6,8 @@ namespace tp100 {
 namespace firmware {
 namespace {
 
-using shared::distance;
 using shared::magnitude;
+using shared::wrapped_difference;
 
 const int32_t kFurthestExpiryUs = wire::kMaxCommandLifeMs * 1000L;
 
@@ -28,15 +28,15 @@ void CommandGate::open(uint32_t boot_nonce) {
 Verdict CommandGate::judge(const wire::Command& command, uint32_t now_us,
                            const TurnHistory& history, const wire::Parameters& p) {
   if (command.boot_nonce != boot_nonce_) return Verdict::kWrongBoot;
-  const int16_t newer = static_cast<int16_t>(command.sequence - current_.sequence);
+  const int16_t newer = wrapped_difference(command.sequence, current_.sequence);
   if (any_ && newer <= 0) return Verdict::kRepeated;
   if (!in_range(command)) return Verdict::kOutOfRange;
-  const int32_t ahead_us = distance(command.expiry_us, now_us);
+  const int32_t ahead_us = wrapped_difference(command.expiry_us, now_us);
   if (ahead_us <= 0) return Verdict::kExpired;
   if (ahead_us > kFurthestExpiryUs) return Verdict::kTooFarAhead;
   const TurnMark* answered = history.find(command.answers);
-  if (answered == nullptr ||
-      distance(now_us, answered->device_us) > static_cast<int32_t>(p.yaw_window_ms) * 1000) {
+  if (answered == nullptr || wrapped_difference(now_us, answered->device_us) >
+                                 static_cast<int32_t>(p.yaw_window_ms) * 1000) {
     return Verdict::kUnknownSample;
   }
   current_ = command;

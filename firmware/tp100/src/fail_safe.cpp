@@ -6,7 +6,7 @@ namespace tp100 {
 namespace firmware {
 namespace {
 
-using shared::distance;
+using shared::wrapped_difference;
 
 // Commands expire one tick, and the time that a tick may take, early: the motors are off by the end
 // of the command's life.
@@ -25,7 +25,8 @@ void FailSafe::tick() {
 }
 
 void FailSafe::check_commands(uint32_t now_us) {
-  if (fresh_ && distance(now_us, fresh_us_) + kEarlyUs >= static_cast<int32_t>(life_us_)) {
+  if (fresh_ &&
+      wrapped_difference(now_us, fresh_us_) + kEarlyUs >= static_cast<int32_t>(life_us_)) {
     fresh_ = false;
   }
   if (grace_ms_ > 0) grace_ms_ = static_cast<uint16_t>(grace_ms_ - 1);
@@ -88,7 +89,7 @@ Trip FailSafe::take_trip() {
   Trip result = {};
   if (!tripped()) return result;
   const CriticalSection section(hal_);
-  result = {tripped_, tripped_us_, distance(tripped_us_, fresh_us_) / 1000};
+  result = {tripped_, tripped_us_, wrapped_difference(tripped_us_, fresh_us_) / 1000};
   tripped_ = 0;
   return result;
 }

@@ -10,7 +10,7 @@ namespace tp100 {
 namespace firmware {
 namespace {
 
-using shared::distance;
+using shared::wrapped_difference;
 using wire::Fault;
 using wire::Result;
 using wire::State;
@@ -178,7 +178,7 @@ wire::Result Firmware::try_to_arm(const wire::Arm& arm, uint16_t& detail) {
 }
 
 wire::Result Firmware::judge_arm(uint32_t expiry_us, uint16_t& detail) {
-  const int32_t ahead_us = distance(expiry_us, hal_.micros());
+  const int32_t ahead_us = wrapped_difference(expiry_us, hal_.micros());
   if (ahead_us <= 0 || ahead_us > kArmFurthestUs) {
     detail = kArmExpiryField;
     return Result::kOutOfRange;
@@ -354,7 +354,7 @@ void Firmware::check_host(uint32_t now_us) {
     if (now_us - hello_us_ >= wire::kHelloPeriodMs * 1000UL) send_hello(now_us);
     return;
   }
-  if (distance(now_us, host_frame_us_) < wire::kHostSilenceMs * 1000L) return;
+  if (wrapped_difference(now_us, host_frame_us_) < wire::kHostSilenceMs * 1000L) return;
   disarm("host silent", now_us);
   fail_safe_.unwatch();
   state_ = State::kHello;

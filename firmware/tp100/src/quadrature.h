@@ -5,6 +5,8 @@
 
 #include <stdint.h>
 
+#include "shared/number.h"
+
 namespace tp100 {
 namespace firmware {
 
@@ -51,7 +53,7 @@ inline void take_edge(Quadrature& encoder, uint8_t phase) {
 /// The count extended to 32 bits. Called with interrupts off, at least once per 32767 edges.
 inline int32_t extended_counts(Quadrature& encoder) {
   const uint16_t last = static_cast<uint16_t>(encoder.counts);
-  const int16_t moved = static_cast<int16_t>(encoder.steps - last);
+  const int16_t moved = shared::wrapped_difference(encoder.steps, last);
   encoder.counts = static_cast<int32_t>(static_cast<uint32_t>(encoder.counts) +
                                         static_cast<uint32_t>(static_cast<int32_t>(moved)));
   return encoder.counts;

@@ -1,38 +1,36 @@
 #include "track_monitor.h"
 
+#include "shared/skid_steer.h"
+
 namespace tp100 {
 namespace firmware {
 namespace {
 
 using shared::between;
-using shared::distance;
 using shared::larger;
 using shared::magnitude;
 using shared::smaller;
+using shared::wrapped_difference;
+
+typedef shared::RobotLimits<float> Limits;
 
 const float kStandingM = 0.002f;
 // A braking track runs on against its duty for a while; beyond this distance the wiring is wrong.
 const float kRunOnM = 0.02f;
 const float kRunOnS = 0.2f;
 
-// Between two samples, no track moves this far beyond what twice its top speed allows, nor does a
-// track that has followed its duty go back this far: such counts are a glitch. Only a single short
-// glitch is tolerated; another one between kOneJumpMs and kJumpAgainMs later is a fault.
+// Between two samples, no track moves this far beyond what its top speed allows, nor does a
+// track that has followed its duty go back this far: such counts are a glitch.
 const float kJumpM = 0.004f;
 const int32_t kFewCounts = 8;
-const uint16_t kJumpAgainMs = 1000;
-const uint16_t kOneJumpMs = 100;
 
-// A blocked track takes at least this share of `stall_ms` to be found by its duty: the host, which
-// takes 0.7 s, is first.
-const float kSoonestShare = 0.8f;
 const uint8_t kStepSamples = 16;
 
 const uint8_t kTurnSamples = 8;
-// Slip also takes part of one track's distance.
-const float kDistanceShare = 0.1f;
-// On a slope or an obstacle one track may slip while the other grips.
-const float kObstacleShare = 0.8f;
+constexpr float kTurnStepS = 1e-6f * kTurnSamples * wire::kSamplePeriodUs;
+const float kGravityMps2 = 9.80665f;
+// A glitch moves counts further.
+const int32_t kMostSpeedingUp = 20000;
 
 // Difference of the tracks' speeds relative to the faster one, where the wheelbase begins to
 // change, where it is that of tight arcs, and where it is that of the spot.
@@ -42,18 +40,22 @@ const float kSpin = 1.3f;
 // Counts of few samples are coarse: they are low-pass filtered with a time constant of 0.1 s.
 const float kSpeedShare = 0.33f;
 
-// Extra duty for a slope or bump relative to the robot's attitude at rest. It rises at once and
-// decays slowly.
 const float kSlowestRad = 0.003f;
-const float kMaxSlopeDuty = 0.4f;
-const float kSlopeFallPerS = 0.15f;
-const float kDutyPerRad = 3.0f;
-const float kLevelRad = 0.02f;
-const float kNewSlope = 0.5f;
 
-const float kFullDuty = static_cast<float>(wire::kFullDuty);
+constexpr float kFullDuty = static_cast<float>(wire::kFullDuty);
+
+// Extra duty for a slope or bump relative to the robot's attitude at rest, in thousandths. It rises
+// at once and decays slowly. Slopes are sums of accel_x over a step: an angle is its gravity.
+constexpr int32_t slope_x(float rad) {
+  return static_cast<int32_t>(rad * wire::kAccelLsbPerG * kTurnSamples);
+}
+const int32_t kLevelX = slope_x(0.02f);
+const int32_t kSlopeFall = static_cast<int32_t>(0.15f * kTurnStepS * kFullDuty);
+const int32_t kMaxSlopeLoad = static_cast<int32_t>(shared::obstacle_duty<float>() * kFullDuty);
+const int32_t kLoadPerRad = static_cast<int32_t>(Limits::duty_per_slope_rad() * kFullDuty);
 
 int32_t whole(float value) { return static_cast<int32_t>(value); }
+int32_t size_of(int32_t value) { return value < 0 ? -value : value; }
 
 // Equivalent wheelbase for tracks whose ground sides move at these speeds, in any unit.
 float wheelbase_m(float left, float right, const wire::Parameters& p) {
@@ -73,8 +75,11 @@ MonitorValues::MonitorValues(const wire::Parameters& p)
       dead_band(static_cast<int16_t>(whole(p.dead_band * kFullDuty))),
       run_on_counts(whole((kRunOnM + kRunOnS * p.max_track_mps) * p.counts_per_metre)),
       jump_counts(whole(kJumpM * p.counts_per_metre)),
-      counts_per_ms_q8(whole(256.0f * 2e-3f * p.max_track_mps * p.counts_per_metre)),
-      standing_counts(whole(kStandingM * p.counts_per_metre)) {}
+      counts_per_ms_q8(
+          whole(256.0f * Limits::jump_speeds() * 1e-3f * p.max_track_mps * p.counts_per_metre)),
+      standing_counts(whole(kStandingM * p.counts_per_metre)),
+      accel_x_per_count(whole(kTurnSamples * wire::kAccelLsbPerG * metres_per_count /
+                              (kGravityMps2 * kTurnStepS * kTurnStepS))) {}
 
 void DutySteps::restart() {
   monitor_.restart();
@@ -95,8 +100,8 @@ bool DutySteps::update(int16_t duty, int32_t counts, uint8_t dt_ms, int16_t load
   const float per_s = 1e3f / static_cast<float>(ms_);
   const float step_s = 1e-3f * static_cast<float>(ms_);
   const float mean_duty = static_cast<float>(duty_ms_) * 1e-6f * per_s;
-  const float mps =
-      static_cast<float>(distance(counts, from_counts_)) * values.metres_per_count * per_s;
+  const float mps = static_cast<float>(wrapped_difference(counts, from_counts_)) *
+                    values.metres_per_count * per_s;
   left_ = kStepSamples;
   from_counts_ = counts;
   duty_ms_ = 0;
@@ -104,7 +109,7 @@ bool DutySteps::update(int16_t duty, int32_t counts, uint8_t dt_ms, int16_t load
   if (p.stall_duty == 0) return false;
   const float load_duty = static_cast<float>(load) * 1e-3f;
   return monitor_.update(mean_duty, mps, load_duty, free, step_s, p.dead_band, p.feed_forward,
-                         kSoonestShare * 1e-3f * static_cast<float>(p.stall_ms));
+                         Limits::soonest_share() * 1e-3f * static_cast<float>(p.stall_ms));
 }
 
 TrackMonitor::TrackMonitor(uint8_t first) : steps_(first) { restart(); }
@@ -113,7 +118,7 @@ void TrackMonitor::restart() {
   steps_.restart();
   known_ = false;
   last_counts_ = 0;
-  jumped_ms_ = 0;
+  jumps_ = shared::JumpMemory<uint16_t, 1>();
   sign_ = 0;
   start_counts_ = 0;
   standing_ms_ = 0;
@@ -142,7 +147,8 @@ TrackMonitor::Verdict TrackMonitor::update(int16_t duty, int32_t counts, uint8_t
     standing_ms_ = 0;
     return kGood;
   }
-  const int32_t forth = sign > 0 ? distance(counts, best_counts_) : distance(best_counts_, counts);
+  const int32_t forth = sign > 0 ? wrapped_difference(counts, best_counts_)
+                                 : wrapped_difference(best_counts_, counts);
   if (forth > 0) {
     best_counts_ = counts;
     went_back_ = false;
@@ -150,9 +156,9 @@ TrackMonitor::Verdict TrackMonitor::update(int16_t duty, int32_t counts, uint8_t
     if (-forth > values.run_on_counts) return kReversed;
     if (goes_back_again(size, counts, -forth, load, values)) return kStalled;
   }
-  const int32_t moved = distance(counts, start_counts_);
+  const int32_t moved = wrapped_difference(counts, start_counts_);
   const bool pushes = p.stall_duty > 0 && static_cast<uint16_t>(size) >= p.stall_duty;
-  if (!pushes || (moved < 0 ? -moved : moved) > values.standing_counts) {
+  if (!pushes || size_of(moved) > values.standing_counts) {
     start_counts_ = counts;
     standing_ms_ = 0;
     return kGood;
@@ -163,11 +169,11 @@ TrackMonitor::Verdict TrackMonitor::update(int16_t duty, int32_t counts, uint8_t
 
 bool TrackMonitor::goes_back_again(int16_t size, int32_t counts, int32_t back, int16_t load,
                                    const MonitorValues& values) {
-  const int32_t driven = distance(best_counts_, first_counts_);
+  const int32_t driven = wrapped_difference(best_counts_, first_counts_);
   const bool ran = (sign_ > 0 ? driven : -driven) > values.jump_counts;
   if (ran && !went_back_ && back > values.jump_counts) {
     went_back_ = true;
-    if (again()) return true;
+    if (jumps_.again()) return true;
   }
   // A slope or turn may move a track slowly against its duty while the speed loop brakes it.
   if (load > 0 && size < values.dead_band + load) best_counts_ = counts;
@@ -175,37 +181,32 @@ bool TrackMonitor::goes_back_again(int16_t size, int32_t counts, int32_t back, i
 }
 
 bool TrackMonitor::jumps_again(int32_t counts, uint8_t dt_ms, const MonitorValues& values) {
-  const int32_t moved = known_ ? distance(counts, last_counts_) : 0;
+  const int32_t moved = known_ ? wrapped_difference(counts, last_counts_) : 0;
   known_ = true;
   last_counts_ = counts;
-  jumped_ms_ = jumped_ms_ > dt_ms ? static_cast<uint16_t>(jumped_ms_ - dt_ms) : 0;
+  jumps_.pass(dt_ms);
   if (moved > -kFewCounts && moved < kFewCounts) return false;
   const int32_t furthest = values.jump_counts + (values.counts_per_ms_q8 * dt_ms >> 8);
-  return (moved < 0 ? -moved : moved) > furthest && again();
-}
-
-bool TrackMonitor::again() {
-  if (jumped_ms_ == 0) jumped_ms_ = kJumpAgainMs;
-  return jumped_ms_ < kJumpAgainMs - kOneJumpMs;
+  return size_of(moved) > furthest && jumps_.again();
 }
 
 TurnMonitor::TurnMonitor() : then_(), level_q4_(0), level_known_(false) { restart(); }
 
 void TurnMonitor::restart() {
   balance_.restart();
-  turn_duty_ = shared::TurnDuty<float, shared::RobotLimits<float>>();
-  slope_rad_ = 0.0f;
-  slope_duty_ = 0.0f;
+  turn_duty_ = shared::TurnDuty<float, Limits>();
+  slope_x_ = 0;
   slope_load_ = 0;
   load_ = 0;
   left_ = 0.0f;
   right_ = 0.0f;
   accel_x_ = 0;
+  both_counts_ = 0;
   samples_ = 0;
 }
 
 bool TurnMonitor::free() const {
-  return load_ < static_cast<int16_t>(shared::RobotLimits<float>::free_duty() * kFullDuty);
+  return load_ < static_cast<int16_t>(Limits::free_duty() * kFullDuty);
 }
 
 void TurnMonitor::rest(int16_t accel_x) {
@@ -225,22 +226,25 @@ TurnMonitor::Verdict TurnMonitor::update(const TurnMark& now, int16_t accel_x, f
   if (samples_++ < kTurnSamples) return kGood;
   samples_ = 1;
   const float gyro_rad = turned(then_, now, true, bias_radps, p);
-  const int32_t left = distance(now.left_counts, then_.left_counts);
-  const int32_t right = distance(now.right_counts, then_.right_counts);
-  const float left_ground = static_cast<float>(left) * (1.0f - p.slip_left);
-  const float right_ground = static_cast<float>(right) * (1.0f - p.slip_right);
-  left_ += (left_ground - left_) * kSpeedShare;
-  right_ += (right_ground - right_) * kSpeedShare;
+  const int32_t left = wrapped_difference(now.left_counts, then_.left_counts);
+  const int32_t right = wrapped_difference(now.right_counts, then_.right_counts);
+  const shared::TrackPair<float> ground = shared::over_ground(
+      static_cast<float>(left), static_cast<float>(right), p.slip_left, p.slip_right);
+  left_ += (ground.left - left_) * kSpeedShare;
+  right_ += (ground.right - right_) * kSpeedShare;
   const float track_rad =
-      (right_ground - left_ground) * values.metres_per_count / wheelbase_m(left_, right_, p);
-  const int32_t both = (left < 0 ? -left : left) + (right < 0 ? -right : right);
-  const float elapsed_s = static_cast<float>(distance(now.device_us, then_.device_us)) * 1e-6f;
+      shared::turn_of(ground, wheelbase_m(left_, right_, p)) * values.metres_per_count;
+  const int32_t both = size_of(left) + size_of(right);
+  const float elapsed_s =
+      static_cast<float>(wrapped_difference(now.device_us, then_.device_us)) * 1e-6f;
   then_ = now;
   const float driven_rad = 0.5f * static_cast<float>(both) * values.turn_per_count;
-  weigh(magnitude(gyro_rad), driven_rad, elapsed_s);
-  const float share =
-      slope_load_ > 0 ? larger(p.turn_slip_share, kObstacleShare) : p.turn_slip_share;
-  const float slip_rad = share * magnitude(gyro_rad) + kDistanceShare * driven_rad;
+  const int32_t speeding_up = (left + right - both_counts_) / 2;
+  both_counts_ = left + right;
+  weigh(magnitude(gyro_rad), driven_rad, elapsed_s,
+        smaller(kMostSpeedingUp, larger(-kMostSpeedingUp, speeding_up)) * values.accel_x_per_count);
+  const float slip_rad =
+      shared::slip_of_turn<float, Limits>(p.turn_slip_share, slope_load_ > 0, gyro_rad, driven_rad);
   if (!balance_.update(gyro_rad, track_rad, slip_rad, elapsed_s)) return kGood;
   // In a turn on the spot, the track that counts less is the faulty one.
   if ((left_ > 0.0f) != (right_ > 0.0f))
@@ -250,19 +254,19 @@ TurnMonitor::Verdict TurnMonitor::update(const TurnMark& now, int16_t accel_x, f
   return balance_.leftward() == (left_ > 0.0f) ? kRightShort : kLeftShort;
 }
 
-void TurnMonitor::weigh(float turn_rad, float driven_rad, float elapsed_s) {
+void TurnMonitor::weigh(float turn_rad, float driven_rad, float elapsed_s, int32_t speeding_up_x) {
   const float turn_duty =
       turn_duty_.update(0.5f * turn_rad / larger(driven_rad, kSlowestRad), elapsed_s);
-  const int32_t level_x = level_q4_ * kTurnSamples / 16;
-  const float slope_rad =
-      static_cast<float>(accel_x_ - level_x) * (1.0f / (wire::kAccelLsbPerG * kTurnSamples));
+  int32_t now_x = accel_x_ - level_q4_ * kTurnSamples / 16;
   accel_x_ = 0;
-  slope_rad_ += (slope_rad - slope_rad_) * kNewSlope;
-  const float slope_duty =
-      smaller(kMaxSlopeDuty, kDutyPerRad * (magnitude(slope_rad_) - kLevelRad));
-  slope_duty_ = larger(larger(0.0f, slope_duty), slope_duty_ - kSlopeFallPerS * elapsed_s);
-  slope_load_ = static_cast<int16_t>(slope_duty_ * kFullDuty);
-  load_ = static_cast<int16_t>((slope_duty_ + turn_duty) * kFullDuty);
+  // A robot that speeds up on the level is on no slope.
+  if ((now_x > 0) == (speeding_up_x > 0)) now_x = shared::drained(now_x, size_of(speeding_up_x));
+  slope_x_ += (now_x - slope_x_) / 2;
+  const int32_t slope_load =
+      smaller(kMaxSlopeLoad, (size_of(slope_x_) - kLevelX) * kLoadPerRad / slope_x(1.0f));
+  const int32_t fallen_load = larger(slope_load_ - kSlopeFall, INT32_C(0));
+  slope_load_ = static_cast<int16_t>(larger(slope_load, fallen_load));
+  load_ = static_cast<int16_t>(slope_load_ + whole(turn_duty * kFullDuty));
 }
 
 }  // namespace firmware

@@ -16,12 +16,14 @@ struct MonitorValues {
   explicit MonitorValues(const wire::Parameters& parameters);
 
   float metres_per_count = 0.0f;
-  float turn_per_count = 0.0f;   ///< of both tracks in opposite directions, in wide turns [rad]
-  int16_t dead_band = 0;         ///< [thousandths]
-  int32_t run_on_counts = 0;     ///< a braking track may run on this far against its duty
-  int32_t jump_counts = 0;       ///< beyond what a track may move, a glitch
-  int32_t counts_per_ms_q8 = 0;  ///< twice the top speed, in 256ths
-  int32_t standing_counts = 0;   ///< a track that moves less stands
+  float turn_per_count = 0.0f;    ///< of both tracks in opposite directions, in wide turns [rad]
+  int16_t dead_band = 0;          ///< [thousandths]
+  int32_t run_on_counts = 0;      ///< a braking track may run on this far against its duty
+  int32_t jump_counts = 0;        ///< beyond what a track may move, a glitch
+  int32_t counts_per_ms_q8 = 0;   ///< twice the top speed, in 256ths
+  int32_t standing_counts = 0;    ///< a track that moves less stands
+  int32_t accel_x_per_count = 0;  ///< sum of accel_x over a step of the turn for a change of the
+                                  ///< distance by a count from step to step
 };
 
 /// Compares the duty of a track, or the mean of both, with its distance, in steps of 16 samples.
@@ -66,7 +68,6 @@ class TrackMonitor {
   float missing_m() const { return steps_.missing_m(); }
 
  private:
-  bool again();
   bool jumps_again(int32_t counts, uint8_t dt_ms, const MonitorValues& values);
   bool goes_back_again(int16_t size, int32_t counts, int32_t back, int16_t load,
                        const MonitorValues& values);
@@ -74,7 +75,7 @@ class TrackMonitor {
   DutySteps steps_;
   bool known_;
   int32_t last_counts_;
-  uint16_t jumped_ms_;  // time left in which another jump is a repeated one
+  shared::JumpMemory<uint16_t, 1> jumps_;  // in milliseconds
   int8_t sign_;
   int32_t start_counts_;  // where the standstill began
   uint16_t standing_ms_;
@@ -111,20 +112,20 @@ class TurnMonitor {
   bool free() const;
 
  private:
-  void weigh(float turn_rad, float driven_rad, float elapsed_s);
+  void weigh(float turn_rad, float driven_rad, float elapsed_s, int32_t speeding_up_x);
 
   TurnMark then_;
   shared::TurnBalance<float, shared::RobotLimits<float>> balance_;
   shared::TurnDuty<float, shared::RobotLimits<float>> turn_duty_;
   int32_t level_q4_ = 0;  // mean accel_x at rest, in 16ths
   bool level_known_;
-  float slope_rad_;
-  float slope_duty_;
+  int32_t slope_x_;  // mean of the last steps' sums of accel_x beyond the level and the speeding up
   int16_t slope_load_;
   int16_t load_;
   float left_;  // counts per step, less slip, averaged over some steps
   float right_;
-  int32_t accel_x_;  // sum over the step
+  int32_t accel_x_;      // sum over the step
+  int32_t both_counts_;  // of both tracks in the last step
   uint8_t samples_;
 };
 

@@ -6,7 +6,7 @@ namespace tp100 {
 namespace firmware {
 namespace {
 
-using shared::distance;
+using shared::wrapped_difference;
 
 // The monitors' float work is spread over the samples: steps of 16 samples end in these, and the
 // turn monitor, which judges every eighth, begins in the last.
@@ -62,8 +62,8 @@ uint32_t Tracks::read() {
     left = right;
     right = other;
   }
-  left_.counts = has(wire::kInvertLeftEncoder) ? distance(INT32_C(0), left) : left;
-  right_.counts = has(wire::kInvertRightEncoder) ? distance(INT32_C(0), right) : right;
+  left_.counts = has(wire::kInvertLeftEncoder) ? wrapped_difference(INT32_C(0), left) : left;
+  right_.counts = has(wire::kInvertRightEncoder) ? wrapped_difference(INT32_C(0), right) : right;
   return now_us;
 }
 
@@ -84,7 +84,8 @@ Tracks::Verdicts Tracks::check(uint8_t dt_ms) {
       right_.monitor.update(right_.duty, right_.counts, dt_ms, load, free, values_, parameters_);
   // In a turn, one track takes more duty and the other as much less: their mean shows a stall.
   const int16_t mean_duty = static_cast<int16_t>((left_.duty + right_.duty) / 2);
-  const int32_t mean_counts = distance(left_.counts, distance(left_.counts, right_.counts) / 2);
+  const int32_t mean_counts =
+      wrapped_difference(left_.counts, wrapped_difference(left_.counts, right_.counts) / 2);
   const bool missing = mean_steps_.update(mean_duty, mean_counts, dt_ms, turn_monitor_.slope_load(),
                                           free, values_, parameters_);
   const bool good = found.left == TrackMonitor::kGood && found.right == TrackMonitor::kGood;

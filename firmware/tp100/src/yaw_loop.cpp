@@ -1,13 +1,14 @@
 #include "yaw_loop.h"
 
 #include "shared/number.h"
+#include "shared/skid_steer.h"
 
 namespace tp100 {
 namespace firmware {
 namespace {
 
 using shared::clamp;
-using shared::distance;
+using shared::wrapped_difference;
 
 // Samples over which the mean speed is taken.
 const uint8_t kWindow = 8;
@@ -49,31 +50,34 @@ TrackMotion TurnHistory::motion(float metres_per_count) const {
   if (size_ == 0) return motion;
   const TurnMark& before = ago(1);
   const TurnMark& then = ago(kWindow);
-  motion.left_m =
-      static_cast<float>(distance(newest_.left_counts, before.left_counts)) * metres_per_count;
+  motion.left_m = static_cast<float>(wrapped_difference(newest_.left_counts, before.left_counts)) *
+                  metres_per_count;
   motion.right_m =
-      static_cast<float>(distance(newest_.right_counts, before.right_counts)) * metres_per_count;
-  const int32_t window_us = distance(newest_.device_us, then.device_us);
+      static_cast<float>(wrapped_difference(newest_.right_counts, before.right_counts)) *
+      metres_per_count;
+  const int32_t window_us = wrapped_difference(newest_.device_us, then.device_us);
   if (window_us <= 0) return motion;
   const float mps_per_count = metres_per_count * 1e6f / static_cast<float>(window_us);
   motion.speeds.left =
-      static_cast<float>(distance(newest_.left_counts, then.left_counts)) * mps_per_count;
+      static_cast<float>(wrapped_difference(newest_.left_counts, then.left_counts)) * mps_per_count;
   motion.speeds.right =
-      static_cast<float>(distance(newest_.right_counts, then.right_counts)) * mps_per_count;
+      static_cast<float>(wrapped_difference(newest_.right_counts, then.right_counts)) *
+      mps_per_count;
   return motion;
 }
 
 float turned(const TurnMark& then, const TurnMark& now, bool use_gyro, float gyro_bias_radps,
              const wire::Parameters& p) {
   if (use_gyro) {
-    const float raw = static_cast<float>(distance(now.gyro, then.gyro)) * kSecondsPerUnit;
-    const float elapsed_s = static_cast<float>(distance(now.device_us, then.device_us)) * 1e-6f;
+    const float raw = static_cast<float>(wrapped_difference(now.gyro, then.gyro)) * kSecondsPerUnit;
+    const float elapsed_s =
+        static_cast<float>(wrapped_difference(now.device_us, then.device_us)) * 1e-6f;
     return raw * p.gyro_z_radps_per_lsb - gyro_bias_radps * elapsed_s;
   }
-  const float left = static_cast<float>(distance(now.left_counts, then.left_counts));
-  const float right = static_cast<float>(distance(now.right_counts, then.right_counts));
-  const float arc_counts = right * (1.0f - p.slip_right) - left * (1.0f - p.slip_left);
-  return arc_counts / (p.counts_per_metre * p.wheelbase_m);
+  const float left = static_cast<float>(wrapped_difference(now.left_counts, then.left_counts));
+  const float right = static_cast<float>(wrapped_difference(now.right_counts, then.right_counts));
+  return shared::turn_of(shared::over_ground(left, right, p.slip_left, p.slip_right),
+                         p.counts_per_metre * p.wheelbase_m);
 }
 
 float turn_rate(float error_rad, float feed_forward_radps, const wire::Parameters& p) {

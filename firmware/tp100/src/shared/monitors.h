@@ -12,19 +12,33 @@ namespace shared {
 // Limits that differ: X(name, robot's, host's). The host acts first and the robot only where the
 // host did not, or is not tp100d; and the robot, which knows no course, takes every bump of its
 // accelerometer for an obstacle.
-#define TP100_MONITOR_LIMITS(X)                                                               \
-  /* Duty that a turn on the spot may take. The robot judges the mean of both tracks, too, */ \
-  /* which no turn changes. */                                                                \
-  X(turn_duty, 0.3, 0.4)                                                                      \
-  /* A load decays more slowly than it rises. The robot sees it only every 40 ms. [1/s] */    \
-  X(turn_fall_per_s, 0.3, 0.5)                                                                \
-  /* Load below which a track runs freely: the host's includes the noise of its pitch. */     \
-  X(free_duty, 0.05, 0.1)                                                                     \
-  /* Limit of all differences between gyro and tracks: more than a disturbance from which */  \
-  /* the robot recovers. [rad] */                                                             \
-  X(max_turn_rad, 0.35, 0.2967)                                                               \
-  /* Limit of slow differences, without sudden ones such as a disturbance. [rad] */           \
-  X(max_slow_turn_rad, 0.175, 0.1047)
+#define TP100_MONITOR_LIMITS(X)                                                                \
+  /* Shortest time until a blocked track is reported, as a share of its stall time. */         \
+  X(soonest_share, 0.8, 0.7)                                                                   \
+  /* Duty that a turn on the spot may take. The robot judges the mean of both tracks, too, */  \
+  /* which no turn changes. */                                                                 \
+  X(turn_duty, 0.3, 0.4)                                                                       \
+  /* A load decays more slowly than it rises. The robot sees it only every 40 ms. [1/s] */     \
+  X(turn_fall_per_s, 0.3, 0.5)                                                                 \
+  /* Duty of a slope. The robot cannot tell one from an obstacle, whose duty the host adds. */ \
+  X(duty_per_slope_rad, 3.0, 0.8)                                                              \
+  /* Load below which a track runs freely: the host's includes the noise of its pitch. */      \
+  X(free_duty, 0.05, 0.1)                                                                      \
+  /* Slip that may take part of a turn on an obstacle, where one track may slip while the */   \
+  /* other grips; the robot may as well be on a slope. */                                      \
+  X(obstacle_slip_share, 0.8, 0.3)                                                             \
+  /* Slip of one track: as a fraction of the distance, which a host of another make cannot */  \
+  /* switch off, and as a fraction of its share of a turn. */                                  \
+  X(distance_share, 0.1, 0.0)                                                                  \
+  X(distance_slip_share, 0.0, 0.8)                                                             \
+  /* Limit of all differences between gyro and tracks: more than a disturbance from which */   \
+  /* the robot recovers. [rad] */                                                              \
+  X(max_turn_rad, 0.35, 0.2967)                                                                \
+  /* Limit of slow differences, without sudden ones such as a disturbance. [rad] */            \
+  X(max_slow_turn_rad, 0.175, 0.1047)                                                          \
+  /* Counts that jump are beyond this multiple of a track's top speed. The host removes a */   \
+  /* single jump from its odometry; the robot only counts them. */                             \
+  X(jump_speeds, 2.0, 3.0)
 
 template <class Real>
 struct RobotLimits {
@@ -40,6 +54,12 @@ struct HostLimits {
   TP100_MONITOR_LIMITS(TP100_HOST_LIMIT)
 #undef TP100_HOST_LIMIT
 };
+
+/// Greatest duty of an obstacle or a slope.
+template <class Real>
+constexpr Real obstacle_duty() {
+  return Real(0.4);
+}
 
 /// Duty that scrubbing over the floor in a turn takes from one track and may give the other.
 /// Rises at once, decays slowly.
@@ -150,6 +170,16 @@ class DutyMonitor {
   Real missing_m_;
 };
 
+/// What slip explains of the difference between a rotation by the gyro and one by the tracks. [rad]
+/// `share`: of a turn. `driven_rad`: mean distance of the tracks without sign over the wheelbase.
+template <class Real, class Limits>
+Real slip_of_turn(Real share, bool on_obstacle, Real gyro_rad, Real driven_rad) {
+  if (on_obstacle) share = larger(share, Limits::obstacle_slip_share());
+  Real of_distance = Limits::distance_share();
+  if (Limits::distance_slip_share() > 0) of_distance += share * Limits::distance_slip_share();
+  return share * magnitude(gyro_rad) + of_distance * driven_rad;
+}
+
 /// Rotation by the gyro minus rotation by the tracks, except what slip explains. It finds an
 /// encoder that loses counts: a yaw loop compensates for it, so that no duty shows it.
 template <class Real, class Limits>
@@ -175,6 +205,26 @@ class TurnBalance {
 
   Real all_rad_;
   Real slow_rad_;  // of differences up to a rate
+};
+
+/// Jumps of one encoder's counts. A single glitch is tolerated, and with what follows it within a
+/// moment it is one jump; another one within a second is a fault. `Ticks`: unsigned integer.
+template <class Ticks, Ticks kPerMs>
+class JumpMemory {
+ public:
+  JumpMemory() : left_(0) {}
+  void pass(Ticks elapsed) { left_ = left_ > elapsed ? static_cast<Ticks>(left_ - elapsed) : 0; }
+  /// The counts have jumped. True: not for the first time.
+  bool again() {
+    if (left_ == 0) left_ = kRemembered;
+    return left_ < kRemembered - kOneJump;
+  }
+
+ private:
+  static const Ticks kRemembered = 1000 * kPerMs;
+  static const Ticks kOneJump = 100 * kPerMs;
+
+  Ticks left_;  // until the first jump is forgotten
 };
 
 }  // namespace shared

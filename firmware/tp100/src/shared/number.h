@@ -72,10 +72,16 @@ inline float wrap_angle(float rad) {
   return rad - static_cast<float>(whole) * (2.0f * kPi);
 }
 
-/// a - b of wrapping counters, as a signed distance.
-inline int32_t distance(uint32_t a, uint32_t b) { return static_cast<int32_t>(a - b); }
-inline int32_t distance(int32_t a, int32_t b) {
-  return static_cast<int32_t>(static_cast<uint32_t>(a) - static_cast<uint32_t>(b));
+/// How far `newer` is ahead of `older`, two values of a counter that wraps: exact up to half its
+/// range, negative if it is behind.
+inline int16_t wrapped_difference(uint16_t newer, uint16_t older) {
+  return static_cast<int16_t>(newer - older);
+}
+inline int32_t wrapped_difference(uint32_t newer, uint32_t older) {
+  return static_cast<int32_t>(newer - older);
+}
+inline int32_t wrapped_difference(int32_t newer, int32_t older) {
+  return wrapped_difference(static_cast<uint32_t>(newer), static_cast<uint32_t>(older));
 }
 
 }  // namespace shared

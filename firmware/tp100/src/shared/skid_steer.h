@@ -1,5 +1,5 @@
-// Track speeds of a skid-steer robot: eqs 1 and 5 inverted, within the limit of the tracks. Robot
-// and host compute them alike, so that the host commands nothing that the robot would have to
+// Tracks of a skid-steer robot: eqs 1 and 5, and both inverted within the limit of the tracks.
+// Robot and host compute them alike, so that the host commands nothing that the robot would have to
 // limit. C++11 without libstdc++; pure; no allocation.
 #ifndef TP100_SHARED_SKID_STEER_H
 #define TP100_SHARED_SKID_STEER_H
@@ -9,12 +9,24 @@
 namespace tp100 {
 namespace shared {
 
-/// Track speeds, forward positive. [m/s]
+/// Speeds or distances of both tracks, forward positive. [m/s, m]
 template <class Real>
 struct TrackPair {
   Real left;
   Real right;
 };
+
+/// Eq 1: speeds or distances of both tracks over the ground.
+template <class Real>
+TrackPair<Real> over_ground(Real left, Real right, Real slip_left, Real slip_right) {
+  const TrackPair<Real> ground = {left * (1 - slip_left), right * (1 - slip_right)};
+  return ground;
+}
+/// Eq 5: turn rate, or turn, of the robot whose tracks move so over the ground.
+template <class Real>
+Real turn_of(const TrackPair<Real>& ground, Real wheelbase_m) {
+  return (ground.right - ground.left) / wheelbase_m;
+}
 
 /// One robot; what follows from its values is computed once.
 template <class Real>

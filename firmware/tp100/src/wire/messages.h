@@ -29,7 +29,7 @@ const uint16_t kHostSilenceMs = 1000;
 /// Gyro full scale +-1000 deg/s, accelerometer +-4 g (MPU-6000/6050 register map rev 4.2, 4.4
 /// and 4.5).
 const float kGyroLsbPerDegps = 32.8f;
-const float kAccelLsbPerG = 8192.0f;
+constexpr float kAccelLsbPerG = 8192.0f;
 /// Temperature [deg C] = raw / 340 + 36.53 (register map rev 4.2, 4.18).
 const float kTemperatureLsbPerDegc = 340.0f;
 const float kTemperatureOffsetDegc = 36.53f;
