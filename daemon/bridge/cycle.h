@@ -74,8 +74,8 @@ class Cycle {
   /// Motors off for good (the program ends): from now on the step cannot arm. See
   /// request_pending().
   void disarm(HostNs now);
-  /// True until the last request to the robot is acknowledged or given up (200 ms), and the end of
-  /// a run is confirmed or not (250 ms).
+  /// True until the last request to the robot is acknowledged or given up (kAnswerNs), and the end
+  /// of a run is confirmed or not (kOffWithinS).
   bool request_pending() const { return session_.request_pending() || outputs_->disarming; }
 
   /// The inputs of the last step exactly as they were passed.

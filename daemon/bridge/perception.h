@@ -10,6 +10,7 @@
 #include "bridge/parameters.h"
 #include "bridge/terrain_contacts.h"
 #include "bridge/traction_estimator.h"
+#include "core/limits.h"
 #include "core/sample.h"
 #include "core/step_record.h"
 #include "course/course.h"
@@ -153,8 +154,6 @@ class Perception {
 
  private:
   static constexpr std::uint8_t kOldestImu = 20;
-  /// Without a newer one a run ends: link_lost or samples_stale.
-  static constexpr HostNs kSampleTimeoutNs = 200 * kNsPerMs;
 
   PerSource<Estimate> estimates() const;
   double distance_m() const;

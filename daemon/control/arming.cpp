@@ -3,19 +3,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/consent.h"
+
 namespace tp100::control {
 namespace {
 
 // The robot refuses to arm before it has a fresh command; let a few arrive first.
 constexpr double kCommandsFirstS = 0.05;
-// After this time the operator may no longer be watching the robot.
-constexpr double kBeginS = 3.0;
-constexpr double kConfirmS = 1.0;
-// The link repeats a request for 0.2 s.
-constexpr double kRequestS = 0.2;
-constexpr double kConfirmOffS = 0.25;
-constexpr HostNs kUnaskedNs = 50 * kNsPerMs;
-constexpr double kStopAgainS = 0.2;
 
 bool lost(const ArmingInputs& in) {
   return in.session != SessionState::kReady || in.new_session || in.sample == nullptr;
@@ -48,7 +42,7 @@ void Arming::hold() {
 
 void Arming::stop() {
   pending_ = RobotRequest::kStop;
-  off_due_s_ = kRequestS;
+  off_due_s_ = to_s(kAnswerNs);
   // A finished run stays finished; a later STOP does not change that.
   if (state_ == RunState::kFinished) {
     faults_ |= fault_bit(Fault::stop_requested);
@@ -66,7 +60,7 @@ void Arming::begin_disarm() {
   disarming_ = true;
   acknowledged_ = false;
   off_s_ = 0.0;
-  off_due_s_ = kRequestS;
+  off_due_s_ = to_s(kAnswerNs);
 }
 
 bool Arming::at_rest() const {
@@ -97,7 +91,7 @@ RobotRequest Arming::update(const ArmingInputs& in, double dt_s) {
     abort(fault_bit(Fault::moves_unasked));
     stop_again_s_ -= dt_s;
     if (stop_again_s_ <= 0.0) {
-      stop_again_s_ = kStopAgainS;
+      stop_again_s_ = to_s(kStopAgainNs);
       pending_ = RobotRequest::kStop;
     }
   } else {
@@ -132,7 +126,7 @@ RobotRequest Arming::arm(const ArmingInputs& in, double dt_s) {
       waited_s_ = 0.0;
       return RobotRequest::kArm;
     }
-    if (in.refusal != StartRefusal::kNone && begin_s_ > kBeginS) {
+    if (in.refusal != StartRefusal::kNone && begin_s_ > to_s(Consent::kLifeNs)) {
       refused_ = in.refusal;
       state_ = RunState::kIdle;
     }
@@ -145,7 +139,7 @@ RobotRequest Arming::arm(const ArmingInputs& in, double dt_s) {
     faults_ |= in.aborts;
   } else if (lost(in)) {
     faults_ |= fault_bit(Fault::link_lost);
-  } else if (in.answer == RequestAnswer::kFailed || waited_s_ > kConfirmS) {
+  } else if (in.answer == RequestAnswer::kFailed || waited_s_ > kOnWithinS) {
     faults_ |= fault_bit(Fault::not_acknowledged);
   }
   if (faults_ != 0) return end(RunState::kAborted, in);
@@ -188,7 +182,7 @@ void Arming::confirm_off(const ArmingInputs& in, double dt_s) {
   if (acknowledged_) off_due_s_ = 0.0;
   if (acknowledged_ && !motors_on(*in.sample)) {
     disarming_ = false;
-  } else if (in.answer == RequestAnswer::kFailed || off_s_ > kConfirmOffS) {
+  } else if (in.answer == RequestAnswer::kFailed || off_s_ > kOffWithinS) {
     disarming_ = false;
     abort(fault_bit(Fault::not_acknowledged));
   }

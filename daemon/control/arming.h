@@ -7,6 +7,7 @@
 
 #include "core/command.h"
 #include "core/faults.h"
+#include "core/limits.h"
 #include "core/link_state.h"
 #include "core/run_state.h"
 #include "core/sample.h"
@@ -17,13 +18,10 @@ namespace tp100::control {
 /// thread.
 class Pause {
  public:
-  /// A longer pause ends the run. [s]
-  static constexpr double kLongestS = 120.0;
-
   /// A run begins.
   void restart() { *this = Pause{}; }
   void begin() {
-    if (!active()) left_s_ = kLongestS;
+    if (!active()) left_s_ = kLongestPauseS;
   }
   void end() { left_s_ = 0.0; }
   /// One step. True once the pause has lasted too long: it is over, and the run must end.
@@ -59,8 +57,9 @@ struct ArmingInputs {
 };
 
 /// Nothing moves before start() or drive(); after an abort, a stop or a lost session nothing moves
-/// until the next one. A start that cannot begin within 3 s is refused. Motors that are on without
-/// a request are stopped in every state. No allocation; safe in the real-time thread.
+/// until the next one. A start that cannot begin within a consent's life is refused. Motors that
+/// are on without a request are stopped in every state. No allocation; safe in the real-time
+/// thread.
 class Arming {
  public:
   /// The operator's start: arms as soon as no reason refuses it.
@@ -87,7 +86,7 @@ class Arming {
   /// Why a start was refused in this step.
   StartRefusal refused() const { return refused_; }
   /// True if a run has ended and the robot has not confirmed yet that its motors are off (for at
-  /// most 0.25 s), or if they are on without a request.
+  /// most kOffWithinS), or if they are on without a request.
   bool disarming() const { return disarming_ || moves_unasked_; }
   /// Faults that ended a run, the robot's own included, and those since: STOP, motors on without a
   /// request, a disarm that was not confirmed. Latched until the next start() or drive().

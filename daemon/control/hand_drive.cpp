@@ -31,8 +31,6 @@ constexpr double kCreepMps = 0.01;
 // The yaw error that the robot's yaw loop needs to make up for its lag in a turn. Without this
 // limit it would wind up while a track is blocked.
 constexpr double kMaxAheadRad = 8.0 * kRadPerDeg;
-// Below this rate a turn has ended.
-constexpr double kTurnOverRadps = 0.05;
 // Below this rate a turn to the other side may begin. A robot that turns faster than commanded by
 // more than this still coasts.
 constexpr double kTurnEndsRadps = 0.12;
@@ -140,7 +138,7 @@ HandCommand HandDrive::update(const HandDriveState& state, const Parameters& par
   const double speed = fresh ? newest_.speed_mps : 0.0;
   const bool creeps = std::abs(speed_mps_) < kCreepMps;
   // Friction holds a robot that is to turn so slowly on the spot, and its speed loops wind up.
-  const bool turns = fresh && !(creeps && std::abs(newest_.yaw_rate_radps) < kTurnOverRadps);
+  const bool turns = fresh && !(creeps && std::abs(newest_.yaw_rate_radps) < kStandstillRadps);
   const double rate = turns ? newest_.yaw_rate_radps : 0.0;
   speed_mps_ = eased(speed_mps_, std::clamp(speed, -limits.max_track_mps, limits.max_track_mps),
                      parameters.acceleration_mps2 * dt_s);
@@ -187,7 +185,7 @@ double HandDrive::desired_yaw(const HandDriveState& state, double dt_s) {
       std::abs(state.measured_yaw_rate_radps) > std::abs(yaw_rate_radps_) + kTurnEndsRadps;
   // Straight on, the robot holds the yaw that it had at the end of the turn.
   holds_yaw_ = !turns && std::abs(speed_mps_) >= kCreepMps &&
-               (holds_yaw_ || std::abs(state.measured_yaw_rate_radps) < kTurnOverRadps);
+               (holds_yaw_ || std::abs(state.measured_yaw_rate_radps) < kStandstillRadps);
   if ((turns && !coasts) || holds_yaw_) {
     ahead_rad_ =
         std::clamp(ahead_rad_ + last_yaw_rad_.value_or(yaw_rad) - yaw_rad + yaw_rate_radps_ * dt_s,

@@ -9,6 +9,7 @@
 #include "control/parameters.h"
 #include "control/track_limits.h"
 #include "core/command.h"
+#include "core/limits.h"
 #include "core/pose.h"
 #include "core/time.h"
 #include "course/course.h"
@@ -52,9 +53,6 @@ struct HandCommand {
 /// if the newest input is older than kFreshInputNs. No allocation; safe in the real-time thread.
 class HandDrive {
  public:
-  /// A drive without input for this long is over.
-  static constexpr HostNs kSilenceNs = 2 * kNsPerS;
-
   /// Without a fence nothing limits where the robot goes.
   explicit HandDrive(std::optional<course::Fence> fence) : fence_(std::move(fence)) {}
 
@@ -64,8 +62,8 @@ class HandDrive {
   void take(const VelocityInput& input, HostNs now);
   HandCommand update(const HandDriveState& state, const Parameters& parameters, HostNs now,
                      double dt_s);
-  /// True after a silence of kSilenceNs.
-  bool silent(HostNs now) const { return now - newest_.at_ns > kSilenceNs; }
+  /// True after a silence of kDriveSilenceNs.
+  bool silent(HostNs now) const { return now - newest_.at_ns > kDriveSilenceNs; }
 
  private:
   double desired_yaw(const HandDriveState& state, double dt_s);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/arithmetic.h"
+#include "core/limits.h"
 
 namespace tp100::control {
 namespace {
@@ -13,8 +14,6 @@ constexpr double kDisturbedS = 0.015;
 
 using Kind = course::PathSegment::Kind;
 
-constexpr double kStandstillMps = 0.005;
-constexpr double kStandstillRadps = 0.05;
 // A yaw loop that cannot close the last fraction of a degree must not block the run for ever.
 constexpr double kSettleTimeoutS = 2.0;
 // A large heading error slows the robot down, but never to a stop.

@@ -47,10 +47,6 @@ class DisturbanceDetector {
 /// kRecoveredForS. No allocation; safe in the real-time thread.
 class Recovery {
  public:
-  static constexpr double kRecoveredM = 0.01;
-  static constexpr double kRecoveredRad = 3.0 * kRadPerDeg;
-  static constexpr double kRecoveredForS = 0.5;
-
   /// A disturbance was detected.
   void begin();
   void restart() { active_ = false; }

@@ -4,15 +4,13 @@
 #include <cmath>
 #include <cstddef>
 
-#include "control/tracker.h"
 #include "core/arithmetic.h"
+#include "core/limits.h"
 #include "core/pose.h"
 
 namespace tp100::report {
 namespace {
 
-// The figures call the robot back on its path as its controller does.
-using control::Recovery;
 // A disturbance is detected at the latest when a camera has seen it twice.
 constexpr double kNoticedWithinS = 0.5;
 
@@ -41,13 +39,12 @@ Window settled(const std::vector<TrajectoryPoint>& points, const std::vector<Dev
   std::size_t since = window.end;
   for (std::size_t i = window.begin; i < window.end; ++i) {
     if (points[i].t_s < disturbed_until_s) continue;
-    if (deviations[i].cross_track_m > Recovery::kRecoveredM ||
-        deviations[i].yaw_rad > Recovery::kRecoveredRad) {
+    if (deviations[i].cross_track_m > kRecoveredM || deviations[i].yaw_rad > kRecoveredRad) {
       since = window.end;
       continue;
     }
     if (since == window.end) since = i;
-    if (points[i].t_s - points[since].t_s >= Recovery::kRecoveredForS) return {since, i};
+    if (points[i].t_s - points[since].t_s >= kRecoveredForS) return {since, i};
   }
   return {window.end, window.end};
 }

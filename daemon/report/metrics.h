@@ -43,10 +43,10 @@ struct DisturbanceResponse {
   std::optional<double> detection_s{};
   double peak_cross_track_m = 0.0;  ///< until settled, including the disturbance
   double peak_yaw_error_rad = 0.0;
-  /// From the end of the disturbance until the robot stayed within 1 cm and 3 deg for 0.5 s;
-  /// nothing: never.
+  /// From the end of the disturbance until the robot stayed within kRecoveredM and kRecoveredRad
+  /// for kRecoveredForS; nothing: never.
   std::optional<double> settling_s{};
-  /// Greatest distance to the other side of the path, until that half second ended.
+  /// Greatest distance to the other side of the path, until the end of that stay.
   double overshoot_m = 0.0;
   double shortcut_m = 0.0;  ///< length of path that was skipped; 0: none
 };

@@ -5,6 +5,7 @@
 
 #include "core/arithmetic.h"
 #include "core/fields.h"
+#include "core/limits.h"
 #include "text/format.h"
 
 namespace tp100::report {
@@ -145,8 +146,10 @@ std::string recovery_rows(const TrackingErrors& tracking) {
   std::string text =
       format("\n%-34s%9s%10s%10s%10s%12s%10s\n", "ours: each disturbance, until back", "noticed",
              "peak", "peak", "back", "overshoot", "shortcut");
-  text += format("%-33s%10s%10s%10s%10s%12s%10s\n", "inside 1 cm and 3 deg for 0.5 s", "[s]",
-                 "[cm]", "[deg]", "[s]", "[cm]", "[cm]");
+  const std::string back = format("inside %.0f cm and %.0f deg for %.1f s", kRecoveredM * kCmPerM,
+                                  kRecoveredRad * kDegPerRad, kRecoveredForS);
+  text += format("%-33s%10s%10s%10s%10s%12s%10s\n", back.c_str(), "[s]", "[cm]", "[deg]", "[s]",
+                 "[cm]", "[cm]");
   for (const DisturbanceResponse& one : tracking.recovery) {
     text += format("  disturbance at %5.1f s%9s", one.begin_s, "") + seconds(one.detection_s);
     text += format("%10.2f%10.1f", one.peak_cross_track_m * kCmPerM,

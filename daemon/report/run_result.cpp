@@ -2,6 +2,7 @@
 
 #include <sstream>
 
+#include "core/limits.h"
 #include "core/pose.h"
 #include "text/format.h"
 

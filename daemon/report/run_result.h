@@ -103,9 +103,7 @@ struct RunResult {
   bool has_estimate(PoseSource source) const { return has_camera || !needs_camera(source); }
 };
 
-/// How far from the end of the path a completed run may truly end. [m]
-inline constexpr double kEndToleranceM = 0.15;
-/// Cause of a run that ended farther from it.
+/// Cause of a run that ended farther than kEndToleranceM from the end of the path.
 inline constexpr const char* kMissedEnd = "ended too far from the end of the path";
 
 /// Whether a robot that the controller brought to the end of the path truly stands there.

@@ -87,7 +87,7 @@ void StopMonitor::answered(HostNs at) {
 }
 
 bool StopMonitor::tick(HostNs now) {
-  if (figures_.status != Status::kPending || now - figures_.requested_ns < kLimitNs) return false;
+  if (figures_.status != Status::kPending || now - figures_.requested_ns < kAnswerNs) return false;
   figures_.status = Status::kNotAcknowledged;
   return true;
 }

@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/limits.h"
 #include "core/step_record.h"
 #include "core/time.h"
 #include "messages/channels.h"
@@ -40,15 +41,13 @@ class LinkMeter {
 /// Measures how long the robot takes to acknowledge a STOP. Pure: times are passed in.
 class StopMonitor {
  public:
-  static constexpr HostNs kLimitNs = 200 * kNsPerMs;
-
   /// STOP was pressed. A press while one is unanswered does not restart its time.
   void press(const std::string& by, HostNs now);
   void answered(HostNs at);
   /// A run was under way at host time `at`, and may have begun then (`began`). Only a start ends a
   /// STOP; a run under way when STOP is pressed has not received it yet.
   void under_way(HostNs at, bool began) {
-    if (at > pressed_ns_ + (began ? 0 : kLimitNs)) figures_.latched = false;
+    if (at > pressed_ns_ + (began ? 0 : kAnswerNs)) figures_.latched = false;
   }
   /// Call it regularly. True if the state changed.
   bool tick(HostNs now);

@@ -98,8 +98,8 @@ TEST_F(HandDriveInputs, AnInputFromTheFutureIsNoFresherThanNow) {
 
 TEST_F(HandDriveInputs, IsSilentAfterExactlyTheSilenceSinceTheLastInputOfAnyKind) {
   run(10.0);
-  EXPECT_FALSE(drive_.silent(now_ + HandDrive::kSilenceNs));
-  EXPECT_TRUE(drive_.silent(now_ + HandDrive::kSilenceNs + 1));
+  EXPECT_FALSE(drive_.silent(now_ + kDriveSilenceNs));
+  EXPECT_TRUE(drive_.silent(now_ + kDriveSilenceNs + 1));
 }
 
 TEST_F(HandDriveInputs, ABlockedTurnDoesNotWindUp) {

@@ -305,7 +305,7 @@ struct Displaced {
 
 // Turning back moves a robot with its turning centre ahead sideways, so that must be brought back.
 TEST(RecoveryDrive, BringsTheRobotBackSoonFromEitherSideWhereverItTurns) {
-  constexpr double kSoonS = 2.5 + Recovery::kRecoveredForS;
+  constexpr double kSoonS = 2.5 + kRecoveredForS;
   for (const double side : {-1.0, 1.0}) {
     for (const double yaw_rad : {-0.26, 0.26}) {
       for (const double ahead_m : {0.0, 0.03}) {
