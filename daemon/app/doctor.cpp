@@ -37,10 +37,10 @@ namespace {
 
 struct DoctorOptions {
   std::string config;
-  std::string robot;         ///< empty: as configured
-  std::string port;          ///< empty: as configured
-  double link_test_s = 1.0;  ///< 0: no link test
-  bool wheels_up = false;    ///< also run the guided test of the tracks
+  std::string robot;                        ///< empty: as configured
+  std::string port;                         ///< empty: as configured
+  double link_test_s = doctor::kLinkTestS;  ///< 0: no link test
+  bool wheels_up = false;                   ///< also run the guided test of the tracks
   bool json = false;
 };
 

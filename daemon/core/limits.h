@@ -42,4 +42,7 @@ inline constexpr double kOffWithinS = 0.25;
 inline constexpr HostNs kUnaskedNs = 50 * kNsPerMs;
 inline constexpr HostNs kStopAgainNs = 200 * kNsPerMs;
 
+/// No battery has so little left: it is off, and the board's own supply feeds the measured pin.
+inline constexpr double kBatteryOffV = 4.0;
+
 }  // namespace tp100

@@ -12,20 +12,16 @@
 #include "core/clock.h"
 #include "core/error.h"
 #include "core/faults.h"
+#include "core/limits.h"
 #include "doctor/hello.h"
 
 namespace tp100::doctor {
 namespace {
 
-// Same period and life of a command as a run at its default rate.
-constexpr HostNs kCommandPeriodNs = 5 * kNsPerMs;
-constexpr DeviceUs kCommandLifeUs = 150'000;
-constexpr double kArmLimitS = 1.0;
-constexpr double kDisarmLimitS = 0.5;
-constexpr HostNs kUnaskedNs = 100 * kNsPerMs;
-constexpr HostNs kStopAgainNs = 200 * kNsPerMs;
+// A command for each sample, which lives as long as one of a run.
+constexpr HostNs kCommandPeriodNs = wire::kSamplePeriodUs * kNsPerUs;
+constexpr HostNs kCommandLifeNs = from_s(bridge::Parameters{}.command_life_s);
 
-constexpr double kFirstFrameS = 5.0;
 constexpr double kHandshakeS = 4.0;
 constexpr double kBootloaderS = 2.0;
 // Enough time to detect a bad sensor or a low battery.
@@ -90,14 +86,14 @@ bool ProbeSession::arm() {
   why_ = "not acknowledged";
   fix_ = "check the cable and run it again";
   session_.request(RobotRequest::kArm, monotonic_now());
-  run(kArmLimitS, [this] { return !session_.request_pending(); });
+  run(kOnWithinS, [this] { return !session_.request_pending(); });
   return acknowledged_ && !stop_;
 }
 
 bool ProbeSession::disarm() {
   command(0.0, 0.0);
   session_.request(RobotRequest::kDisarm, monotonic_now());
-  const HostNs end = monotonic_now() + from_s(kDisarmLimitS);
+  const HostNs end = monotonic_now() + from_s(kOffWithinS);
   while (session_.request_pending() && !gone_ && monotonic_now() < end) cycle_once();
   asked_ = false;
   return !session_.request_pending() && !gone_;
@@ -182,7 +178,7 @@ void ProbeSession::send(HostNs now) {
   command.answered_us = newest_.device_us;
   command.speed_mps = speed_mps_;
   command.yaw_rate_radps = yaw_rate_radps_;
-  command.expiry_us = session_.clock().to_device(now) + kCommandLifeUs;
+  command.expiry_us = session_.clock().to_device(now + kCommandLifeNs);
   session_.send(command, now);
   meter_.on_command(now);
 }

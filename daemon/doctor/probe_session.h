@@ -46,8 +46,8 @@ class ProbeSession {
   const Sample& newest() const { return newest_; }
   bool identified() const { return identified_; }  ///< a hello of any version arrived
   bool gone() const { return gone_; }
-  /// Whether its motors were on for 100 ms without a request of arm(). Sends STOP as long as they
-  /// are.
+  /// Whether its motors were on for kUnaskedNs without a request of arm(). Sends STOP as long as
+  /// they are.
   bool moved_unasked() const { return moved_unasked_; }
   const std::string& why() const { return why_; }
   const std::string& fix() const { return fix_; }
@@ -90,7 +90,7 @@ struct ProbeOptions {
   link::PortOptions serial{};
   link::SessionSettings session{};
   double battery_cutoff_v = 0.0;
-  double link_test_s = 1.0;  ///< 0: no link test
+  double link_test_s = kLinkTestS;  ///< 0: no link test
 };
 
 /// Examines the robot on a port: identity, state, quality of the link. Nothing moves. Opening the

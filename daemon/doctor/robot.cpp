@@ -1,6 +1,8 @@
 #include "doctor/robot.h"
 
+#include "core/arithmetic.h"
 #include "core/faults.h"
+#include "core/limits.h"
 #include "doctor/hello.h"
 #include "shared/number.h"
 #include "text/format.h"
@@ -15,10 +17,8 @@ constexpr double kFewSamples = 0.5;  // fraction of the expected samples
 // A command lives 200 ms, and the step treats samples as stale long before that.
 constexpr double kOldUs = 20'000.0;
 constexpr double kLooseClockUs = 2'000.0;
-// Vertical part of 9.81 m/s^2 for a board within 60 degrees of level.
-constexpr double kUprightMps2 = 4.9;
-// No battery is that empty: it is off, and the board's own supply feeds the measured pin.
-constexpr double kOffV = 4.0;
+// Vertical part of gravity for a board within 60 degrees of level.
+constexpr double kUprightMps2 = 0.5 * kStandardGravityMps2;
 
 std::string text_of(const Percentiles& times) {
   return format("%.2f/%.2f/%.2f/%.2f ms", times.p50_us * 1e-3, times.p90_us * 1e-3,
@@ -66,10 +66,10 @@ void add_battery(const ProbeResult& probe, Findings& findings) {
     findings.push_back(ok("battery", format("%.1f V", probe.battery_v)));
     return;
   }
-  findings.push_back(
-      error("battery",
-            format("%.1f V, the robot stops below %.1f V", probe.battery_v, probe.battery_cutoff_v),
-            probe.battery_v < kOffV ? "switch the motors' battery on" : "charge the battery"));
+  findings.push_back(error(
+      "battery",
+      format("%.1f V, the robot stops below %.1f V", probe.battery_v, probe.battery_cutoff_v),
+      probe.battery_v < kBatteryOffV ? "switch the motors' battery on" : "charge the battery"));
 }
 
 void add_state(const ProbeResult& probe, Findings& findings) {
@@ -88,9 +88,11 @@ void add_state(const ProbeResult& probe, Findings& findings) {
   add_battery(probe, findings);
   if (!probe.imu_fresh) return;
   if (probe.up_mps2 < kUprightMps2) {
-    findings.push_back(error(
-        "imu", format("at rest its z axis shows %.1f m/s^2, upright would be 9.8", probe.up_mps2),
-        "set the robot upright; if it is: mount the MPU6050 level, chip side up, x forward"));
+    findings.push_back(
+        error("imu",
+              format("at rest its z axis shows %.1f m/s^2, upright would be %.1f", probe.up_mps2,
+                     kStandardGravityMps2),
+              "set the robot upright; if it is: mount the MPU6050 level, chip side up, x forward"));
   } else {
     findings.push_back(ok("imu", format("upright, z %.1f m/s^2", probe.up_mps2)));
   }

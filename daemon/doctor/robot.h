@@ -65,6 +65,9 @@ class LinkMeter {
   std::optional<Histogram> age_{}, round_trip_{};  ///< none before begin()
 };
 
+/// How long a probe waits for a first frame, and how long it tests the link.
+inline constexpr double kFirstFrameS = 5.0, kLinkTestS = 1.0;
+
 /// Result of a probe: how far the handshake got, and the robot's state.
 struct ProbeResult {
   std::string port{};

@@ -6,13 +6,6 @@
 #include "core/time.h"
 
 namespace tp100::selftest {
-namespace {
-
-// The same durations as in `tp100d doctor`.
-constexpr HostNs kTestNs = kNsPerS;
-constexpr HostNs kTimeoutNs = 5 * kNsPerS;
-
-}  // namespace
 
 void SessionMonitor::on_event(const link::SessionEvent& event, const wire::Hello& hello,
                               const OpenPort& port) {
@@ -43,8 +36,10 @@ void SessionMonitor::take(const StepRecord& record) {
     ready_ns_ = record.now_ns;
     meter_.begin(record.link, record.now_ns);
   }
-  const bool measured = probing_ == Probing::kMeasuring && record.now_ns - ready_ns_ >= kTestNs;
-  const bool waited = probing_ == Probing::kWaiting && record.now_ns - begun_ns_ >= kTimeoutNs;
+  const bool measured =
+      probing_ == Probing::kMeasuring && record.now_ns - ready_ns_ >= from_s(doctor::kLinkTestS);
+  const bool waited =
+      probing_ == Probing::kWaiting && record.now_ns - begun_ns_ >= from_s(doctor::kFirstFrameS);
   if (!measured && !waited) return;
   probing_ = Probing::kDone;
   ended_ns_ = record.now_ns;
