@@ -73,7 +73,7 @@ class Reader {
   RunMonitor run_monitor_;
   std::optional<Times> times_{std::in_place};
   std::vector<HostNs> disturbances_ns_;
-  RunState state_ = RunState::kIdle;
+  RunState state_ = RunState::kIdle, ended_ = RunState::kRunning;
   FaultMask faults_ = 0;
   std::uint64_t step_ = 0;
   HostNs begin_ns_ = 0, now_ns_ = 0, end_ns_ = 0;
@@ -106,6 +106,7 @@ void Reader::step(const StepRecord& record) {
     end_ns_ = record.now_ns;
   } else if (state_ == RunState::kRunning) {
     end_ns_ = record.now_ns;
+    ended_ = state;
     faults_ = record.snapshot.faults;
   }
   if (run_.steps > 0 && record.step > step_) run_.missing_steps += record.step - step_ - 1;
@@ -128,6 +129,7 @@ void Reader::begin(HostNs now) {
   run_.result.baselines.gyro_bias_radps = measured_.bias_radps();
   times_.emplace();
   disturbances_ns_.clear();
+  ended_ = RunState::kRunning;
   faults_ = 0;
   cross_track_squares_ = 0.0;
   estimated_steps_ = 0;
@@ -248,21 +250,10 @@ void Reader::disturbances() {
 }
 
 void Reader::judge() {
-  RunResult& result = run_.result;
-  if (run_.runs == 0) {
-    result.cause = "the run never began";
-  } else if (state_ == RunState::kRunning) {
-    result.cause = "the recording ends before the run does";
-  } else if (const auto fault = first_fault(faults_)) {
-    result.cause = describe(*fault).name;
-  } else if (run_.run_context.course == nullptr || result.points.empty()) {
-    result.cause = "unknown";
-  } else {
-    result.finished = true;
-    if (!at_end(course::Path(*run_.run_context.course), result.points.back().world))
-      result.cause = kMissedEnd;
-  }
-  result.completed = result.cause.empty();
+  const auto& course = run_.run_context.course;
+  const std::vector<TrajectoryPoint>& points = run_.result.points;
+  judge_end(run_.result, ended_, faults_,
+            course && !points.empty() && at_end(course::Path(*course), points.back().world));
 }
 
 void Reader::finish() {

@@ -13,6 +13,18 @@ bool at_end(const course::Path& path, const Pose& truth) {
   return magnitude(truth.x_m - end.x_m, truth.y_m - end.y_m) <= kEndToleranceM;
 }
 
+void judge_end(RunResult& result, RunState state, FaultMask faults, bool at_end) {
+  const std::optional<Fault> fault = first_fault(faults);
+  result.finished = state == RunState::kFinished;
+  result.completed = result.finished && at_end;
+  result.cause = result.completed              ? ""
+                 : !result.began_ns            ? kNeverBegan
+                 : result.finished             ? "ended too far from the end of the path"
+                 : state == RunState::kRunning ? "the recording ends before the run does"
+                 : fault                       ? describe(*fault).name
+                                               : "interrupted";
+}
+
 std::string pose_columns(std::string_view name) {
   std::string columns;
   constexpr Pose kAny{};

@@ -12,8 +12,10 @@
 
 #include "core/arithmetic.h"
 #include "core/estimates.h"
+#include "core/faults.h"
 #include "core/link_state.h"
 #include "core/pose.h"
+#include "core/run_state.h"
 #include "core/time.h"
 #include "course/path.h"
 #include "report/baselines.h"
@@ -103,11 +105,14 @@ struct RunResult {
   bool has_estimate(PoseSource source) const { return has_camera || !needs_camera(source); }
 };
 
-/// Cause of a run that ended farther than kEndToleranceM from the end of the path.
-inline constexpr const char* kMissedEnd = "ended too far from the end of the path";
+/// Cause of a run that never began.
+inline constexpr const char* kNeverBegan = "never began";
 
-/// Whether a robot that the controller brought to the end of the path truly stands there.
+/// Whether the robot truly stands at the end of the path, within kEndToleranceM.
 bool at_end(const course::Path& path, const Pose& truth);
+/// Judges how a run ended, if it began: by the state after kRunning, or kRunning if none is known,
+/// by its faults and by at_end() then.
+void judge_end(RunResult& result, RunState state, FaultMask faults, bool at_end);
 
 /// The columns of a pose in a CSV header, each after a comma: `,<name>_x_m` and y_m, z_m, roll_rad,
 /// pitch_rad, yaw_rad.

@@ -343,18 +343,8 @@ void Lockstep::judge(RunState state, HostNs end_ns) {
   const Pose end = begin_ns_ < 0 || (stand() && result_.points.empty()) ? settings_.course.start
                    : stand() ? result_.points.back().world
                              : behind_.of(truth_now());
-  result_.finished = state == RunState::kFinished;
-  result_.completed = result_.finished && report::at_end(path_, end);
-  result_.cause.clear();
-  if (!result_.completed) {
-    const std::optional<Fault> fault = first_fault(cycle_.outputs().snapshot.faults);
-    const bool no_world = begin_ns_ < 0 && world_ && world_->silent();
-    result_.cause = no_world           ? std::string(describe(Fault::world_lost).name)
-                    : begin_ns_ < 0    ? "never began"
-                    : result_.finished ? report::kMissedEnd
-                    : fault            ? std::string(describe(*fault).name)
-                                       : "unknown";
-  }
+  report::judge_end(result_, state, cycle_.outputs().snapshot.faults, report::at_end(path_, end));
+  if (begin_ns_ < 0 && world_ && world_->silent()) result_.cause = describe(Fault::world_lost).name;
 }
 
 void Lockstep::count(std::chrono::duration<double> wall) {

@@ -10,6 +10,7 @@
 #include "app/commands.h"
 #include "core/error.h"
 #include "recorded_run.h"
+#include "report/run_result.h"
 #include "support/temporary_folder.h"
 
 namespace tp100::app {
@@ -61,7 +62,7 @@ TEST_F(Report, ARunThatNeverBeganHasNoFigures) {
   });
   ASSERT_EQ(report(), "");
   const Json json = metrics();
-  EXPECT_EQ(json["cause"], "the run never began");
+  EXPECT_EQ(json["cause"], report::kNeverBegan);
   for (const char* name : {"model", "tracking", "estimated", "differences"})
     EXPECT_TRUE(json.at(name).is_null()) << name;
   EXPECT_THAT(text("report.html"), HasSubstr("The run never began: there is nothing to judge"));

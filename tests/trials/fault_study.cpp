@@ -14,7 +14,7 @@ namespace tp100::sim {
 namespace {
 
 constexpr std::string_view kCompleted = "completed";
-constexpr std::string_view kNeverBegan = "never began";
+using report::kNeverBegan;
 constexpr double kCourseM = 0.6;
 constexpr double kBeginWithinS = 3.0;
 // A robot drives on for the life of a command; the observer's resolution is a physics step.
