@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace tp100 {
@@ -21,6 +22,12 @@ constexpr const char* name_in(const std::array<EnumName<E>, N>& names, E value) 
   for (const EnumName<E>& one : names)
     if (one.value == value) return one.name;
   return "unknown";
+}
+
+/// A change of a state, as in events: "run: idle -> arming". The states have a to_string().
+template <class State>
+std::string change_text(const std::string& what, State from, State to) {
+  return what + ": " + std::string(to_string(from)) + " -> " + std::string(to_string(to));
 }
 
 /// The value of that name, or nothing.

@@ -80,15 +80,11 @@ void explain_unanswered(const link::Unanswered& unanswered, Event& out) {
   }
 }
 
-template <class State>
-std::string change(State from, State to) {
-  return "state: " + std::string(to_string(from)) + " -> " + std::string(to_string(to));
-}
-
 std::vector<Event> describe_run(const RunChange& event) {
   std::vector<Event> out;
   if (event.from != event.to)
-    out.push_back({.at_ns = event.at_ns, .kind = "run", .text = change(event.from, event.to)});
+    out.push_back(
+        {.at_ns = event.at_ns, .kind = "run", .text = change_text("state", event.from, event.to)});
   if (event.refused != StartRefusal::kNone)
     out.push_back({.at_ns = event.at_ns,
                    .kind = "run",
@@ -108,15 +104,8 @@ std::vector<Event> describe_run(const RunChange& event) {
          .fix = "to start again, put it back at the course's start, or continue from there on "
                 "the page"});
   if (event.to != RunState::kAborted) return out;
-  each_fault(event.faults, [&](Fault fault) {
-    const FaultText& text = describe(fault);
-    out.push_back({.at_ns = event.at_ns,
-                   .kind = "fault",
-                   .level = Level::kError,
-                   .text = std::string(text.name),
-                   .cause = std::string(text.cause),
-                   .fix = std::string(text.fix)});
-  });
+  each_fault(event.faults,
+             [&](Fault fault) { out.push_back(messages::fault_event(event.at_ns, fault)); });
   return out;
 }
 
@@ -137,7 +126,7 @@ struct SessionDescriber {
   Event& out;
 
   void operator()(const link::StateChanged& changed) const {
-    out.text = change(changed.from, changed.to);
+    out.text = change_text("state", changed.from, changed.to);
   }
   void operator()(const link::HelloReceived&) const {
     out.text = std::string("hello from ") + board_name(hello.board) + ", firmware " +

@@ -11,6 +11,7 @@
 
 #include "core/enum_names.h"
 #include "core/estimates.h"
+#include "core/faults.h"
 #include "core/step_record.h"
 #include "core/time.h"
 #include "course/course.h"
@@ -65,6 +66,17 @@ struct Event {
   std::string cause{};  ///< empty unless the operator has to act
   std::string fix{};    ///< how
 };
+
+/// A fault that ended a run.
+inline Event fault_event(HostNs at, Fault fault) {
+  const FaultText& words = describe(fault);
+  return {at,
+          "fault",
+          Event::Level::kError,
+          std::string(words.name),
+          std::string(words.cause),
+          std::string(words.fix)};
+}
 
 /// Names as in /event.level.
 inline constexpr std::array<EnumName<Event::Level>, 3> kLevelNames = {{

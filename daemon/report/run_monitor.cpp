@@ -3,15 +3,6 @@
 #include <utility>
 
 namespace tp100::report {
-namespace {
-
-template <class State>
-std::string change(const char* what, State from, State to) {
-  return std::string(what) + ": " + std::string(to_string(from)) + " -> " +
-         std::string(to_string(to));
-}
-
-}  // namespace
 
 void RunMonitor::add(RunEvent event) {
   if (events_.size() < kMax)
@@ -47,9 +38,10 @@ void RunMonitor::states(const StepRecord& record) {
   const auto report = [&](std::string text) {
     add({.at_ns = record.now_ns, .text = std::move(text)});
   };
-  if (record.inputs.session != session_) report(change("link", session_, record.inputs.session));
+  if (record.inputs.session != session_)
+    report(change_text("link", session_, record.inputs.session));
   session_ = record.inputs.session;
-  if (snapshot.run_state != run_) report(change("run", run_, snapshot.run_state));
+  if (snapshot.run_state != run_) report(change_text("run", run_, snapshot.run_state));
   run_ = snapshot.run_state;
   if (snapshot.recovering != recovering_)
     report(snapshot.recovering ? "a disturbance was detected" : "back on the path");

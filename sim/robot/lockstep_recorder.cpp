@@ -26,21 +26,6 @@ record::RecordingSettings settings_of(const std::string& folder, const config::R
                        static_cast<std::uint64_t>(run.configuration.record.max_mb)};
 }
 
-messages::Event change(HostNs at, RunState from, RunState to, FaultMask faults) {
-  messages::Event event;
-  event.at_ns = at;
-  event.kind = "run";
-  event.text = "state: " + std::string(to_string(from)) + " -> " + std::string(to_string(to));
-  const auto fault = first_fault(faults);
-  if (to == RunState::kAborted && fault) {
-    event.level = messages::Event::Level::kError;
-    event.text += ", " + std::string(describe(*fault).name);
-    event.cause = describe(*fault).cause;
-    event.fix = describe(*fault).fix;
-  }
-  return event;
-}
-
 }  // namespace
 
 LockstepRecorder::LockstepRecorder(const std::string& folder, const Loaded& loaded,
@@ -58,7 +43,11 @@ void LockstepRecorder::take(const StepRecord& record) {
   const Snapshot& snapshot = record.snapshot;
   if (snapshot.run_state == run_state_) return;
   const RunState from = std::exchange(run_state_, snapshot.run_state);
-  this->record(change(record.now_ns, from, run_state_, snapshot.faults));
+  this->record(
+      {.at_ns = record.now_ns, .kind = "run", .text = change_text("state", from, run_state_)});
+  if (run_state_ != RunState::kAborted) return;
+  each_fault(snapshot.faults,
+             [&](Fault fault) { this->record(messages::fault_event(record.now_ns, fault)); });
 }
 
 void LockstepRecorder::record(LockstepSettings& settings) {
