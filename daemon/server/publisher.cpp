@@ -184,7 +184,8 @@ void Publisher::update_state(const StepRecord& record) {
   state_.steering = snapshot.steering;
   state_.session = record.inputs.session;
   state_.robot = snapshot.has_sample ? std::optional(snapshot.sample.state) : std::nullopt;
-  state_.battery_v = snapshot.has_sample ? std::optional(snapshot.sample.battery_v) : std::nullopt;
+  const bool battery_on = snapshot.has_sample && snapshot.sample.battery_v >= kBatteryOffV;
+  state_.battery_v = battery_on ? std::optional(snapshot.sample.battery_v) : std::nullopt;
   state_.pose = snapshot.world;
   state_.pause_left_s = snapshot.pause_left_s;
   state_.progress_m = snapshot.progress_m;

@@ -115,6 +115,13 @@ TEST_F(PublisherTest, AChangeOfStateOrOfTheMotorsIsToldAtOnce) {
   EXPECT_EQ(moving[0]["motors_on"], true);
 }
 
+TEST_F(PublisherTest, ABatteryThatIsOffHasNoVoltage) {
+  for (const auto& [volts, on] : {std::pair{7.9, true}, {kBatteryOffV, true}, {3.99, false}}) {
+    record_.snapshot.sample.battery_v = volts;
+    EXPECT_EQ(state().contains("battery_v"), on) << volts;
+  }
+}
+
 TEST_F(PublisherTest, AStopIsTheDaemonsUntilTheRobotHasLatchedIt) {
   record_.snapshot.faults = fault_bit(Fault::stop_requested);
   EXPECT_EQ(state()["faults"][0]["from"], "daemon");

@@ -4,8 +4,6 @@ const kMargin_v = 0.3;
 /** The voltage must be low for this long, because a starting motor lowers it for a moment. */
 const kLasting_s = 2;
 const kBack_v = 0.1;
-/** Below this, no battery is connected and the board's own supply is measured. */
-const kOff_v = 4;
 
 export class BatteryWatch {
   private since_s: number | undefined;
@@ -15,7 +13,7 @@ export class BatteryWatch {
   take(t_s: number, voltage_v: number | null | undefined, limit_v: number | undefined): void {
     this.limit_v = limit_v ?? NaN;
     const warn_v = this.limit_v + kMargin_v;
-    const known = typeof voltage_v === 'number' && voltage_v > kOff_v && limit_v !== undefined && limit_v > 0;
+    const known = typeof voltage_v === 'number' && limit_v !== undefined && limit_v > 0;
     if (!known || voltage_v > warn_v + (this.low ? kBack_v : 0)) {
       this.since_s = undefined;
       this.low = false;

@@ -92,15 +92,15 @@ it('a view is drawn again when something moves, not with each message of a robot
 
 it('the battery is low when it stays near the limit, not when a motor starts', () => {
   const battery = new BatteryWatch();
-  const looks: [t_s: number, voltage_v: number, low: boolean, why: string][] = [
+  const looks: [t_s: number, voltage_v: number | undefined, low: boolean, why: string][] = [
     [0, 6.4, false, 'near the limit'],
     [1.5, 7, false, 'the motor runs'],
     [2.5, 6.4, false, 'near the limit again'],
     [4.6, 6.4, true, 'it stayed there for 2 s'],
     [5, 6.55, true, 'a little more is not enough'],
     [6, 6.7, false, 'it is charged'],
-    [7, 0.3, false, 'no battery'],
-    [10, 0.3, false, 'no battery for long'],
+    [7, undefined, false, 'no battery'],
+    [10, undefined, false, 'no battery for long'],
   ];
   for (const [t_s, voltage_v, low, why] of looks) {
     battery.take(t_s, voltage_v, 6.2);
