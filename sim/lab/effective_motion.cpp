@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "model/track_model.h"
+#include "sim/sensors/mpu6050.h"
 #include "wire/messages.h"
 
 namespace tp100::sim {
@@ -198,9 +199,7 @@ model::TrackParameters effective_motion(const std::vector<CalibrationDrive>& dri
   motion.turn_slip = lost[0];
   motion.turn_slip_tight = lost[1];
   motion.turn_loss = lost[2];
-  // The sensor's own counts per deg/s at this range are 2^15 / 1000.
-  constexpr double kSensorLsbPerDegps = 32.768;
-  motion.gyro_scale = static_cast<double>(wire::kGyroLsbPerDegps) / kSensorLsbPerDegps /
+  motion.gyro_scale = static_cast<double>(wire::kGyroLsbPerDegps) / Mpu6050::kGyroLsbPerDegps /
                       (1.0 + robot.imu.gyro_scale_error);
   return motion;
 }

@@ -25,7 +25,6 @@ constexpr std::uint8_t kSleep = 0x40;
 constexpr std::uint8_t kDeviceReset = 0x80;
 
 constexpr double kRateHz = 1000.0;
-constexpr double kStandardGravity = 9.80665;
 // Bandwidth by DLPF_CFG, register map 4.3. Without the low-pass the sensor is faster than the 1 kHz
 // at which it is emulated.
 constexpr std::array<double, 8> kBandwidthHz = {256, 188, 98, 42, 20, 10, 5, 256};
@@ -91,8 +90,10 @@ void Mpu6050::measure(const BodyState& body, HostNs now_ns) {
   const int divider = registers_[kSampleDivider];
   until_output_ = low_pass == 0 || low_pass == 7 ? std::max(0, (divider + 1) / 8 - 1) : divider;
 
-  const double gyro_lsb = 131.072 / (1 << full_scale(registers_[kGyroConfig])) * kDegPerRad;
-  const double accel_lsb = 16384.0 / (1 << full_scale(registers_[kAccelConfig])) / kStandardGravity;
+  const double gyro_lsb =
+      4.0 * kGyroLsbPerDegps / (1 << full_scale(registers_[kGyroConfig])) * kDegPerRad;
+  const double accel_lsb =
+      16384.0 / (1 << full_scale(registers_[kAccelConfig])) / kStandardGravityMps2;
   for (std::uint8_t i = 0; i < 3; ++i) {
     put(static_cast<std::uint8_t>(kAccelOut + 2 * i), accel_mps2_[i] * accel_lsb);
     put(static_cast<std::uint8_t>(kGyroOut + 2 * i), gyro_radps_[i] * gyro_lsb);

@@ -27,6 +27,8 @@ class I2cSlave {
 class Mpu6050 : public I2cSlave {
  public:
   static constexpr std::uint8_t kAddress = 0x68;
+  /// The gyro's own scale at +-1000 deg/s; its data sheet and the wire round it to 32.8.
+  static constexpr double kGyroLsbPerDegps = 32.768;
 
   Mpu6050(const course::EmulatedImu& values, std::uint64_t seed);
 
