@@ -68,6 +68,16 @@ TEST_F(Report, ARunThatNeverBeganHasNoFigures) {
   EXPECT_THAT(text("report.html"), HasSubstr("The run never began: there is nothing to judge"));
 }
 
+TEST_F(Report, ARunThatWasHeldIsInterrupted) {
+  record_run(file(), [](StepRecord& record) {
+    if (record.step > 350) record.snapshot.run_state = RunState::kIdle;
+    return true;
+  });
+  ASSERT_EQ(report(), "");
+  EXPECT_EQ(metrics()["completed"], false);
+  EXPECT_EQ(metrics()["cause"], "interrupted");
+}
+
 TEST_F(Report, OfALiveRunHasItsFactsAndCallsNothingAnError) {
   record_run(file());
   ASSERT_EQ(report(), "");
