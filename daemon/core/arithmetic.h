@@ -31,4 +31,9 @@ inline constexpr double kDegPerRad = 180.0 / kPi;
 /// The same direction in [-pi, pi].
 inline double wrap_angle(double rad) { return std::remainder(rad, 2.0 * kPi); }
 
+/// The whole turns to add to an angle so that it comes nearest to `near_rad`.
+inline double whole_turns(double rad, double near_rad) {
+  return 2.0 * kPi * std::round((near_rad - rad) / (2.0 * kPi));
+}
+
 }  // namespace tp100

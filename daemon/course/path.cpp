@@ -37,7 +37,7 @@ double nearest_offset(const PathPoint& begin, double length_m, double x_m, doubl
   const double ahead = dx * c + dy * s;
   const double inward = (k > 0.0 ? 1.0 : -1.0) * (dy * c - dx * s);
   double angle = std::atan2(ahead, radius - inward);
-  angle += 2.0 * kPi * std::round((about_m / radius - angle) / (2.0 * kPi));
+  angle += whole_turns(angle, about_m / radius);
   return std::clamp(angle * radius, 0.0, length_m);
 }
 

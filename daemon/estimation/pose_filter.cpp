@@ -119,15 +119,11 @@ bool PoseFilter::camera_sees(HostNs now) const {
   return camera_known_ && now - camera_ns_ < kFreshNs;
 }
 
-double PoseFilter::branch_of(const Pose& start) const {
-  return std::round((start.yaw_rad - state().mean[kYaw]) / (2.0 * kPi)) * 2.0 * kPi;
-}
-
 void PoseFilter::begin(const Pose& start, HostNs now) {
   nis_ = NisMean{};
   used_ = rejected_ = recoveries_ = 0;
   if (camera_sees(now)) {
-    branch_rad_ = branch_of(start);
+    branch_rad_ = whole_turns(state().mean[kYaw], start.yaw_rad);
     return;
   }
   branch_rad_ = 0.0;
@@ -162,7 +158,7 @@ CarriedFilter PoseFilter::carried_from(const Pose& start, HostNs now) const {
   state.nis_sum = 0.0;
   state.nis_count = state.camera_used = state.camera_rejected = state.recoveries = 0;
   if (camera_sees(now)) {
-    state.branch_rad = branch_of(start);
+    state.branch_rad = whole_turns(this->state().mean[kYaw], start.yaw_rad);
     return state;
   }
   state.branch_rad = 0.0;

@@ -163,7 +163,6 @@ class PoseFilter {
   static constexpr std::size_t kWaiting = 4;
 
   bool camera_sees(HostNs now) const;
-  double branch_of(const Pose& start) const;
   void apply_waiting();
   bool apply(const CameraSample& seen);
 
