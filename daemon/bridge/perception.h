@@ -117,7 +117,7 @@ class Perception {
   bool fresh(HostNs now) const {
     return has_sample_ && now - sample_.measured_ns <= kSampleTimeoutNs;
   }
-  /// The gyro steers and its newest value is old. The firmware's own limit is 10 samples.
+  /// The gyro steers and its newest value is old.
   bool imu_stale() const { return gyro_steers() && sample_.imu_age > kOldestImu; }
 
   Estimate estimate(PoseSource source) const;
@@ -153,8 +153,6 @@ class Perception {
   void write(Snapshot& snapshot, HostNs now) const;
 
  private:
-  static constexpr std::uint8_t kOldestImu = 20;
-
   PerSource<Estimate> estimates() const;
   double distance_m() const;
   double heading_rate_radps() const;

@@ -14,15 +14,10 @@
 #include "control/track_limits.h"
 #include "control/tracker.h"
 #include "core/arithmetic.h"
+#include "core/limits.h"
 #include "core/sample.h"
 
 namespace tp100::bridge {
-namespace {
-
-// Time beyond this between two steps was not observed and does not count towards durations.
-constexpr double kLongestSeenS = 0.05;
-
-}  // namespace
 
 struct Step::State {
   State(const Parameters& p, std::shared_ptr<const course::Course> c)

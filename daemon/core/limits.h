@@ -2,6 +2,8 @@
 // Limits of a run that are no settings: what completes it, what counts as recovered, what ends it,
 // and when motion without a request is noticed. The settings are in control/parameters.h.
 
+#include <cstdint>
+
 #include "core/arithmetic.h"
 #include "core/time.h"
 
@@ -25,10 +27,17 @@ inline constexpr double kRecoveredForS = 0.5;
 
 /// Without a newer sample a run ends: link_lost or samples_stale.
 inline constexpr HostNs kSampleTimeoutNs = 200 * kNsPerMs;
+/// IMU values of more samples ago are stale. The robot calls them so from kRobotStaleImu on: then
+/// its own fault comes first.
+inline constexpr std::uint8_t kOldestImu = 20, kRobotStaleImu = 10;
 /// A longer pause ends the run.
 inline constexpr double kLongestPauseS = 120.0;
 /// A drive by hand without input for this long is over.
 inline constexpr HostNs kDriveSilenceNs = 2 * kNsPerS;
+
+/// Time beyond this between two steps was not observed: it does not count towards durations, and is
+/// reported.
+inline constexpr double kLongestSeenS = 0.05;
 
 // Requests to the robot, and motion without one.
 

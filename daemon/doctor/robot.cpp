@@ -12,7 +12,6 @@ namespace {
 
 using text::format;
 
-constexpr std::uint8_t kFreshSamples = 10;
 constexpr double kFewSamples = 0.5;  // fraction of the expected samples
 // A command lives 200 ms, and the step treats samples as stale long before that.
 constexpr double kOldUs = 20'000.0;
@@ -191,7 +190,7 @@ void add_hello(const wire::Hello& hello, ProbeResult& probe) {
 void add_sample(const Sample& sample, ProbeResult& probe) {
   probe.faults = sample.faults;
   probe.battery_v = sample.battery_v;
-  probe.imu_fresh = sample.imu_age < kFreshSamples;
+  probe.imu_fresh = sample.imu_age < kRobotStaleImu;
   probe.up_mps2 = sample.accel_mps2[2];
 }
 

@@ -5,14 +5,13 @@
 
 #include "core/arithmetic.h"
 #include "core/faults.h"
+#include "core/limits.h"
 
 namespace tp100::live {
 namespace {
 
 using messages::Event;
 
-// A longer pause of the loop is reported; other programs on the machine may cause it now and then.
-constexpr HostNs kStillNs = 50 * kNsPerMs;
 // A false detection now and then is usual; so are a bump and a push.
 constexpr std::uint64_t kFewestPoses = 30;
 constexpr double kUsualShare = 0.2;
@@ -91,7 +90,7 @@ void LinkMonitor::time(const StepRecord& record) {
   const HostNs gap_ns = next && now_ns_ != 0 ? record.now_ns - now_ns_ : 0;
   now_ns_ = record.now_ns;
   step_ = record.step;
-  if (gap_ns > kStillNs) {
+  if (gap_ns > from_s(kLongestSeenS)) {
     ++tallies_[kStoodStill].now;
     longest_ms_ = std::max(longest_ms_, gap_ns / kNsPerMs);
   }
