@@ -30,9 +30,15 @@ bool same_board(const link::PortInfo& a, const link::PortInfo& b) {
 
 }  // namespace
 
-Connector::Connector(ConnectorSettings settings, loop::FixedRateLoop& loop,
-                     std::function<void(const std::string&)> say)
-    : settings_(std::move(settings)), loop_(loop), say_(std::move(say)) {}
+Connector::Connector(const config::LinkSettings& link, bool wait, selftest::PortHandover& handover,
+                     loop::FixedRateLoop& loop, EventLog& log, LiveControls& controls)
+    : wanted_(link.port),
+      options_{.baud = link.baud, .hang_up = link.hang_up},
+      wait_(wait),
+      handover_(handover),
+      loop_(loop),
+      log_(log),
+      controls_(controls) {}
 
 void Connector::tick(HostNs now) {
   loop::LostPort lost;
@@ -46,15 +52,16 @@ void Connector::tick(HostNs now) {
                     "version's firmware (scripts/flash, installed: tp100-flash)");
 }
 
-void Connector::on_event(const SessionReport& report, const std::string& robot, HostNs now) {
+void Connector::on_event(const SessionReport& report, const std::string& robot) {
   if (awaits_first()) require_usable(report, robot);
   if (link::as<link::HelloReceived>(report.event) != nullptr) {
     found_ = true;
     robot_ = opened_;
   } else if (const auto* changed = link::as<link::StateChanged>(report.event)) {
     session_ = changed->to;
-    const bool meant = session_ != SessionState::kListening || settings_.port != "auto";
-    if (tried_ns_ == 0 && session_ != SessionState::kClosed && meant) tried_ns_ = now;
+    const bool meant = session_ != SessionState::kListening || wanted_ != "auto";
+    if (tried_ns_ == 0 && session_ != SessionState::kClosed && meant)
+      tried_ns_ = report.event.at_ns;
     if (session_ != SessionState::kReady) return;
     had_session_ = true;
     retry_ns_ = kFirstRetryNs;
@@ -80,7 +87,7 @@ void Connector::require_usable(const SessionReport& report, const std::string& r
 void Connector::take_back(const loop::LostPort& lost, HostNs now) {
   if (!port_.is_open() || lost.id != id_) return;
   port_.close();
-  if (settings_.handover.give(path_)) {
+  if (handover_.give(path_)) {
     next_try_ns_ = now;
     return say_once(path_ + ": handed over to the check of the tracks");
   }
@@ -94,14 +101,13 @@ void Connector::take_back(const loop::LostPort& lost, HostNs now) {
     line += found_ ? "the robot fell silent"
                    : "no answer from a TP100; flash the board with " + flash_command() +
                          ", or choose another port with --port";
-    if (!found_ && settings_.port == "auto")
-      line += "; auto ignores it until it is plugged in again";
+    if (!found_ && wanted_ == "auto") line += "; auto ignores it until it is plugged in again";
   } else {
     line += std::string("port is gone (") +
             (lost.error == 0 ? "end of file" : std::strerror(lost.error)) +
             "); plug the robot in again";
   }
-  if (!found_ && !settings_.wait) throw UserError(line);
+  if (!found_ && !wait_) throw UserError(line);
   say_once(line);
 }
 
@@ -109,7 +115,7 @@ void Connector::try_open(HostNs now) {
   try {
     port_ = open_next();
   } catch (const UserError& error) {
-    if (!found_ && !settings_.wait) throw;
+    if (!found_ && !wait_) throw;
     came_later_ = true;
     say_once(std::string(error.what()) + "; waiting");
     next_try_ns_ = now + retry_ns_;
@@ -136,14 +142,14 @@ link::AutoChoice Connector::choose() const {
 }
 
 link::Port Connector::open_next() {
-  if (settings_.port != "auto") return link::open_port(settings_.port, settings_.options);
+  if (wanted_ != "auto") return link::open_port(wanted_, options_);
   const link::AutoChoice choice = choose();
   if (!choice.open) {
     if (robot_ && choice.passed_over.empty())
       throw UserError(path_ + ": the robot's port is gone; plug it in again");
     throw UserError(link::why_none(choice));
   }
-  link::Port open = link::open_port(choice.open->path, settings_.options);
+  link::Port open = link::open_port(choice.open->path, options_);
   opened_ = choice.open;
   return open;
 }
@@ -151,7 +157,8 @@ link::Port Connector::open_next() {
 void Connector::say_once(const std::string& line) {
   if (line == last_line_) return;
   last_line_ = line;
-  say_(line);
+  log_.info(line);
+  controls_.note_port(line);
 }
 
 }  // namespace tp100::live

@@ -3,38 +3,33 @@
 // robot that cannot be used is an error, unless the program waits for one (--wait); later it is an
 // event like any other. The main thread.
 
-#include <functional>
 #include <optional>
 #include <set>
 #include <string>
 
+#include "config/configuration.h"
 #include "core/link_state.h"
 #include "core/time.h"
 #include "link/port_discovery.h"
 #include "link/transport.h"
+#include "live/event_log.h"
+#include "live/live_controls.h"
 #include "live/live_cycle.h"
 #include "loop/fixed_rate_loop.h"
 #include "selftest/port_handover.h"
 
 namespace tp100::live {
 
-struct ConnectorSettings {
-  /// Path, or auto: link::choose_for_auto(); once a robot was found, only its board.
-  std::string port = "auto";
-  link::PortOptions options{};
-  bool wait = false;  ///< keep trying before the first hello, too
-  /// Through which a check may ask for the port. Must outlive the connector.
-  selftest::PortHandover& handover;
-};
-
 class Connector {
  public:
   static constexpr HostNs kFirstRetryNs = 50 * kNsPerMs;
   static constexpr HostNs kLongestRetryNs = 2 * kNsPerS;
 
-  /// `say` receives one line per event for the log; `loop` must outlive the connector's ticks.
-  Connector(ConnectorSettings settings, loop::FixedRateLoop& loop,
-            std::function<void(const std::string&)> say);
+  /// Port auto: link::choose_for_auto(); once a robot was found, only its board. `wait`: keeps
+  /// trying before the first hello, too. Through `handover` a check may ask for the port. Tells
+  /// `log` and `controls` about the search for it. All must outlive the connector.
+  Connector(const config::LinkSettings& link, bool wait, selftest::PortHandover& handover,
+            loop::FixedRateLoop& loop, EventLog& log, LiveControls& controls);
 
   /// Takes lost ports back and reopens when due. Without `wait`, throws UserError if no port can
   /// be opened or no session was established in time.
@@ -42,30 +37,36 @@ class Connector {
   /// An event of the session with the robot of that name. Without `wait`, throws UserError if it
   /// shows an incompatible robot before the first session. After a hello the connector never gives
   /// up.
-  void on_event(const SessionReport& report, const std::string& robot, HostNs now);
+  void on_event(const SessionReport& report, const std::string& robot);
   /// The program is ending: opens no more ports, and nothing is an error any more. The port closes
   /// with the connector, after the loop.
   void stop() { stopped_ = true; }
 
   /// Whether the robot was plugged in, or in again, after the program's start.
   bool came_later() const { return came_later_; }
+  SessionState session() const { return session_; }
+  bool had_session() const { return had_session_; }  ///< one was ready
   /// Port in use, or the last one.
   const std::string& path() const { return path_; }
   bool pseudo_terminal() const { return pseudo_terminal_; }
 
  private:
-  bool awaits_first() const { return !settings_.wait && !had_session_ && !stopped_; }
+  bool awaits_first() const { return !wait_ && !had_session_ && !stopped_; }
   void require_usable(const SessionReport& report, const std::string& robot) const;
   void take_back(const loop::LostPort& lost, HostNs now);
   void try_open(HostNs now);
   link::Port open_next();
   link::AutoChoice choose() const;
-  bool handed_over() const { return settings_.handover.given(); }
+  bool handed_over() const { return handover_.given(); }
   void say_once(const std::string& line);
 
-  ConnectorSettings settings_;
+  const std::string wanted_;  // as link.port
+  const link::PortOptions options_;
+  const bool wait_;
+  selftest::PortHandover& handover_;
   loop::FixedRateLoop& loop_;
-  std::function<void(const std::string&)> say_;
+  EventLog& log_;
+  LiveControls& controls_;
   link::Port port_;
   std::string path_;
   std::string last_line_;

@@ -8,6 +8,7 @@
 #include "config/setup_files.h"
 #include "core/clock.h"
 #include "core/error.h"
+#include "live/service_notice.h"
 #include "live/services.h"
 #include "server/local_daemons.h"
 #include "text/temporary.h"
@@ -109,6 +110,9 @@ DaemonParts::DaemonParts(const config::LoadedRun& run, const DaemonOptions& opti
       controls(cycle, loop, recording, setup, runs, self_test, events),
       server(server_settings(run, *this), {first_run->context, clock}, first_run->parameters,
              controls) {
+  controls.set_start({.go = options.go,
+                      .service = !service_settings().socket.empty(),
+                      .ran_before = options.ran_before});
   disk.post([run, stats = options.stats_path] { sweep(run, stats); }, [](const std::string&) {});
   if (participant != nullptr)
     ros2.emplace(

@@ -10,6 +10,7 @@
 #include <array>
 #include <atomic>
 #include <chrono>
+#include <csignal>
 #include <thread>
 
 #include "core/arithmetic.h"
@@ -63,6 +64,8 @@ struct EventLog::Writer {
 };
 
 EventLog::EventLog() : writer_(std::make_unique<Writer>()) {
+  // A reader that goes away must not end a run without a disarm.
+  std::signal(SIGPIPE, SIG_IGN);
   // https://no-color.org
   if (!text::environment_variable("NO_COLOR").empty())
     writer_->logger->set_pattern("%H:%M:%S.%e %l %v");
@@ -128,8 +131,8 @@ void EventLog::write(const std::vector<messages::Event>& all) {
   }
 }
 
-void EventLog::recording(const messages::RecordingFigures& before,
-                         const messages::RecordingFigures& now) {
+void EventLog::recording(const messages::RecordingFigures& now) {
+  const messages::RecordingFigures before = std::exchange(recording_, now);
   if (now.file != before.file) info("recording to " + now.file);
   if (!now.warning.empty() && now.warning != before.warning) warn(now.warning);
   if (now.dropped > 0 && before.dropped == 0)

@@ -31,8 +31,8 @@ class EventLog {
   /// a count.
   void event(const LiveEvent& event, const std::vector<messages::Event>& described);
   void write(const std::vector<messages::Event>& all);
-  /// Logs a recording that began, and what it lost.
-  void recording(const messages::RecordingFigures& before, const messages::RecordingFigures& now);
+  /// Logs a recording that began since the last call, and what it lost.
+  void recording(const messages::RecordingFigures& now);
   void privileges(const std::vector<loop::Privilege>& privileges);
   /// Logs the line of figures every ten seconds, and why a start has been impossible for over a
   /// second.
@@ -56,6 +56,7 @@ class EventLog {
   HostNs refusal_since_ns_ = 0;
   bool refusal_reported_ = false;
   std::uint64_t lost_ = 0;
+  messages::RecordingFigures recording_{};
 };
 
 }  // namespace tp100::live

@@ -4,16 +4,13 @@
 
 #include <chrono>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
-#include <string>
 
-#include "config/configuration.h"
-#include "config/world_settings.h"
+#include "config/run_setup.h"
 #include "core/fields.h"
-#include "core/sample.h"
 #include "link/camera_intake.h"
+#include "live/live_cycle.h"
 #include "messages/event_queue.h"
 #include "messages/sink.h"
 #include "worlds/peer.h"
@@ -21,33 +18,14 @@
 namespace boost::asio {
 class io_context;
 }
+namespace tp100::server {
+class Server;
+}
 
 namespace tp100::live {
 
 struct CameraFigures {
   link::CameraCounters detections{}, images{};
-};
-
-class CameraPort {
- public:
-  /// Gives a sample to the step; false if it has no room.
-  using Give = std::function<bool(const CameraSample&)>;
-  /// Shows and records an image (JPEG) that was taken at host time `at`; must not block.
-  using Show = std::function<void(HostNs at, std::string jpeg)>;
-
-  /// Listens at settings.listen, "udp:[HOST:]PORT"; without a host, only datagrams of this machine
-  /// are received. Throws UserError: a bad address, or a port that is in use. The context runs no
-  /// handler while or after this is destroyed.
-  CameraPort(boost::asio::io_context& context, const config::CameraSettings& settings, Give give,
-             Show show);
-  ~CameraPort();
-  /// Stops listening.
-  void stop();
-  CameraFigures figures() const;
-
- private:
-  class Socket;
-  std::unique_ptr<Socket> socket_;
 };
 
 /// What happened to the files since the start.
@@ -67,6 +45,11 @@ struct WorldFigures {
   std::optional<WorldFileCounters> files{};
 };
 
+struct InputFigures {
+  std::optional<CameraFigures> camera{};  ///< nothing: none is configured
+  WorldFigures world{};
+};
+
 /// A run's interface to an external world.
 class WorldLink : public messages::Sink {
  public:
@@ -77,15 +60,36 @@ class WorldLink : public messages::Sink {
   virtual WorldFigures figures() const = 0;
 };
 
-/// Opens the configured interface; null: the world is internal. `events` must outlive it; the
-/// context runs no handler while or after it is destroyed. Throws UserError: a bad address, an
-/// unknown host, a port that is in use, or as open_world_files().
-std::unique_ptr<WorldLink> open_world(boost::asio::io_context& context, const config::WorldRun& run,
-                                      const config::GiveWorld& give, messages::EventQueue& events);
-
 /// The paper's Encoder.txt and Orientation.txt, in a thread of their own, which calls `give`; the
 /// files stay. Throws UserError: a bad template, or a folder that is not writable.
 std::unique_ptr<WorldLink> open_world_files(const config::WorldRun& run, config::GiveWorld give,
                                             messages::EventQueue& events);
+
+/// Both: samples go to `cycle`, a camera's images to `server`. One thread.
+class ExternalInputs : public messages::Sink {
+ public:
+  /// Opens what is configured. All must outlive it; the context runs no handler while or after it
+  /// is destroyed. Throws UserError: a bad address, an unknown host, a port that is in use, or as
+  /// open_world_files().
+  ExternalInputs(boost::asio::io_context& context, const config::RunSetup& run, LiveCycle& cycle,
+                 server::Server& server, messages::EventQueue& events);
+  ~ExternalInputs() override;
+
+  void take(const StepRecord& record) override {
+    if (world_ != nullptr) world_->take(record);
+  }
+  /// Receives nothing more; does not wait.
+  void stop();
+  /// As WorldLink::ended_by().
+  bool ended_by(std::chrono::steady_clock::time_point deadline) {
+    return world_ == nullptr || world_->ended_by(deadline);
+  }
+  InputFigures figures() const;
+
+ private:
+  class CameraPort;
+  std::unique_ptr<CameraPort> camera_;
+  std::unique_ptr<WorldLink> world_;  // null: internal
+};
 
 }  // namespace tp100::live

@@ -197,6 +197,7 @@ void LiveControls::set_session(const SessionReport& report, const std::string& p
   self_test_.on_event(report.event, report.hello, {path, pseudo_terminal});
   const bool identified = report.hello.boot_nonce != 0;
   const std::lock_guard lock(mutex_);
+  start_.emulator = identified && is_emulator(pseudo_terminal, report.hello.board);
   port_.path = path;
   port_.kind = robot_kind(pseudo_terminal, report.hello.board);
   port_.firmware = identified ? firmware_text(report.hello) : std::string();
@@ -214,6 +215,7 @@ void LiveControls::set_start(const StartFacts& facts) {
 }
 
 bool LiveControls::start_by_itself(bool came_later, HostNs program_start_ns, HostNs now) {
+  if (start_consent() != StartConsent::kNone || setup_.in_force()->course().empty()) return false;
   // This thread alone writes start_.
   const Consent consent = option_consent(start_.emulator, came_later, program_start_ns, now);
   const Result<> moves = move(OperatorRequest::kStart, consent, now);
@@ -235,11 +237,13 @@ StartConsent LiveControls::start_consent() {
   return tp100::start_consent(facts);
 }
 
-void LiveControls::set_privileges(const std::vector<loop::Privilege>& privileges) {
+std::vector<loop::Privilege> LiveControls::set_privileges(std::vector<loop::Privilege> privileges) {
+  std::ranges::copy(loop_.privileges(), std::back_inserter(privileges));
   self_test_.set_privileges(privileges);
   const std::lock_guard lock(mutex_);
   for (const loop::Privilege& privilege : privileges)
     privileges_.emplace_back(privilege.what, privilege.granted);
+  return privileges;
 }
 
 void LiveControls::end() {

@@ -66,12 +66,15 @@ class LiveControls : public server::Controls {
   void set_session(const SessionReport& report, const std::string& path, bool pseudo_terminal);
   /// A line about the search for the port.
   void note_port(const std::string& line);
-  /// Sets the facts that the daemon knows; the cycle knows whether a run has begun.
+  /// Sets the facts of the program; the session tells the kind of robot, and the cycle whether a
+  /// run has begun.
   void set_start(const StartFacts& facts);
-  /// Starts a run by the consent of the program's option, see option_consent(). False: it does not,
-  /// and an event says why.
+  /// Starts a run of the course if nobody has to consent, see start_consent(). False: somebody has
+  /// to; if only because it is too late for the program's option, see option_consent(), an event
+  /// says so.
   bool start_by_itself(bool came_later, HostNs program_start_ns, HostNs now);
-  void set_privileges(const std::vector<loop::Privilege>& privileges);
+  /// Takes those of the process, and returns them with those of the loop, which is started.
+  std::vector<loop::Privilege> set_privileges(std::vector<loop::Privilege> privileges);
   /// The program is ending: refuses further starts.
   void end();
 

@@ -1,6 +1,7 @@
 #include "live/live_recording.h"
 
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <future>
 #include <utility>
@@ -90,7 +91,10 @@ LiveRecording::LiveRecording(std::shared_ptr<const ActiveRun> run,
       clock_(clock),
       events_(events),
       run_(std::move(run)),
-      recorder_(recorder_settings(run_->loaded.setup.configuration)) {}
+      recorder_(recorder_settings(run_->loaded.setup.configuration)) {
+  // Reaching the file size limit is an error like any other.
+  std::signal(SIGXFSZ, SIG_IGN);
+}
 
 void LiveRecording::exchange(const Exchange& exchange, bool continues) {
   const bool recorded = number() != 0;
@@ -234,24 +238,19 @@ void RunRecordings::end() {
   own_ = 0;
 }
 
-void RunRecordings::on_run_state(RunState to, HostNs now) {
+void RunRecordings::take(const StepRecord& record) {
+  const bool was = std::exchange(under_way_, under_way(record.snapshot.run_state));
   if (!on_) return;
-  if (to != RunState::kArming) {
-    if (!armed(to) && own_ != 0) end_ns_ = now + kTailNs;
-    return;
+  if (was && !under_way_ && own_ != 0) end_ns_ = record.now_ns + kTailNs;
+  const bool begins = !was && under_way_;
+  if (begins || (end_ns_ && record.now_ns >= *end_ns_)) {
+    end_ns_.reset();
+    end();
   }
-  end_ns_.reset();
-  end();
-  if (recording_.number() != 0) return;
+  if (!begins || recording_.number() != 0) return;
   own_ = recording_.start("", [&events = events_](const std::string& why) {
     if (!why.empty()) events.note("this run is not recorded: " + why);
   });
-}
-
-void RunRecordings::tick(HostNs now) {
-  if (!end_ns_ || now < *end_ns_) return;
-  end_ns_.reset();
-  end();
 }
 
 BlackBox::BlackBox(const config::RecordSettings& settings, LiveRecording& recording,

@@ -101,19 +101,21 @@ class LiveRecording : public messages::Sink {
   record::Recorder recorder_;
 };
 
-/// Records each run of a bridge that stays on, but not the time between two runs.
-class RunRecordings {
+/// What is recorded without being asked for: each run of a daemon that stays on, but not the time
+/// between two runs; of another one, everything.
+class RunRecordings : public messages::Sink {
  public:
   /// `recording` must outlive this, and `events`, which hear of a recording that could not begin,
-  /// the recording. Off: recordings are controlled elsewhere.
-  RunRecordings(LiveRecording& recording, messages::EventQueue& events, bool on)
-      : recording_(recording), events_(events), on_(on) {}
+  /// the recording. Without `stay`, one begins here: waits for the disk, and throws UserError.
+  RunRecordings(LiveRecording& recording, messages::EventQueue& events, bool stay)
+      : recording_(recording), events_(events), on_(stay && recording.figures().available) {
+    if (!stay && recording.figures().available) recording.begin();
+  }
 
-  /// Takes a change of the run state. A recording begins with the arming, unless one is already
-  /// running.
-  void on_run_state(RunState to, HostNs now);
-  /// Ends its recording one second after the run, so that the end is included. Call it regularly.
-  void tick(HostNs now);
+  // Called by the thread that drains the steps, before `recording` takes the step.
+  /// A recording begins with the arming, unless one is already running, and ends one second after
+  /// the run, so that the end is included.
+  void take(const StepRecord& record) override;
 
  private:
   void end();
@@ -121,6 +123,7 @@ class RunRecordings {
   LiveRecording& recording_;
   messages::EventQueue& events_;
   bool on_;
+  bool under_way_ = false;
   std::uint64_t own_ = 0;  ///< the recording begun here; 0: none
   std::optional<HostNs> end_ns_{};
 };

@@ -12,11 +12,14 @@
 #include <string_view>
 #include <utility>
 
+#include "core/clock.h"
 #include "text/format.h"
 #include "text/standard_streams.h"
 
 namespace tp100::live {
 namespace {
+
+constexpr std::chrono::milliseconds kLook{100};
 
 /// 0 unless it is a whole number above 0.
 std::int64_t number(std::string_view text) {
@@ -61,6 +64,14 @@ void ServiceNotice::alive(std::uint64_t cycles, HostNs now) {
   cycles_ = cycles;
   next_ns_ = now + settings_.watchdog_ns / 4;
   send("WATCHDOG=1");
+}
+
+bool ServiceNotice::wait(Time deadline, const std::function<bool(Time)>& done_by) {
+  for (Time now = Time::clock::now(); !done_by(now + kLook); now = Time::clock::now()) {
+    if (now >= deadline) return false;
+    alive(cycles_ + 1, monotonic_now());
+  }
+  return true;
 }
 
 void ServiceNotice::stopping() { send("STOPPING=1"); }

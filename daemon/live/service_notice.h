@@ -1,8 +1,10 @@
 #pragma once
 // Notifies a service manager of the state of `tp100d run` over $NOTIFY_SOCKET (systemd:
-// Type=notify, WatchdogSec). Never used by the real-time thread; never waits.
+// Type=notify, WatchdogSec). Never used by the real-time thread; only wait() waits.
 
+#include <chrono>
 #include <cstdint>
+#include <functional>
 #include <string>
 
 #include "core/descriptor.h"
@@ -21,6 +23,8 @@ ServiceSettings service_settings();
 
 class ServiceNotice {
  public:
+  using Time = std::chrono::steady_clock::time_point;
+
   explicit ServiceNotice(ServiceSettings settings);
 
   /// Reports that the program has started. Returns why this failed, or nothing.
@@ -30,6 +34,9 @@ class ServiceNotice {
   /// Feeds the watchdog four times per period, but only if `cycles`, the real-time loop's count,
   /// has grown since: a hung loop gets the program killed.
   void alive(std::uint64_t cycles, HostNs now);
+  /// After the loop's end: calls `done_by`, which waits until the time that it is passed, until it
+  /// returns true, and feeds the watchdog in between. False: `deadline` passed first.
+  bool wait(Time deadline, const std::function<bool(Time)>& done_by);
   void stopping();
 
  private:

@@ -94,8 +94,9 @@ std::string stats_json(const DaemonFigures& figures) {
   };
   for (const PoseSource source : kPoseSources)
     json[to_string(source)] = pose(snapshot.estimates[source].pose);
-  if (figures.camera) json["camera"] = camera_figures(*figures.camera, snapshot.filter);
-  if (figures.world.udp || figures.world.files) json["world"] = world_figures(figures.world);
+  const auto& [camera, world] = figures.inputs;
+  if (camera) json["camera"] = camera_figures(*camera, snapshot.filter);
+  if (world.udp || world.files) json["world"] = world_figures(world);
   if (!figures.recording.file.empty())
     json["recording"] = recording_figures(figures.recording, figures.recording_cpu_s);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

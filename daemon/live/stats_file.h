@@ -17,15 +17,14 @@ namespace tp100::live {
 
 /// Result and figures of a run.
 struct DaemonFigures {
-  std::string result;  ///< "running", "completed", "aborted", "interrupted", "duration"
-  std::string port;
-  std::string page;                      ///< address of the page; empty: no server
-  std::shared_ptr<const ActiveRun> run;  ///< in force
+  std::string result{};  ///< "running", "completed", "aborted", "interrupted", "duration"
+  std::string port{};
+  std::string page{};                      ///< address of the page; empty: no server
+  std::shared_ptr<const ActiveRun> run{};  ///< in force
   double duration_s = 0.0;
   FaultMask faults = 0;  ///< of the last abort
   LiveStatus status{};
-  std::optional<CameraFigures> camera;  ///< nothing: no camera is configured
-  WorldFigures world{};
+  InputFigures inputs{};
   messages::RecordingFigures recording{};
   double recording_cpu_s = 0.0;
   messages::LoopFigures loop{};

@@ -11,6 +11,7 @@
 #include <boost/algorithm/string/trim.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/posix/stream_descriptor.hpp>
+#include <boost/asio/signal_set.hpp>
 #include <cerrno>
 #include <csignal>
 #include <functional>
@@ -38,7 +39,7 @@ bool worth_reading() {
 
 }  // namespace
 
-/// Lines typed on standard input.
+/// Lines typed on standard input, and signals.
 class Terminal::Input {
  public:
   /// Calls `line` in the context's thread for each line on standard input, without surrounding
@@ -46,8 +47,10 @@ class Terminal::Input {
   /// standard input is our own terminal or a pipe (not a file, /dev/null or the terminal of a job
   /// that was started in the background). While a shell has this job in the background, nothing is
   /// read, and using the terminal does not stop the process.
-  Input(boost::asio::io_context& context, std::function<void(const std::string& line)> line)
-      : input_(context), line_(std::move(line)) {
+  Input(boost::asio::io_context& context, std::function<void(const std::string& line)> line,
+        std::function<void(const char* signal)> end)
+      : signals_(context, SIGINT, SIGTERM), input_(context), line_(std::move(line)) {
+    await_signal(std::move(end));
     // Otherwise a job in the background is stopped, and its page with it, when it uses its
     // terminal.
     std::signal(SIGTTIN, SIG_IGN);
@@ -77,16 +80,27 @@ class Terminal::Input {
     return any;
   }
 
-  /// Stops reading.
+  /// Stops reading, and ignores signals.
   void stop() {
-    if (!input_.is_open()) return;
     boost::system::error_code ignored;
+    signals_.cancel(ignored);
+    if (!input_.is_open()) return;
     input_.close(ignored);
     // Asio made the copy non-blocking, and with it the original, which other processes read.
     if (flags_ >= 0) ::fcntl(STDIN_FILENO, F_SETFL, flags_);
   }
 
  private:
+  void await_signal(std::function<void(const char* signal)> end) {
+    // The terminal was closed; under nohup the signal is already ignored.
+    struct sigaction hang_up {};
+    if (::sigaction(SIGHUP, nullptr, &hang_up) == 0 && hang_up.sa_handler == SIG_DFL)
+      signals_.add(SIGHUP);
+    signals_.async_wait([end = std::move(end)](const boost::system::error_code& error, int signal) {
+      if (!error) end(signal == SIGINT ? "SIGINT" : signal == SIGHUP ? "SIGHUP" : "SIGTERM");
+    });
+  }
+
   void wait() {
     input_.async_wait(boost::asio::posix::stream_descriptor::wait_read,
                       [this](const boost::system::error_code& error) {
@@ -120,16 +134,19 @@ class Terminal::Input {
     if (more && input_.is_open()) wait();
   }
 
+  boost::asio::signal_set signals_;
   boost::asio::posix::stream_descriptor input_;
   const std::function<void(const std::string&)> line_;
   std::string pending_;
   int flags_ = -1;  // of standard input, before
 };
 
-Terminal::Terminal(boost::asio::io_context* context, Reach reach) : reach_(std::move(reach)) {
+Terminal::Terminal(boost::asio::io_context* context, Reach reach,
+                   std::function<void(const char* signal)> end)
+    : reach_(std::move(reach)) {
   if (context == nullptr) return;
   input_ = std::make_unique<Input>(
-      *context, [this](const std::string& line) { take(line, monotonic_now()); });
+      *context, [this](const std::string& line) { take(line, monotonic_now()); }, std::move(end));
 }
 
 Terminal::~Terminal() { stop(); }

@@ -1,6 +1,6 @@
 #pragma once
-// The operator at the terminal, who is asked for a start, starts, or stops (core/start_rule.h).
-// Asio stays in the source file.
+// The operator at the terminal, who is asked for a start, starts, stops (core/start_rule.h), or
+// ends the program. Asio stays in the source file.
 
 #include <cstdint>
 #include <functional>
@@ -29,8 +29,10 @@ class Terminal {
     std::function<void()> stop_pressed;
     std::function<std::string()> course;  ///< in force; returns an empty text: none
   };
-  /// Reads standard input in the context's thread; without a context it reads nothing.
-  Terminal(boost::asio::io_context* context, Reach reach);
+  /// Receives signals and reads standard input in the context's thread; not without a context.
+  /// `end` is called for the first signal that ends the program; later ones are ignored.
+  Terminal(boost::asio::io_context* context, Reach reach,
+           std::function<void(const char* signal)> end = {});
   ~Terminal();
 
   void follow(SessionState session) { session_ = session; }

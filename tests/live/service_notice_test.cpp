@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <string>
+#include <thread>
 
 #include "../support/notify_socket.h"
 #include "../support/temporary_folder.h"
@@ -51,6 +53,18 @@ TEST_F(ServiceNoticeTest, TheWatchdogIsFedFourTimesAPeriodWhileTheLoopTurnsAndNo
   EXPECT_THAT(manager_.received(), IsEmpty());
   notice.alive(2001, 15 * kNsPerS);
   EXPECT_THAT(manager_.received(), ElementsAre("WATCHDOG=1"));
+}
+
+TEST_F(ServiceNoticeTest, TheWatchdogIsFedWhileSomethingIsWaitedForAfterTheLoopsEnd) {
+  using namespace std::chrono_literals;
+  ServiceNotice notice({.socket = folder_.file("notify"), .watchdog_ns = kNsPerMs});
+  const auto deadline = ServiceNotice::Time::clock::now() + 20ms;
+  EXPECT_FALSE(notice.wait(deadline, [](auto) {
+    std::this_thread::sleep_for(5ms);
+    return false;
+  }));
+  EXPECT_THAT(manager_.received(), testing::Contains("WATCHDOG=1").Times(testing::Ge(2)));
+  EXPECT_TRUE(notice.wait(deadline, [](auto) { return true; })) << "late, but done";
 }
 
 TEST_F(ServiceNoticeTest, AManagerThatDoesNotReadHoldsUpNobody) {

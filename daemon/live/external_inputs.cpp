@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "link/udp.h"
 #include "live/external_inputs.h"
+#include "server/server.h"
 
 namespace tp100::live {
 namespace {
@@ -83,12 +84,12 @@ udp::endpoint local_endpoint(const std::string& listen, const udp::endpoint& pee
 class WorldPort : public WorldLink, public Receiver<WorldPort, worlds::kMaxWorldDatagram> {
  public:
   /// Sends hello at the first step.
-  WorldPort(boost::asio::io_context& context, const config::WorldRun& run, config::GiveWorld give,
+  WorldPort(boost::asio::io_context& context, const config::WorldRun& run, LiveCycle& cycle,
             messages::EventQueue& events)
       : Receiver(context),
         world_(endpoint_of(link::parse_udp(run.settings.address, "world.address"))),
         peer_(config::peer_settings(run, std::random_device{}(), false)),
-        give_(std::move(give)),
+        cycle_(cycle),
         events_(events) {
     const udp::endpoint local = local_endpoint(run.settings.listen, world_);
     if (const auto error = listen_at(local)) {
@@ -105,7 +106,7 @@ class WorldPort : public WorldLink, public Receiver<WorldPort, worlds::kMaxWorld
       return;
     }
     const auto sample = peer_.receive(datagram, sender.port(), now);
-    if (sample && !give_(*sample)) peer_.count_dropped();
+    if (sample && !cycle_.world(*sample)) peer_.count_dropped();
     if (const auto reply = peer_.take_reply()) send(*reply, sender);
   }
 
@@ -123,22 +124,25 @@ class WorldPort : public WorldLink, public Receiver<WorldPort, worlds::kMaxWorld
  private:
   const udp::endpoint world_;
   worlds::Peer peer_;
-  const config::GiveWorld give_;
+  LiveCycle& cycle_;
   messages::EventQueue& events_;
   std::uint64_t strangers_ = 0;
 };
 
 }  // namespace
 
-class CameraPort::Socket : public Receiver<CameraPort::Socket, link::kMaxImageDatagram> {
+class ExternalInputs::CameraPort
+    : public Receiver<ExternalInputs::CameraPort, link::kMaxImageDatagram> {
  public:
-  Socket(boost::asio::io_context& context, const config::CameraSettings& settings, Give give,
-         Show show)
+  /// Listens at settings.listen, "udp:[HOST:]PORT"; without a host, only datagrams of this machine
+  /// are received.
+  CameraPort(boost::asio::io_context& context, const config::CameraSettings& settings,
+             LiveCycle& cycle, server::Server& server)
       : Receiver(context),
         detections_(link::monotonic_clock_name(), from_s(settings.max_age_ms * 1e-3)),
         images_(link::monotonic_clock_name(), kMaxImageAgeNs),
-        give_(std::move(give)),
-        show_(std::move(show)),
+        cycle_(cycle),
+        server_(server),
         image_interval_ns_(settings.image_hz > 0.0 ? from_s(1.0 / settings.image_hz) : 0) {
     const link::UdpAddress address = link::parse_udp(settings.listen, "camera");
     if (const auto error = listen_at(endpoint_of(address))) {
@@ -151,10 +155,10 @@ class CameraPort::Socket : public Receiver<CameraPort::Socket, link::kMaxImageDa
   void receive(std::string_view datagram, const udp::endpoint& /*sender*/, HostNs now) {
     if (!link::is_image(datagram)) {
       const auto sample = detections_.receive(datagram, now);
-      if (sample && !give_(*sample)) detections_.count_dropped();
+      if (sample && !cycle_.camera(*sample)) detections_.count_dropped();
     } else if (image_interval_ns_ > 0) {
       auto image = images_.receive_image(datagram, image_interval_ns_, now);
-      if (image) show_(image->taken_ns, std::move(image->jpeg));
+      if (image) server_.take_image(image->taken_ns, std::move(image->jpeg));
     }
   }
 
@@ -164,29 +168,37 @@ class CameraPort::Socket : public Receiver<CameraPort::Socket, link::kMaxImageDa
 
  private:
   link::CameraIntake detections_, images_;
-  const Give give_;
-  const Show show_;
+  LiveCycle& cycle_;
+  server::Server& server_;
   const HostNs image_interval_ns_;  // 0: images are not wanted
 };
 
-CameraPort::CameraPort(boost::asio::io_context& context, const config::CameraSettings& settings,
-                       Give give, Show show)
-    : socket_(std::make_unique<Socket>(context, settings, std::move(give), std::move(show))) {}
-CameraPort::~CameraPort() = default;
-void CameraPort::stop() { socket_->close(); }
-CameraFigures CameraPort::figures() const { return socket_->figures(); }
+ExternalInputs::ExternalInputs(boost::asio::io_context& context, const config::RunSetup& run,
+                               LiveCycle& cycle, server::Server& server,
+                               messages::EventQueue& events) {
+  const config::CameraSettings& camera = run.configuration.camera;
+  if (!camera.listen.empty())
+    camera_ = std::make_unique<CameraPort>(context, camera, cycle, server);
+  const config::WorldRun world = config::world_run(run);
+  if (world.parameters.kind == bridge::WorldKind::kUdp)
+    world_ = std::make_unique<WorldPort>(context, world, cycle, events);
+  if (world.parameters.kind == bridge::WorldKind::kFiles)
+    world_ = open_world_files(
+        world, [&cycle](const WorldSample& received) { return cycle.world(received); }, events);
+}
 
-std::unique_ptr<WorldLink> open_world(boost::asio::io_context& context, const config::WorldRun& run,
-                                      const config::GiveWorld& give, messages::EventQueue& events) {
-  switch (run.parameters.kind) {
-    case bridge::WorldKind::kUdp:
-      return std::make_unique<WorldPort>(context, run, give, events);
-    case bridge::WorldKind::kFiles:
-      return open_world_files(run, give, events);
-    case bridge::WorldKind::kInternal:
-      break;
-  }
-  return nullptr;
+ExternalInputs::~ExternalInputs() = default;
+
+void ExternalInputs::stop() {
+  if (camera_ != nullptr) camera_->close();
+  if (world_ != nullptr) world_->stop();
+}
+
+InputFigures ExternalInputs::figures() const {
+  InputFigures out;
+  if (camera_ != nullptr) out.camera = camera_->figures();
+  if (world_ != nullptr) out.world = world_->figures();
+  return out;
 }
 
 }  // namespace tp100::live
