@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <set>
 #include <utility>
 #include <vector>
@@ -161,6 +162,30 @@ TEST(Channels, SchemasStandInAFileForClients) {
   for (const ChannelText& channel : channel_texts())
     text += (text.empty() ? "{\n" : ",\n") + Json(channel.topic).dump() + ": " + channel.schema;
   test::expect_accepted("daemon/messages/schemas.json", text + "\n}\n");
+}
+
+// Topic, schema and what is kept are the code's; the rate is written by hand, for a new channel
+// first as that of most of them.
+TEST(Channels, StandInThePagesTable) {
+  const std::string path = "daemon/messages/CHANNELS.md";
+  const std::string head = "| Topic | Schema name | Rate | Kept |\n|---|---|---|---|\n";
+  const std::string page = test::read_bytes(source_path(path));
+  ASSERT_NE(page.find(head), page.npos);
+  const std::size_t begin = page.find(head) + head.size(), end = page.find("\n\n", begin) + 1;
+  const std::string table = page.substr(begin, end - begin);
+  std::map<std::string, std::string> rates;
+  const std::regex row(R"(\| `(\S+)` \| `\S+` \| (.*?) \|.*\n)");
+  for (std::sregex_iterator at(table.begin(), table.end(), row), none; at != none; ++at)
+    rates[(*at)[1]] = (*at)[2];
+  std::string rows;
+  for (const ChannelText& text : channel_texts()) {
+    const std::string& rate = rates.try_emplace(text.topic, "step").first->second;
+    // A newcomer gets the path so far as one message, made for it.
+    const bool kept = text.kept > 0 || text.channel == Channel::kPathHistory;
+    rows += "| `" + text.topic + "` | `" + text.schema_name + "` | " + rate +
+            (kept ? " | yes |\n" : " | |\n");
+  }
+  test::expect_accepted(path, page.substr(0, begin) + rows + page.substr(end));
 }
 
 // 40 steps of 5 ms with two samples each. A recording holds every step itself, and so needs poses
