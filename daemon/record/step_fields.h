@@ -7,18 +7,18 @@
 
 namespace tp100 {
 
-// The last value of each enumeration.
-constexpr auto last_of(RobotState) { return RobotState::kFaulted; }
+// The last value of each enumeration; tables of names are in the order of the values.
+constexpr auto last_of(RobotState) { return kRobotStateNames.back().value; }
 constexpr auto last_of(LiveParameter) { return static_cast<LiveParameter>(kLiveParameters - 1); }
-constexpr auto last_of(PitchSource) { return PitchSource::kExternal; }
-constexpr auto last_of(ObstacleClass) { return ObstacleClass::kBlock; }
-constexpr auto last_of(Traction) { return Traction::kImmobilised; }
-constexpr auto last_of(Slope) { return Slope::kDown; }
+constexpr auto last_of(PitchSource) { return kPitchSourceNames.back().value; }
+constexpr auto last_of(ObstacleClass) { return kObstacleClassNames.back().value; }
+constexpr auto last_of(Traction) { return kTractionNames.back().value; }
+constexpr auto last_of(Slope) { return kSlopeNames.back().value; }
 constexpr auto last_of(PoseSource) { return kPoseSources.back(); }
-constexpr auto last_of(RunState) { return RunState::kDriving; }
+constexpr auto last_of(RunState) { return kRunStateNames.back().value; }
 constexpr auto last_of(StartRefusal) { return StartRefusal::kDriven; }
-constexpr auto last_of(OperatorRequest) { return OperatorRequest::kResume; }
-constexpr auto last_of(SessionState) { return SessionState::kRefused; }
+constexpr auto last_of(OperatorRequest) { return kOperatorRequestNames.back().value; }
+constexpr auto last_of(SessionState) { return kSessionStateNames.back().value; }
 constexpr auto last_of(RequestAnswer) { return RequestAnswer::kFailed; }
 constexpr auto last_of(RobotRequest) { return RobotRequest::kStop; }
 
