@@ -54,7 +54,8 @@ export function footprint(place: Place, length: number, width: number): Point2[]
 }
 
 export const lengthOf = ({ profile }: Obstacle): number => (profile.at(-1)?.along_m ?? 0) - (profile[0]?.along_m ?? 0);
-export const heightOf = ({ profile }: Obstacle): number => Math.max(0, ...profile.map(({ height_m }) => height_m));
+/** Where it is farthest from the floor. */
+export const heightOf = ({ profile }: Obstacle): number => profile.reduce((most, { height_m }) => (Math.abs(height_m) > Math.abs(most) ? height_m : most), 0);
 
 /** The parts of an obstacle, each between two points of its profile, from above. */
 export function partsOf(obstacle: Obstacle): Point2[][] {
