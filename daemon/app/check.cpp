@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdio>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "course/robot_file.h"
 #include "live/services.h"
 #include "terrain/climbable.h"
+#include "terrain/world.h"
 #include "text/command_line.h"
 #include "text/format.h"
 #include "text/toml_document.h"
@@ -32,8 +34,7 @@ const std::array<Words, 6> kWords = {{
     {FileKind::kConfiguration,
      {"robot", "course", "setup", "link", "loop", "estimation", "camera", "control"}},
     {FileKind::kCourse,
-     {"speed_mps", "start", "segment", "disturbance", "ramp", "block", "surface", "fence",
-      "keep_out"}},
+     {"speed_mps", "start", "segment", "disturbance", "surface", "fence", "keep_out"}},
     {FileKind::kRobot, {"shape", "drive", "emulated"}},
     {FileKind::kCamera,
      {"rate_hz", "delay_ms", "noise_m", "noise_deg", "bias_m", "dropped", "outliers", "height_m",
@@ -45,12 +46,16 @@ const std::array<Words, 6> kWords = {{
 
 std::string text_of(const course::Course& course) {
   const course::Path path(course);
-  return "course " + course.name + ": " + text::number_text(path.length_m()) + " m in " +
-         std::to_string(path.segments().size()) + " segments at " +
-         text::number_text(course.speed_mps) + " m/s, " +
-         std::to_string(course.disturbances.size()) + " disturbances, " +
-         std::to_string(course.terrain.ramps.size()) + " ramps, " +
-         std::to_string(course.terrain.blocks.size()) + " blocks";
+  std::string text = "course " + course.name + ": " + text::number_text(path.length_m()) +
+                     " m in " + std::to_string(path.segments().size()) + " segments at " +
+                     text::number_text(course.speed_mps) + " m/s, " +
+                     std::to_string(course.disturbances.size()) + " disturbances";
+  const std::vector<terrain::Outline> all = terrain::outlines_of(course.terrain);
+  // All but kNone, the first.
+  for (const auto& [kind, name] : std::span(kObstacleClassNames).subspan(1))
+    text += ", " + std::to_string(std::ranges::count(all, kind, &terrain::Outline::obstacle)) +
+            " " + name + "s";
+  return text;
 }
 
 std::string text_of(const course::Robot& robot) {

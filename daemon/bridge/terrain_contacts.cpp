@@ -19,7 +19,7 @@ course::Terrain floor_of(const course::Terrain& terrain, Setup setup) {
     case Setup::kTerrain:
       return terrain;
     case Setup::kFlat:
-      return {.ramps = {}, .blocks = {}, .surfaces = terrain.surfaces};
+      return {.obstacles = {}, .surfaces = terrain.surfaces};
     case Setup::kStand:
       break;
   }

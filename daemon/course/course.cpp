@@ -120,8 +120,8 @@ Course mirrored(const Course& course) {
     disturbance.sideways_m = -disturbance.sideways_m;
     disturbance.yaw_rad = -disturbance.yaw_rad;
   }
-  for (Ramp& ramp : other.terrain.ramps) mirror(ramp.place);
-  for (Block& block : other.terrain.blocks) mirror(block.place);
+  for (Obstacle& obstacle : other.terrain.obstacles)
+    std::visit([](auto& of) { mirror(of.place); }, obstacle);
   for (Surface& surface : other.terrain.surfaces) mirror(surface.place);
   other.fence.min_y_m = -course.fence.max_y_m;
   other.fence.max_y_m = -course.fence.min_y_m;

@@ -61,23 +61,19 @@ Surface surface_of(text::TomlTable table) {
   return surface;
 }
 
-template <class Piece>
-std::vector<Piece> read(text::TomlTable& root, const char* name,
-                        Piece (*piece_of)(text::TomlTable)) {
+template <class Pieces, class Piece>
+void read(text::TomlTable& root, const char* name, Piece (*piece_of)(text::TomlTable),
+          Pieces& pieces) {
   const std::vector<text::TomlTable> tables = root.tables(name);
   if (tables.size() > kMaxPieces) root.fail(name, std::string("more than 50 [[") + name + "]]");
-  std::vector<Piece> pieces;
-  pieces.reserve(tables.size());
   for (const text::TomlTable& table : tables) pieces.push_back(piece_of(table));
-  return pieces;
 }
 
-// [[ramp]], [[block]] and [[surface]].
 Terrain terrain_of(text::TomlTable& root) {
   Terrain terrain;
-  terrain.ramps = read<Ramp>(root, "ramp", ramp_of);
-  terrain.blocks = read<Block>(root, "block", block_of);
-  terrain.surfaces = read<Surface>(root, "surface", surface_of);
+  read(root, to_string(Ramp::kClass), ramp_of, terrain.obstacles);
+  read(root, to_string(Block::kClass), block_of, terrain.obstacles);
+  read(root, "surface", surface_of, terrain.surfaces);
   return terrain;
 }
 
@@ -89,7 +85,7 @@ Pose start_of(text::TomlTable table) {
   return start;
 }
 
-Polygon polygon_of(text::TomlTable& table) {
+Polygon polygon_of(text::TomlTable table) {
   Polygon polygon;
   for (const auto& [x_m, y_m] : table.pairs("corners_m", kPlace)) polygon.push_back({x_m, y_m});
   if (polygon.size() < 3) table.fail("corners_m", "'corners_m' needs at least three corners");
@@ -120,8 +116,7 @@ Fence boundary_of(text::TomlTable table) {
 
 Fence fence_of(text::TomlTable& root) {
   Fence fence = boundary_of(root.table("fence"));
-  fence.keep_out =
-      read<Polygon>(root, "keep_out", [](text::TomlTable table) { return polygon_of(table); });
+  read(root, "keep_out", polygon_of, fence.keep_out);
   return fence;
 }
 

@@ -4,8 +4,10 @@
 
 #include <cmath>
 #include <string>
+#include <variant>
 #include <vector>
 
+#include "core/estimates.h"
 #include "core/fields.h"
 
 namespace tp100::course {
@@ -20,6 +22,7 @@ TP100_FIELDS(Place, x_m, y_m, heading_rad)
 
 /// Up, flat top, down. A robot driving along its heading meets the up side first.
 struct Ramp {
+  static constexpr ObstacleClass kClass = ObstacleClass::kRamp;
   Place place{};
   double height_m;
   double up_rad;  ///< slope of the side that is met first; 90 deg would be a block
@@ -34,13 +37,17 @@ struct Ramp {
 
 /// A box: a step up and a step down.
 struct Block {
+  static constexpr ObstacleClass kClass = ObstacleClass::kBlock;
   Place place{};
   double height_m;
   double depth_m;  ///< along its heading
   double width_m;
 };
 
-/// A rectangle of another surface; it also covers ramps and blocks on it.
+/// Every kind has a class of its own, a place and a width.
+using Obstacle = std::variant<Ramp, Block>;
+
+/// A rectangle of another surface; it also covers obstacles on it.
 struct Surface {
   std::string name;
   Place place{};
@@ -54,11 +61,10 @@ struct Surface {
 TP100_FIELDS(Surface, name, place, length_m, width_m, friction_factor, slip_offset)
 
 struct Terrain {
-  std::vector<Ramp> ramps;
-  std::vector<Block> blocks;
-  std::vector<Surface> surfaces;  ///< where several overlap, the last one is on top
+  std::vector<Obstacle> obstacles;  ///< of a file: kind by kind, each in the file's order
+  std::vector<Surface> surfaces;    ///< where several overlap, the last one is on top
 
-  bool flat() const { return ramps.empty() && blocks.empty(); }
+  bool flat() const { return obstacles.empty(); }
   /// The surface at a place of the floor; null: the ordinary floor.
   const Surface* surface_at(double x_m, double y_m) const;
 };

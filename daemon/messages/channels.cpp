@@ -198,15 +198,14 @@ const std::vector<StepChannel>& step_channels() {
   return channels;
 }
 
-/// A course with one element of each kind.
+/// A course with one element in each list.
 std::shared_ptr<const course::Course> full_course() {
   course::Course course;
   course.name = "example";
   course.path = {course::Line{0.1}};
   course.disturbances = {{.at_m = 0.1, .sideways_m = 0.01, .yaw_rad = 0.1, .duration_s = 0.1}};
-  course.terrain.ramps = {
-      {.place = {}, .height_m = 0.1, .up_rad = 0.5, .top_m = 0.1, .down_rad = 0.5, .width_m = 0.4}};
-  course.terrain.blocks = {{.place = {}, .height_m = 0.1, .depth_m = 0.1, .width_m = 0.4}};
+  course.terrain.obstacles = {
+      course::Block{.place = {}, .height_m = 0.1, .depth_m = 0.1, .width_m = 0.4}};
   course.terrain.surfaces = {{.name = "ice", .place = {}, .length_m = 0.1, .width_m = 0.1}};
   course.fence = {-1, 1, -1, 1, {}, {{{0, 0}, {1, 0}, {0, 1}}}};
   return std::make_shared<const course::Course>(std::move(course));

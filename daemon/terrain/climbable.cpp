@@ -1,6 +1,8 @@
 #include "terrain/climbable.h"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 
 #include "core/arithmetic.h"
@@ -32,37 +34,36 @@ bool meets(const course::Path& path, const Outline& outline, double half_width_m
   return false;
 }
 
-[[noreturn]] void refuse(const course::Course& course, const course::Robot& robot,
-                         const std::string& piece, const std::string& why) {
-  throw UserError("course " + course.name + ": " + piece + " cannot be climbed by robot " +
-                  robot.name + ": " + why);
-}
-
 }  // namespace
 
 void require_climbable(const course::Course& course, const course::Robot& robot) {
   if (course.terrain.flat()) return;
   const model::ClimbGeometry geometry = climb_geometry(robot.shape);
   const course::Path path(course);
-  const double limit = model::climb_limit_m(geometry);
-  for (std::size_t i = 0; i < course.terrain.blocks.size(); ++i) {
-    const course::Block& block = course.terrain.blocks[i];
-    if (block.height_m <= limit || !meets(path, outline_of(block), robot.shape.gauge_m / 2.0))
-      continue;
-    refuse(course, robot, "block " + std::to_string(i + 1),
-           "it is " + rounded(block.height_m, 1e-3) + " mm high, the limit is " +
-               rounded(limit, 1e-3) +
-               " mm; lower the block or, if the robot file is wrong, shape.com_height_m");
-  }
+  const double limit_m = model::climb_limit_m(geometry);
   // On a slope the centre of mass must stay ahead of the rear contact.
-  const double steepest = std::atan(geometry.com_forward_m / geometry.com_height_m);
-  for (std::size_t i = 0; i < course.terrain.ramps.size(); ++i) {
-    const course::Ramp& ramp = course.terrain.ramps[i];
-    const double slope = std::max(ramp.up_rad, ramp.down_rad);
-    if (slope < steepest || !meets(path, outline_of(ramp), robot.shape.gauge_m / 2.0)) continue;
-    refuse(course, robot, "ramp " + std::to_string(i + 1),
-           "it is " + rounded(slope, kRadPerDeg) + " deg steep, beyond " +
-               rounded(steepest, kRadPerDeg) + " deg it falls over; make the ramp flatter");
+  const double limit_rad = std::atan(geometry.com_forward_m / geometry.com_height_m);
+  std::map<std::string, int> numbers;
+  for (const Outline& outline : outlines_of(course.terrain)) {
+    const std::string kind = to_string(outline.obstacle);
+    const int number = ++numbers[kind];
+    double wall_m = 0.0, slope_rad = 0.0;
+    for (std::size_t i = 1; i < outline.points.size(); ++i) {
+      const double ahead_m = outline.points[i].along_m - outline.points[i - 1].along_m;
+      const double up_m = std::abs(outline.points[i].height_m - outline.points[i - 1].height_m);
+      double& most = ahead_m > 0.0 ? slope_rad : wall_m;
+      most = std::max(most, ahead_m > 0.0 ? std::atan(up_m / ahead_m) : up_m);
+    }
+    std::string why;
+    if (slope_rad >= limit_rad)
+      why = rounded(slope_rad, kRadPerDeg) + " deg steep, beyond " +
+            rounded(limit_rad, kRadPerDeg) + " deg it falls over; make the " + kind + " flatter";
+    if (wall_m > limit_m)
+      why = rounded(wall_m, 1e-3) + " mm high, the limit is " + rounded(limit_m, 1e-3) +
+            " mm; lower the " + kind + " or, if the robot file is wrong, shape.com_height_m";
+    if (why.empty() || !meets(path, outline, robot.shape.gauge_m / 2.0)) continue;
+    throw UserError("course " + course.name + ": " + kind + " " + std::to_string(number) +
+                    " cannot be climbed by robot " + robot.name + ": it is " + why);
   }
 }
 

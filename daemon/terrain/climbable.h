@@ -6,8 +6,8 @@
 
 namespace tp100::terrain {
 
-/// Throws UserError that names the first block or ramp on the path that this robot cannot climb
-/// with any amount of traction, and the limit. A block counts as on the path if a track meets it.
+/// Throws UserError that names the first obstacle on the path that this robot cannot climb with any
+/// amount of traction, and the limit. An obstacle counts as on the path if a track meets it.
 /// Insufficient traction is found while driving.
 void require_climbable(const course::Course& course, const course::Robot& robot);
 

@@ -26,9 +26,9 @@ constexpr double kLevelRad = 2.0 * kRadPerDeg;
 // A climb detected late is caught up with in steps of this size, over at most this distance.
 constexpr double kNoticeStepM = 2e-4, kNoticedM = 0.05, kNoticeMps = 0.1;
 
-bool far(const Pose& pose, const course::Block& block) {
+bool far(const Pose& pose, const Outline& block) {
   return magnitude(pose.x_m - block.place.x_m, pose.y_m - block.place.y_m) >
-         kAheadM + block.depth_m / 2.0;
+         kAheadM + block.length_m() / 2.0;
 }
 
 }  // namespace
@@ -45,10 +45,10 @@ model::ClimbGeometry climb_geometry(const course::ShapeValues& shape) {
 TerrainFollower::TerrainFollower(const World& world, const course::ShapeValues& shape)
     : world_(&world) {
   const model::ClimbGeometry geometry = climb_geometry(shape);
-  climbs_.reserve(world.blocks().size());
-  for (const course::Block& block : world.blocks()) {
-    if (block.height_m > model::climb_limit_m(geometry)) continue;
-    climbs_.push_back({model::StepClimb(geometry, {block.height_m, block.depth_m}), &block});
+  for (const Outline& piece : world.pieces()) {
+    const model::BlockShape block{piece.height_m(), piece.length_m()};
+    if (piece.obstacle == ObstacleClass::kBlock && block.height_m <= model::climb_limit_m(geometry))
+      climbs_.push_back({model::StepClimb(geometry, block), &piece});
   }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// Follows a robot over the course's ramps and blocks, interval by interval: its height and
-// attitude, and the horizontal part of its distance.
+// Follows a robot over the course's obstacles, interval by interval: its height and attitude, and
+// the horizontal part of its distance.
 
 #include <cstddef>
 #include <optional>
@@ -36,7 +36,7 @@ struct Attitude {
   double pitch_rad = 0.0;
 };
 
-/// Follows one pose. Ramps are statics (World), blocks the step climb model. No allocation after
+/// Follows one pose. Blocks are the step climb model, all else statics (World). No allocation after
 /// construction; bounded time; safe in the real-time thread.
 class TerrainFollower {
  public:
@@ -58,7 +58,7 @@ class TerrainFollower {
  private:
   struct Climb {
     model::StepClimb climb;
-    const course::Block* block;
+    const Outline* block;
   };
 
   bool begin_climb(const Pose& pose, const std::optional<Attitude>& measured);
@@ -68,7 +68,7 @@ class TerrainFollower {
   const World* world_;
   std::vector<Climb> climbs_;
   Climb* active_ = nullptr;
-  const course::Block* behind_ = nullptr;  ///< the block that was left last, until it is far away
+  const Outline* behind_ = nullptr;  ///< the block that was left last, until it is far away
   double ahead_m_ = 0.0;  ///< how far the poses are ahead of a climb detected late; negative
   ContactState state_{};
 };

@@ -90,33 +90,29 @@ constexpr double kSteepestRad = 1.2;
 // More pieces than this never lie under one robot.
 constexpr std::size_t kMaxProfiles = 8;
 
-}  // namespace
+using Points = decltype(Outline::points);
 
-Outline outline_of(const course::Ramp& ramp) {
+Points points_of(const course::Ramp& ramp) {
   const double half = ramp.length_m() / 2.0;
-  return {ObstacleClass::kRamp,
-          ramp.place,
-          {{{-half, 0.0},
-            {-half + ramp.up_length_m(), ramp.height_m},
-            {half - ramp.down_length_m(), ramp.height_m},
-            {half, 0.0}}},
-          ramp.width_m / 2.0,
-          magnitude(half, ramp.width_m / 2.0)};
+  return {{{-half, 0.0},
+           {-half + ramp.up_length_m(), ramp.height_m},
+           {half - ramp.down_length_m(), ramp.height_m},
+           {half, 0.0}}};
 }
 
-Outline outline_of(const course::Block& block) {
+Points points_of(const course::Block& block) {
   const double half = block.depth_m / 2.0;
-  return {ObstacleClass::kBlock,
-          block.place,
-          {{{-half, 0.0}, {-half, block.height_m}, {half, block.height_m}, {half, 0.0}}},
-          block.width_m / 2.0,
-          magnitude(half, block.width_m / 2.0)};
+  return {{{-half, 0.0}, {-half, block.height_m}, {half, block.height_m}, {half, 0.0}}};
 }
+
+}  // namespace
 
 std::vector<Outline> outlines_of(const course::Terrain& terrain) {
   std::vector<Outline> outlines;
-  for (const course::Ramp& ramp : terrain.ramps) outlines.push_back(outline_of(ramp));
-  for (const course::Block& block : terrain.blocks) outlines.push_back(outline_of(block));
+  const auto add = [&](const auto& of) {
+    outlines.push_back({of.kClass, of.place, points_of(of), of.width_m / 2.0});
+  };
+  for (const course::Obstacle& obstacle : terrain.obstacles) std::visit(add, obstacle);
   return outlines;
 }
 
@@ -215,7 +211,7 @@ World::World(const course::Terrain& terrain, const course::ShapeValues& shape)
     : terrain_(terrain), shape_(shape), pieces_(outlines_of(terrain)) {}
 
 bool World::near(const Outline& outline, double x_m, double y_m) const {
-  const double reach = outline.radius_m + shape_.axle_spacing_m + shape_.wheel_radius_m;
+  const double reach = outline.radius_m() + shape_.axle_spacing_m + shape_.wheel_radius_m;
   const double dx = x_m - outline.place.x_m;
   const double dy = y_m - outline.place.y_m;
   return dx * dx + dy * dy < reach * reach;
@@ -311,11 +307,11 @@ std::optional<BlockAhead> World::next_block(const Pose& pose, double within_m) c
   const double rear = -shape_.axle_spacing_m / 2.0 - shape_.wheel_radius_m;
   const double c = std::cos(pose.yaw_rad);
   const double s = std::sin(pose.yaw_rad);
-  for (std::size_t i = 0; i < terrain_.blocks.size(); ++i) {
-    const Profile profile(pieces_[terrain_.ramps.size() + i], pose.x_m, pose.y_m, c, s);
+  for (const Outline& piece : pieces_) {
+    if (piece.obstacle != ObstacleClass::kBlock) continue;
+    const Profile profile(piece, pose.x_m, pose.y_m, c, s);
     if (profile.empty() || profile.end_m() < rear || profile.begin_m() > within_m) continue;
-    if (!next || profile.begin_m() < next->distance_m)
-      next = {&terrain_.blocks[i], profile.begin_m(), profile.end_m() - profile.begin_m()};
+    if (!next || profile.begin_m() < next->distance_m) next = {&piece, profile.begin_m()};
   }
   return next;
 }

@@ -1,6 +1,6 @@
 #pragma once
-// The virtual world: attitude and height of the robot on the course's ramps and blocks. Statics
-// only: getting onto a block and falling off it is left to the step climb model.
+// The virtual world: attitude and height of the robot on the course's obstacles. Statics only:
+// getting onto a block and falling off it is left to the step climb model.
 
 #include <algorithm>
 #include <array>
@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "core/arithmetic.h"
 #include "core/estimates.h"
 #include "core/pose.h"
 #include "course/robot.h"
@@ -23,17 +24,16 @@ struct Outline {
   };
   ObstacleClass obstacle{};
   course::Place place{};
-  std::array<Point, 4>
-      points{};  ///< ascending; the first and the last lie equally far from the place
+  /// Ascending; the first and the last lie equally far from the place.
+  std::array<Point, 4> points{};
   double half_width_m = 0.0;
-  double radius_m = 0.0;  ///< of a circle around the footprint
 
   double length_m() const { return points.back().along_m - points.front().along_m; }
+  /// Of a circle around the footprint.
+  double radius_m() const { return magnitude(points.back().along_m, half_width_m); }
   double height_m() const { return std::max(points[1].height_m, points[2].height_m); }
 };
-Outline outline_of(const course::Ramp& ramp);
-Outline outline_of(const course::Block& block);
-/// Of all obstacles: of each kind in the course's order, ramps before blocks.
+/// In the course's order.
 std::vector<Outline> outlines_of(const course::Terrain& terrain);
 
 /// The cut through an outline: a polyline over the distance along the plane. No allocation.
@@ -86,9 +86,8 @@ struct ContactPose {
 
 /// A block on the line of the heading.
 struct BlockAhead {
-  const course::Block* block = nullptr;
+  const Outline* block = nullptr;
   double distance_m = 0.0;  ///< from the reference point to the near edge, negative once past it
-  double depth_m = 0.0;     ///< along the heading
 };
 
 /// Built once; queries allocate nothing, take bounded time and are safe in the real-time thread.
@@ -104,15 +103,15 @@ class World {
   /// pose that is not finite is on the level floor.
   ContactPose at(const Pose& pose) const;
 
-  /// Height of floor, ramp or block at a place.
+  /// Height of floor or obstacle at a place.
   double height_m(double x_m, double y_m) const;
 
   /// The nearest block ahead of the rear end of a robot at `pose`, at most `within_m` ahead of its
   /// reference point.
   std::optional<BlockAhead> next_block(const Pose& pose, double within_m) const;
 
-  /// Blocks that next_block() points into.
-  const std::vector<course::Block>& blocks() const { return terrain_.blocks; }
+  /// All obstacles; next_block() points into them.
+  const std::vector<Outline>& pieces() const { return pieces_; }
 
   bool flat() const { return pieces_.empty(); }
 

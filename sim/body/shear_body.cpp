@@ -55,8 +55,8 @@ ShearBody::ShearBody(const course::Emulated& values, const Pose& start, bool on_
                     12.0),
       pitch_m_(values.body.axle_spacing_m / kShoes),
       yaw_rad_(start.yaw_rad) {
-  for (const course::Ramp& ramp : terrain.ramps) refuse("ramp", ramp.place);
-  for (const course::Block& block : terrain.blocks) refuse("block", block.place);
+  for (const course::Obstacle& obstacle : terrain.obstacles)
+    std::visit([](const auto& of) { refuse(to_string(of.kClass), of.place); }, obstacle);
   const double length_m = 2.0 * (body_.axle_spacing_m + kPi * body_.wheel_radius_m);
   const auto shoes = static_cast<std::size_t>(std::lround(length_m / pitch_m_));
   left_.y_m = body_.gauge_m / 2.0;

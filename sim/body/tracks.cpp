@@ -68,12 +68,6 @@ bool Edge3::faces(const Vector3d& normal) const {
   return normal.dot(into_one) <= kConeTolerance && normal.dot(into_other) <= kConeTolerance;
 }
 
-Obstacle::Obstacle(const course::Ramp& ramp)
-    : Obstacle(ramp.place, profile_of(ramp), ramp.width_m) {}
-
-Obstacle::Obstacle(const course::Block& block)
-    : Obstacle(block.place, profile_of(block), block.width_m) {}
-
 Obstacle::Obstacle(const course::Place& place, const std::vector<Vector2d>& profile, double width_m)
     : place_(place) {
   const Vector3d ahead(std::cos(place.heading_rad), std::sin(place.heading_rad), 0.0);
@@ -143,8 +137,10 @@ TrackContacts::TrackContacts(const course::EmulatedBody& values, const course::T
   reach_m_ = 0.0;
   for (const Station& station : stations_)
     reach_m_ = std::max(reach_m_, station.centre_m.norm() + radius_m_);
-  for (const course::Ramp& ramp : terrain.ramps) obstacles_.emplace_back(ramp);
-  for (const course::Block& block : terrain.blocks) obstacles_.emplace_back(block);
+  const auto add = [this](const auto& of) {
+    obstacles_.emplace_back(of.place, profile_of(of), of.width_m);
+  };
+  for (const course::Obstacle& obstacle : terrain.obstacles) std::visit(add, obstacle);
   contacts_.reserve(4 * stations_.size());
 }
 

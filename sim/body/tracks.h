@@ -31,11 +31,11 @@ struct Edge3 {
   bool faces(const Eigen::Vector3d& normal) const;
 };
 
-/// A ramp or a block on the floor: a convex piece with flat faces and the edges between them.
+/// An obstacle on the floor: a convex piece with flat faces and the edges between them.
 class Obstacle {
  public:
-  explicit Obstacle(const course::Ramp& ramp);
-  explicit Obstacle(const course::Block& block);
+  /// `profile`: (along, up) from floor to floor, along the heading.
+  Obstacle(const course::Place& place, const std::vector<Eigen::Vector2d>& profile, double width_m);
 
   const std::vector<Face>& faces() const { return faces_; }
   const std::vector<Edge3>& edges() const { return edges_; }
@@ -43,9 +43,6 @@ class Obstacle {
   bool near(double x_m, double y_m, double reach_m) const;
 
  private:
-  /// `profile`: (along, up) from floor to floor, along the heading.
-  Obstacle(const course::Place& place, const std::vector<Eigen::Vector2d>& profile, double width_m);
-
   course::Place place_;
   double radius_m_ = 0.0;
   std::vector<Face> faces_;

@@ -72,15 +72,17 @@ bool straight_before(const course::Course& course, const course::Robot& robot) {
   const course::ShapeValues& shape = robot.shape;
   const course::Path path(course);
   const std::size_t last = path.segments().size() - 1;
-  return std::all_of(
-      course.terrain.blocks.begin(), course.terrain.blocks.end(), [&](const course::Block& block) {
-        const double below_m = std::max(shape.wheel_radius_m - block.height_m, 0.0);
-        const double reach_m =
-            shape.axle_spacing_m / 2.0 +
-            std::sqrt(shape.wheel_radius_m * shape.wheel_radius_m - below_m * below_m);
-        const double line_m = path.project(last, block.place.x_m, block.place.y_m, 0.0);
-        return line_m - block.depth_m / 2.0 > reach_m;
-      });
+  for (const course::Obstacle& obstacle : course.terrain.obstacles) {
+    const auto* block = std::get_if<course::Block>(&obstacle);
+    if (block == nullptr) continue;
+    const double below_m = std::max(shape.wheel_radius_m - block->height_m, 0.0);
+    const double reach_m =
+        shape.axle_spacing_m / 2.0 +
+        std::sqrt(shape.wheel_radius_m * shape.wheel_radius_m - below_m * below_m);
+    const double line_m = path.project(last, block->place.x_m, block->place.y_m, 0.0);
+    if (line_m - block->depth_m / 2.0 <= reach_m) return false;
+  }
+  return true;
 }
 
 /// The same for a robot not designed for this course: obstacles are real only if the robot has
@@ -106,7 +108,7 @@ void drive_paper(const ReproduceCommand& command, Reproduction& what) {
     what.slopes.push_back(
         measure_slope(what.reference.emulated.body, row.slope_deg * kRadPerDeg, kSlopeTrackMps));
   what.turns = measure_turns(what.reference.emulated);
-  const course::Block block = load_course("3").terrain.blocks.front();
+  const auto block = std::get<course::Block>(load_course("3").terrain.obstacles.back());
   what.climb = check_climb_pitch(what.reference, block.height_m, block.depth_m, kSlopeTrackMps);
   for (const char* kind : kPaperCourses) {
     const course::Course course = load_course(kind);

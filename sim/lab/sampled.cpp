@@ -63,10 +63,10 @@ void add_obstacles(course::Course& course, CourseDraw& draw) {
     const course::PathPoint point = path.at(path.segments().size() - 1, offset_m);
     return course::Place{point.x_m, point.y_m, point.yaw_rad};
   };
-  course.terrain.blocks.push_back({.place = place(draw.between(0.28, 0.34)),
-                                   .height_m = draw.between(0.015, 0.037),
-                                   .depth_m = draw.between(0.10, 0.16),
-                                   .width_m = 0.4});
+  const course::Block block{.place = place(draw.between(0.28, 0.34)),
+                            .height_m = draw.between(0.015, 0.037),
+                            .depth_m = draw.between(0.10, 0.16),
+                            .width_m = 0.4};
   const double slope_rad = draw.between(12.0, 28.0) * kRadPerDeg;
   course::Ramp ramp{.place = {},
                     .height_m = draw.between(0.04, 0.08),
@@ -75,7 +75,7 @@ void add_obstacles(course::Course& course, CourseDraw& draw) {
                     .down_rad = slope_rad,
                     .width_m = 0.4};
   ramp.place = place(line.length_m - 0.25 - ramp.length_m() / 2.0);
-  course.terrain.ramps.push_back(ramp);
+  course.terrain.obstacles = {ramp, block};
 }
 
 course::Segment random_segment(CourseDraw& draw) {
@@ -138,12 +138,12 @@ void add_one_obstacle(course::Course& course, CourseDraw& draw) {
     if (passed_again(path, i, at)) continue;
     const course::Place place{at.x_m, at.y_m, at.yaw_rad};
     if (draw.sign() < 0.0) {
-      course.terrain.blocks.push_back(
-          {place, draw.between(0.005, 0.037), draw.between(0.05, 0.2), 0.4});
+      course.terrain.obstacles = {
+          course::Block{place, draw.between(0.005, 0.037), draw.between(0.05, 0.2), 0.4}};
     } else {
       const double up_rad = draw.between(5.0, 30.0) * kRadPerDeg;
-      course.terrain.ramps.push_back(
-          {place, draw.between(0.01, 0.04), up_rad, draw.between(0.0, 0.2), up_rad, 0.4});
+      course.terrain.obstacles = {course::Ramp{place, draw.between(0.01, 0.04), up_rad,
+                                               draw.between(0.0, 0.2), up_rad, 0.4}};
     }
     return;
   }

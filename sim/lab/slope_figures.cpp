@@ -33,8 +33,10 @@ bool near(const course::Place& place, double length_m, double width_m, const Pos
 }
 
 const course::Ramp* ramp_at(const course::Terrain& terrain, const Pose& pose) {
-  for (const course::Ramp& ramp : terrain.ramps)
-    if (near(ramp.place, ramp.length_m(), ramp.width_m, pose)) return &ramp;
+  for (const course::Obstacle& obstacle : terrain.obstacles) {
+    const auto* ramp = std::get_if<course::Ramp>(&obstacle);
+    if (ramp != nullptr && near(ramp->place, ramp->length_m(), ramp->width_m, pose)) return ramp;
+  }
   return nullptr;
 }
 

@@ -180,7 +180,7 @@ ClimbCheck check_climb_pitch(const course::Robot& robot, double height_m, double
   block.depth_m = depth_m;
   block.width_m = 4.0 * values.gauge_m;
   course::Terrain terrain;
-  terrain.blocks.push_back(block);
+  terrain.obstacles.emplace_back(block);
   OdeBody body(values, {}, false, terrain);
 
   const double distance_m = kRunUpM + depth_m + 2.0 * values.length_m + kBehindM;

@@ -65,7 +65,7 @@ course::Terrain ramp_of(double slope_rad, double length_m) {
   ramp.up_rad = ramp.down_rad = slope_rad;
   ramp.width_m = length_m;
   ramp.place.x_m = ramp.length_m() / 2.0;
-  terrain.ramps.push_back(ramp);
+  terrain.obstacles.emplace_back(ramp);
   return terrain;
 }
 

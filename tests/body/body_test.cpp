@@ -180,7 +180,7 @@ course::Terrain block(double height_m, double depth_m = 0.1) {
   block.depth_m = depth_m;
   block.width_m = 0.8;
   course::Terrain terrain;
-  terrain.blocks.push_back(block);
+  terrain.obstacles.emplace_back(block);
   return terrain;
 }
 
@@ -192,7 +192,7 @@ course::Terrain ramp(double angle_rad, double height_m) {
   ramp.width_m = 0.4;
   ramp.place.x_m = kFrontM + ramp.length_m() / 2.0;
   course::Terrain terrain;
-  terrain.ramps.push_back(ramp);
+  terrain.obstacles.emplace_back(ramp);
   return terrain;
 }
 
@@ -280,8 +280,9 @@ TEST(BodyOnAStep, SquaresUpToTheRiser) {
 
 TEST(BodyOnTerrain, AWallIsNotEnteredSideways) {
   course::Terrain terrain = block(0.037, 1.0);
-  terrain.blocks[0].place = {0.4, 0.3, 0.0};
-  terrain.blocks[0].width_m = 0.36;  // its side runs along y = 0.12, the track's flank at y = 0.10
+  auto& wall = std::get<course::Block>(terrain.obstacles[0]);
+  wall.place = {0.4, 0.3, 0.0};
+  wall.width_m = 0.36;  // its side runs along y = 0.12, the track's flank at y = 0.10
   const Drive along = over(terrain, robot(0.022, 0.9), 4.0, {.yaw_rad = 15 * kRadPerDeg});
   EXPECT_LT(along.end.pose.y_m, 0.04);
   EXPECT_GT(along.end.pose.x_m, 0.2);
@@ -291,8 +292,9 @@ TEST(BodyOnTerrain, AWallIsNotEnteredSideways) {
 TEST(BodyOnTerrain, AnEvenlyLoadedRobotDrivesBesideAnObstacleAsItDoesAlone) {
   // With the block nearby but never touched, so that all stations of the tracks are used.
   course::Terrain wall = block(0.05, 2.0);
-  wall.blocks[0].place = {0.0, 0.6, 0.0};
-  wall.blocks[0].width_m = 0.02;
+  auto& obstacle = std::get<course::Block>(wall.obstacles[0]);
+  obstacle.place = {0.0, 0.6, 0.0};
+  obstacle.width_m = 0.02;
   course::EmulatedBody values;
   values.mid_lift_m = 0.0;
   const double duration_s = 3.0;

@@ -183,8 +183,8 @@ TEST(ShearBody, KnowsNothingOfTheOtherBodysTerms) {
 
 TEST(ShearBody, RefusesWhatIsNotLevelByNameAndPlace) {
   course::Terrain terrain;
-  terrain.blocks.push_back(
-      {.place = {.x_m = 1.25, .y_m = -0.5}, .height_m = 0.03, .depth_m = 0.1, .width_m = 0.4});
+  terrain.obstacles = {course::Block{
+      .place = {.x_m = 1.25, .y_m = -0.5}, .height_m = 0.03, .depth_m = 0.1, .width_m = 0.4}};
   EXPECT_THAT(test::refusal([&] { make_body(robot(), {}, false, terrain); }),
               testing::AllOf(testing::HasSubstr("--body shear"),
                              testing::HasSubstr("block at (1.25, -0.5)"),

@@ -72,9 +72,9 @@ TEST(CourseFile, ReadsEveryKey) {
   EXPECT_EQ(course.disturbances.at(0).duration_s, 0.5);
   EXPECT_EQ(course.disturbances.at(1).duration_s, 0.3);
   const Terrain& terrain = course.terrain;
-  EXPECT_DOUBLE_EQ(terrain.ramps.at(0).place.heading_rad, 12.3 * kRadPerDeg);
-  EXPECT_DOUBLE_EQ(terrain.ramps.at(0).down_rad, 12 * kRadPerDeg);
-  EXPECT_EQ(terrain.blocks.at(0).depth_m, 0.1);
+  EXPECT_DOUBLE_EQ(std::get<Ramp>(terrain.obstacles.at(0)).place.heading_rad, 12.3 * kRadPerDeg);
+  EXPECT_DOUBLE_EQ(std::get<Ramp>(terrain.obstacles.at(0)).down_rad, 12 * kRadPerDeg);
+  EXPECT_EQ(std::get<Block>(terrain.obstacles.at(1)).depth_m, 0.1);
   EXPECT_EQ(terrain.surface_at(0.0, 0.2)->name, "mat");
   EXPECT_EQ(terrain.surface_at(0.4, 0.15)->slip_offset, 0.05);
   EXPECT_EQ(terrain.surface_at(0.3, 0.15)->name, "mat");
@@ -264,9 +264,9 @@ TEST(GoalCourse, KeepsFloorAndSpeedOfTheCourseAndNothingElse) {
   EXPECT_FALSE(after.identifies);
   EXPECT_TRUE(after.disturbances.empty());
   EXPECT_EQ(after.path.size(), 1u);
-  EXPECT_EQ(after.terrain.ramps.at(0).place.heading_rad,
-            before.terrain.ramps.at(0).place.heading_rad);
-  EXPECT_EQ(after.terrain.blocks.size(), 1u);
+  EXPECT_EQ(std::get<Ramp>(after.terrain.obstacles.at(0)).place.heading_rad,
+            std::get<Ramp>(before.terrain.obstacles.at(0)).place.heading_rad);
+  EXPECT_EQ(after.terrain.obstacles.size(), 2u);
   EXPECT_EQ(after.terrain.surfaces.at(1).name, "wet \"floor\"");
   EXPECT_EQ(after.fence.corners.size(), 4u);
   EXPECT_EQ(after.fence.keep_out.size(), 1u);

@@ -155,8 +155,8 @@ TEST(BundledCourses, Course3HasThePapersStepAndRampOnItsWayBack) {
   const PathPoint end = Path(course).segments().back().end;
   EXPECT_NEAR(end.x_m, 0.0, 1e-9);
   EXPECT_NEAR(end.y_m, -0.8, 1e-9);
-  const Block& block = course.terrain.blocks.at(0);
-  const Ramp& ramp = course.terrain.ramps.at(0);
+  const auto& ramp = std::get<Ramp>(course.terrain.obstacles.at(0));
+  const auto& block = std::get<Block>(course.terrain.obstacles.at(1));
   EXPECT_EQ(block.place.y_m, -0.80);
   EXPECT_EQ(block.height_m, 0.037);
   EXPECT_EQ(ramp.place.y_m, -0.80);

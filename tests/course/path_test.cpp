@@ -127,7 +127,7 @@ TEST(Mirror, TurnsLeftIntoRightAndNothingElse) {
   course.start.yaw_rad = 0.2;
   course.path = {Line{1.0}, Arc{0.4, kPi}, Pivot{0.5}, Line{0.3}};
   course.disturbances = {{0.5, 0.04, 0.1, 0.3}};
-  course.terrain.ramps.push_back({{0.7, -0.8, 0.3}, 0.08, 0.4, 0.2, 0.5, 0.4});
+  course.terrain.obstacles = {Ramp{{0.7, -0.8, 0.3}, 0.08, 0.4, 0.2, 0.5, 0.4}};
   course.terrain.surfaces.push_back({"felt", {0.1, 0.2, 0.3}, 1.0, 1.0, 1.0, 0.1});
   course.fence = {-1.0, 2.0, -0.5, 1.5, {}, {{{0.1, 0.2}, {0.3, 0.2}, {0.1, 0.4}}}};
   const Course other = mirrored(course);
@@ -138,8 +138,9 @@ TEST(Mirror, TurnsLeftIntoRightAndNothingElse) {
     EXPECT_NEAR(mirror.at(s).yaw_rad, -path.at(s).yaw_rad, 1e-12);
   }
   EXPECT_EQ(other.disturbances[0].sideways_m, -0.04);
-  EXPECT_EQ(other.terrain.ramps[0].place.y_m, 0.8);
-  EXPECT_EQ(other.terrain.ramps[0].up_rad, 0.4);
+  const auto ramp = std::get<Ramp>(other.terrain.obstacles[0]);
+  EXPECT_EQ(ramp.place.y_m, 0.8);
+  EXPECT_EQ(ramp.up_rad, 0.4);
   EXPECT_EQ(other.terrain.surfaces[0].place.heading_rad, -0.3);
   EXPECT_EQ(other.fence.min_y_m, -1.5);
   EXPECT_EQ(other.fence.max_y_m, 0.5);

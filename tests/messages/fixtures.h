@@ -13,14 +13,14 @@ inline RunContext example_subject() {
   course::Course course;
   course.name = "example";
   course.path = {course::Line{1.0}, course::Pivot{std::numbers::pi / 2}, course::Arc{0.5, -1.0}};
-  course.terrain.ramps = {{.place = {1.0, 2.0, std::numbers::pi / 2},
-                           .height_m = 0.1,
-                           .up_rad = 0.5,
-                           .top_m = 0.2,
-                           .down_rad = 0.25,
-                           .width_m = 0.4}};
-  course.terrain.blocks = {
-      {.place = {0.5, 0.0, 0.0}, .height_m = 0.03, .depth_m = 0.1, .width_m = 0.4}};
+  course.terrain.obstacles = {
+      course::Ramp{.place = {1.0, 2.0, std::numbers::pi / 2},
+                   .height_m = 0.1,
+                   .up_rad = 0.5,
+                   .top_m = 0.2,
+                   .down_rad = 0.25,
+                   .width_m = 0.4},
+      course::Block{.place = {0.5, 0.0, 0.0}, .height_m = 0.03, .depth_m = 0.1, .width_m = 0.4}};
   course.terrain.surfaces = {{.name = "ice", .place = {}, .length_m = 0.3, .width_m = 0.2}};
   course.fence = {-1, 2, -3, 4};
   RunContext run_context;

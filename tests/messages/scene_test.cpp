@@ -30,7 +30,7 @@ Json entity(const std::string& id) {
 }
 
 TEST(Scene, ARampRisesAndFallsAtItsAngles) {
-  const course::Ramp ramp = example_subject().course->terrain.ramps[0];
+  const auto ramp = std::get<course::Ramp>(example_subject().course->terrain.obstacles[0]);
   const Json list = entity("course/ramp/0")["triangles"][0];
   ASSERT_EQ(list["points"].size() % 3, 0U);
   double lowest = 1e9, highest = -1e9, first = 1e9, last = -1e9, top_from = 1e9, top_to = -1e9;

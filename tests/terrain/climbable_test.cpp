@@ -41,7 +41,8 @@ course::Place place_at(double along, double aside = 0.0) {
 course::Course wall_at(double along, double depth_m, double aside = 0.0, double width_m = 0.5,
                        double height_m = 0.1) {
   course::Course course = straight();
-  course.terrain.blocks.push_back({place_at(along, aside), height_m, depth_m, width_m});
+  course.terrain.obstacles.push_back(
+      course::Block{place_at(along, aside), height_m, depth_m, width_m});
   return course;
 }
 
@@ -61,8 +62,8 @@ TEST(Climbable, ARampIsJudgedByItsSteeperSideToAHairOfTheLimit) {
     const double limit_rad = std::atan(behind_m / tower.shape.com_height_m);
     for (double course::Ramp::*const side : {&course::Ramp::up_rad, &course::Ramp::down_rad}) {
       course::Course course = straight();
-      course.terrain.ramps = {{place_at(0.5), 0.05, 0.2, 0.1, 0.2, 0.5}};
-      course::Ramp& ramp = course.terrain.ramps[0];
+      course.terrain.obstacles = {course::Ramp{place_at(0.5), 0.05, 0.2, 0.1, 0.2, 0.5}};
+      auto& ramp = std::get<course::Ramp>(course.terrain.obstacles[0]);
       ramp.*side = limit_rad - 1e-9;
       EXPECT_EQ(error_of(course, tower), "");
       ramp.*side = limit_rad + 1e-9;
@@ -91,13 +92,13 @@ TEST(Climbable, AWallIsMetByEitherTrackButNotBesideThem) {
 TEST(Climbable, TheFirstObstacleThatIsTooMuchIsNamed) {
   course::Course course = wall_at(0.2, 0.1, 0.0, 0.5, 0.03);
   for (const double along : {0.5, 0.8})
-    course.terrain.blocks.push_back(wall_at(along, 0.1).terrain.blocks[0]);
+    course.terrain.obstacles.push_back(wall_at(along, 0.1).terrain.obstacles[0]);
   EXPECT_EQ(error_of(course),
             "course wall: block 2 cannot be climbed by robot tall: it is 100 mm high, the limit is "
             "40.2 mm; lower the block or, if the robot file is wrong, shape.com_height_m");
-  course.terrain.blocks.clear();
-  course.terrain.ramps = {{place_at(0.5), 0.05, 0.3, 0.1, 0.4, 0.5},
-                          {place_at(0.5), 0.05, 0.3, 0.1, 1.3, 0.5}};
+  course.terrain.obstacles = {wall_at(0.2, 0.1, 0.0, 0.5, 0.03).terrain.obstacles[0],
+                              course::Ramp{place_at(0.5), 0.05, 0.3, 0.1, 0.4, 0.5},
+                              course::Ramp{place_at(0.5), 0.05, 0.3, 0.1, 1.3, 0.5}};
   EXPECT_EQ(
       error_of(course),
       "course wall: ramp 2 cannot be climbed by robot tall: it is 74.5 deg steep, beyond 71.7 deg "

@@ -17,13 +17,13 @@ constexpr double kTouchM = 0.45 - 0.133 / 2.0 - 0.026;  // of the block below
 
 course::Terrain ramp_at_half_a_metre() {
   course::Terrain terrain;
-  terrain.ramps.push_back({{0.5, 0.0, 0.0}, 0.08, kSteepRad, 0.2, kSteepRad, 0.4});
+  terrain.obstacles = {course::Ramp{{0.5, 0.0, 0.0}, 0.08, kSteepRad, 0.2, kSteepRad, 0.4}};
   return terrain;
 }
 
 course::Terrain block_at_half_a_metre() {
   course::Terrain terrain;
-  terrain.blocks.push_back({{0.5, 0.0, 0.0}, 0.037, 0.1, 0.4});
+  terrain.obstacles = {course::Block{{0.5, 0.0, 0.0}, 0.037, 0.1, 0.4}};
   return terrain;
 }
 
@@ -96,7 +96,7 @@ void drive_to(TerrainFollower& terrain_follower, Pose& pose, double x_m) {
 
 void expect_climbed_again_only_from_far_away(double height_m, double touch_m) {
   course::Terrain terrain = block_at_half_a_metre();
-  terrain.blocks[0].height_m = height_m;
+  std::get<course::Block>(terrain.obstacles[0]).height_m = height_m;
   const World world(terrain, {});
   TerrainFollower terrain_follower(world, {});
   Pose pose{};

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
@@ -256,20 +257,20 @@ INSTANTIATE_TEST_SUITE_P(Seeds, RandomCourse,
 
 TEST(RandomCourses, HoldEveryPartOfTheFormat) {
   std::set<std::size_t> segments;
-  int disturbances = 0, surfaces = 0, blocks = 0, ramps = 0;
+  std::map<std::size_t, int> obstacles;
+  int disturbances = 0, surfaces = 0;
   for (std::uint64_t seed = 0; seed < 500; ++seed) {
     const course::Course course = random_course(seed);
     ASSERT_FALSE(course.path.empty());
     for (const course::Segment& segment : course.path) segments.insert(segment.index());
     disturbances += !course.disturbances.empty();
     surfaces += !course.terrain.surfaces.empty();
-    blocks += !course.terrain.blocks.empty();
-    ramps += !course.terrain.ramps.empty();
+    for (const course::Obstacle& obstacle : course.terrain.obstacles) ++obstacles[obstacle.index()];
     for (const course::Disturbance& one : course.disturbances)
       EXPECT_LT(one.at_m, course::Path(course).length_m());
   }
   EXPECT_EQ(segments.size(), 3u);
-  for (const int count : {disturbances, surfaces, blocks, ramps}) EXPECT_GT(count, 25);
+  for (const int count : {disturbances, surfaces, obstacles[0], obstacles[1]}) EXPECT_GT(count, 25);
 }
 
 TEST(EquivalentWheelbase, IsThePrintedOneAndThatOfEquationSeven) {

@@ -22,7 +22,7 @@ course::Terrain one_ramp() {
   ramp.top_m = 0.2;
   ramp.width_m = 0.4;
   course::Terrain terrain;
-  terrain.ramps.push_back(ramp);
+  terrain.obstacles.emplace_back(ramp);
   return terrain;
 }
 
