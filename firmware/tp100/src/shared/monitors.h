@@ -14,7 +14,7 @@ namespace shared {
 // accelerometer for an obstacle.
 #define TP100_MONITOR_LIMITS(X)                                                                \
   /* Shortest time until a blocked track is reported, as a share of its stall time. */         \
-  X(soonest_share, 0.8, 0.7)                                                                   \
+  X(soonest_share, 0.75, 0.7)                                                                  \
   /* Duty that a turn on the spot may take. The robot judges the mean of both tracks, too, */  \
   /* which no turn changes. */                                                                 \
   X(turn_duty, 0.3, 0.4)                                                                       \
