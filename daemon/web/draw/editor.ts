@@ -5,13 +5,10 @@ import type { Viewport } from '../panel/viewport.ts';
 import type { Bounds, Point2 } from '../scene/geometry.ts';
 import type { Course } from '../state/messages.ts';
 import { nameOf, type CourseCheck } from '../state/setup.ts';
-import { CourseText, type Piece, type Value } from './course_text.ts';
-import { added, beyond, find, handles, kEmptyCourse, kTools, withCorner, withoutCorner, type Handle, type Selected } from './draft.ts';
+import { CourseText, History, type Piece, type Value } from './course_text.ts';
+import { added, beyond, find, handles, kEmptyCourse, kEnds, kTools, withCorner, withoutCorner, type Handle, type Selected } from './draft.ts';
 import { fields } from './fields.ts';
-import { History } from './history.ts';
-import { frameOf, zoomed } from './framing.ts';
-import { kEnds } from './path.ts';
-import { DrawStage } from './stage.ts';
+import { DrawStage, frameOf, zoomed } from './stage.ts';
 import { reason, type Call } from '../state/service.ts';
 
 /** The daemon charges requests by the length of their answers: longer courses are asked about less often. */

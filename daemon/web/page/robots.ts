@@ -5,12 +5,11 @@ import './theme.css';
 import './base.css';
 import './header.css';
 import './robots.css';
-import { h, setText } from '../panel/dom.ts';
+import { everyFrame, h, setText } from '../panel/dom.ts';
 import { StopPanel } from '../panel/stop_panel.ts';
 import { Robot, type Listed } from '../robots/robot.ts';
 import { RobotCard } from '../robots/robot_card.ts';
 import { RobotList } from '../robots/robot_list.ts';
-import { everyFrame } from './schedule.ts';
 import { themeSwitch } from './theme.ts';
 
 const kList_ms = 1000;

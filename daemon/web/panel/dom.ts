@@ -93,3 +93,24 @@ const kIcons = {
   close: 'M4 5l1-1 3 3 3-3 1 1-3 3 3 3-1 1-3-3-3 3-1-1 3-3z',
   stop: 'M5.3 1.5h5.4l3.8 3.8v5.4l-3.8 3.8H5.3l-3.8-3.8V5.3z',
 };
+
+/** Periodic work, done when the browser draws a frame. */
+export interface Task {
+  /** Least time between two runs; 0: at every frame. */
+  period_ms: number;
+  run(now_ms: number): void;
+}
+
+/** Runs the tasks from the next frame on, in this order, as long as the page exists. */
+export function everyFrame(tasks: readonly Task[]): void {
+  const due_ms = tasks.map(() => 0);
+  const frame = (now_ms: number): void => {
+    tasks.forEach((task, i) => {
+      if (now_ms < (due_ms[i] ?? 0)) return;
+      due_ms[i] = now_ms + task.period_ms;
+      task.run(now_ms);
+    });
+    requestAnimationFrame(frame);
+  };
+  requestAnimationFrame(frame);
+}

@@ -1,7 +1,6 @@
 // The Identify tab: drives the calibration courses one by one, evaluates the recordings, and saves the robot file.
 import type { Consent } from '../state/consent.ts';
-import { drive, type Reach } from '../state/identification_drive.ts';
-import { calibrationCourses, drivesOf, measuredIn, measuredTable, noteOf, space, type Identified, type Measured } from '../state/identify.ts';
+import { calibrationCourses, drive, drivesOf, measuredIn, measuredTable, noteOf, space, type Identified, type Measured, type Reach } from '../state/identify.ts';
 import type { RunEntry, RunsList } from '../state/runs.ts';
 import { facts, type CourseEntry, type SetupList } from '../state/setup.ts';
 import { whyNot, type Store } from '../state/store.ts';

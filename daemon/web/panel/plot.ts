@@ -1,7 +1,7 @@
 // One diagram over time, with its legend and the values under the cursor in the head line.
 import uPlot from 'uplot';
 import { fixed } from '../state/format.ts';
-import { extent, niceRange } from '../state/scale.ts';
+import { extent, niceRange } from '../state/series.ts';
 import { column, type Column, type Store } from '../state/store.ts';
 import { colour, type Colour } from '../scene/palette.ts';
 import { h, setClass, setText } from './dom.ts';

@@ -2,7 +2,7 @@
 import uPlot from 'uplot';
 import { colour, type Colour } from '../scene/palette.ts';
 import { fixed } from '../state/format.ts';
-import { extent, niceRange } from '../state/scale.ts';
+import { extent, niceRange } from '../state/series.ts';
 import type { Signals } from '../state/signals.ts';
 import { h, setText } from './dom.ts';
 import { kAxis, keyOf } from './plot.ts';

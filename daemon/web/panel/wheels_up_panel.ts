@@ -1,7 +1,6 @@
 // The check of the tracks in the Doctor tab: asks whether they are off the ground, shows each step, asks what was seen.
 import type { Consent } from '../state/consent.ts';
-import { kWatch_ms, WheelsUp, type WheelsUpProgress, type WheelsUpQuestion } from '../state/wheels_up.ts';
-import { verdict, type Finding } from '../state/doctor.ts';
+import { kWatch_ms, verdict, WheelsUp, type Finding, type WheelsUpProgress, type WheelsUpQuestion } from '../state/doctor.ts';
 import { attended, button, h, Message, setAttribute } from './dom.ts';
 import type { Call } from '../state/service.ts';
 

@@ -1,7 +1,6 @@
 // A recorded run, loaded as far as a viewer needs it; its memory is bounded.
 import type { Topic } from '../state/messages.ts';
 import { McapScanner } from './mcap.ts';
-import { Thinned } from './thinned.ts';
 
 /** Limits per topic: most messages, and the least interval between them. */
 const kKept: Partial<Record<Topic, [capacity: number, interval_s: number]>> = {
@@ -52,4 +51,34 @@ export async function loadRecording(url: string, progress: (share: number) => vo
   const frames = [...kept.values()].flatMap(({ items }) => items).sort((a, b) => a.time_s - b.time_s);
   if (!frames.some((frame) => frame.topic === '/estimate')) throw new Error('the recording holds no poses');
   return frames;
+}
+
+export class Thinned<T extends { readonly time_s: number }> {
+  readonly items: T[] = [];
+
+  constructor(
+    private readonly capacity: number,
+    private interval_s: number,
+  ) {}
+
+  /** Whether an item of this time would be accepted. */
+  wants(time_s: number): boolean {
+    const last = this.items.at(-1);
+    return last === undefined || time_s - last.time_s >= this.interval_s;
+  }
+
+  add(item: T): void {
+    if (!this.wants(item.time_s)) return;
+    if (this.items.length === this.capacity) {
+      for (let i = 0; 2 * i < this.capacity; i++) {
+        const kept = this.items[2 * i];
+        if (kept !== undefined) this.items[i] = kept;
+      }
+      this.items.length = Math.ceil(this.capacity / 2);
+      const span_s = (this.items.at(-1)?.time_s ?? 0) - (this.items[0]?.time_s ?? 0);
+      this.interval_s = Math.max(2 * this.interval_s, span_s / this.items.length);
+      if (!this.wants(item.time_s)) return;
+    }
+    this.items.push(item);
+  }
 }

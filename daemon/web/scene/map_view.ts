@@ -2,10 +2,9 @@
 import type { Course, EstimatedPose, Pose, RobotShape } from '../state/messages.ts';
 import { kEstimates, kUncertain, type EstimateName, type Store } from '../state/store.ts';
 import { bounds, cornersOf, footprint, onStadium, partsOf, stadiumLength, type Bounds, type Point2 } from './geometry.ts';
-import { Moved } from './moved.ts';
+import { Moved, type View } from './view.ts';
 import { colour } from './palette.ts';
 import { kDefaultShape } from './robot_model.ts';
-import type { View } from './view.ts';
 
 const kMargin_m = 0.12;
 const kCleat_m = 0.02;

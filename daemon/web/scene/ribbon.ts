@@ -1,6 +1,6 @@
 // A coloured band on the ground that grows at its end: a path history or the planned path.
 import { BufferAttribute, BufferGeometry, DoubleSide, Mesh, MeshBasicMaterial } from 'three';
-import type { PathHistory } from '../state/path_history.ts';
+import type { PathHistory } from '../state/series.ts';
 import { ribbon } from './geometry.ts';
 
 export class Ribbon {

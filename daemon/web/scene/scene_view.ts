@@ -6,12 +6,10 @@ import { CameraRig, type CameraMode } from './camera_rig.ts';
 import { CourseModel } from './course_model.ts';
 import { bounds } from './geometry.ts';
 import { colour } from './palette.ts';
-import { Moved } from './moved.ts';
-import { Pace } from './pace.ts';
+import { Moved, Pace, type View } from './view.ts';
 import { Ribbon } from './ribbon.ts';
 import { GhostModel, kDefaultShape, RobotModel, UncertaintyRing } from './robot_model.ts';
 import { dispose } from './solid.ts';
-import type { View } from './view.ts';
 
 const kHistoryWidth_m = 0.007;
 const kHistoryLift_m: Record<EstimateName, number> = { model: 0.002, odometry: 0.0025, fused: 0.003, truth: 0.0035 };

@@ -1,4 +1,4 @@
-// Columns of numbers over time, bounded: the newest `capacity` rows, contiguous for a plot.
+// What a plot or a view draws of the past, bounded: columns of numbers over time, driven paths, and the range of an axis.
 
 export class Series {
   private readonly columns: Float64Array[];
@@ -76,4 +76,95 @@ export class Series {
     const begin = Math.max(low - 1, this.end - this.filled);
     return this.columns.map((column) => column.subarray(begin, this.end));
   }
+}
+
+// Slightly less than 1, because coordinates are stored in single precision.
+const kTolerance = 0.999;
+
+export class PathHistory {
+  private readonly points: Float32Array;
+  private count = 0;
+  private spacing_m: number;
+  private changes = 0;
+
+  constructor(
+    readonly capacity = 4000,
+    private readonly firstSpacing_m = 0.01,
+  ) {
+    this.points = new Float32Array(3 * capacity);
+    this.spacing_m = firstSpacing_m;
+  }
+
+  get length(): number {
+    return this.count;
+  }
+
+  /** Increases with every change other than an appended point. */
+  get generation(): number {
+    return this.changes;
+  }
+
+  /** x, y, z of each point in turn, oldest first. */
+  get coordinates(): Float32Array {
+    return this.points.subarray(0, 3 * this.count);
+  }
+
+  /** Appends the point if it is far enough from the last one. */
+  add(x_m: number, y_m: number, z_m: number): void {
+    if (!Number.isFinite(x_m + y_m + z_m)) return;
+    const last = 3 * (this.count - 1);
+    if (this.count > 0) {
+      const away = Math.hypot(x_m - (this.points[last] ?? 0), y_m - (this.points[last + 1] ?? 0));
+      if (away < this.spacing_m * kTolerance) return;
+    }
+    if (this.count === this.capacity) this.thin();
+    this.points.set([x_m, y_m, z_m], 3 * this.count);
+    this.count++;
+  }
+
+  clear(): void {
+    this.count = 0;
+    this.spacing_m = this.firstSpacing_m;
+    this.changes++;
+  }
+
+  private thin(): void {
+    const kept = this.count >> 1;
+    for (let i = 0; i < kept; i++) this.points.copyWithin(3 * i, 6 * i, 6 * i + 3);
+    this.count = kept;
+    this.spacing_m *= 2;
+    this.changes++;
+  }
+}
+
+/** The smallest of 1, 2, 2.5, 5 times a power of ten that is not below `value`. */
+function niceStep(value: number): number {
+  if (!(value > 0)) return 1;
+  const power = 10 ** Math.floor(Math.log10(value));
+  for (const factor of [1, 2, 2.5, 5]) {
+    if (factor * power >= value * (1 - 1e-9)) return factor * power;
+  }
+  return 10 * power;
+}
+
+/** A range around the data that never gets narrower than `soft`, with ends at whole steps. */
+export function niceRange(low: number, high: number, soft: readonly [number, number]): [number, number] {
+  const from = Math.min(Number.isFinite(low) ? low : soft[0], soft[0]);
+  const to = Math.max(Number.isFinite(high) ? high : soft[1], soft[1]);
+  const step = niceStep((to - from) / 4);
+  const tiny = step * 1e-6;
+  return [Math.floor((from + tiny) / step) * step, Math.ceil((to - tiny) / step) * step];
+}
+
+/** Smallest and largest number of several columns, gaps left out. */
+export function extent(columns: readonly Float64Array[]): [number, number] {
+  let low = Infinity;
+  let high = -Infinity;
+  for (const column of columns) {
+    for (const value of column) {
+      if (value < low) low = value;
+      if (value > high) high = value;
+    }
+  }
+  return [low, high];
 }

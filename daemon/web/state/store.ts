@@ -3,7 +3,7 @@
 import { kNoRights, onCourse, type Channels, type Estimate, type Event, type Pose, type SceneUpdate, type Slip, type State, type Topic } from './messages.ts';
 import { BatteryWatch } from './battery.ts';
 import { Series } from './series.ts';
-import { PathHistory } from './path_history.ts';
+import { PathHistory } from './series.ts';
 
 /** Estimates with a covariance, and all poses that are drawn. */
 export const kUncertain = ['model', 'odometry', 'fused'] as const;

@@ -1,7 +1,6 @@
 // What the page makes of findings, and how it watches the check of the tracks.
 import { describe, expect, it } from 'vitest';
-import { verdict, type Severity } from '../../../daemon/web/state/doctor.ts';
-import { WheelsUp } from '../../../daemon/web/state/wheels_up.ts';
+import { verdict, WheelsUp, type Severity } from '../../../daemon/web/state/doctor.ts';
 
 // A robot that the page calls ready despite an error does not drive, and one that it calls not ready is searched for a fault that it has not.
 it.each([[0, 0, 0], [0, 3, 1], [1, 0, 2], [2, 1, 0]])('%i errors, %i warnings and %i notes are counted, and only an error keeps a robot from driving', (errors, warnings, notes) => {

@@ -1,7 +1,7 @@
 // Figures as the page shows them: numbers with their units, and axes.
 import { expect, it } from 'vitest';
 import * as format from '../../../daemon/web/state/format.ts';
-import { extent, niceRange } from '../../../daemon/web/state/scale.ts';
+import { extent, niceRange } from '../../../daemon/web/state/series.ts';
 
 it('figures have a true minus sign, never minus zero, a dash for what is not known, and the unit that fits', () => {
   expect([-1.25, -0.001, null, NaN, Infinity].map((value) => format.fixed(value, 1))).toEqual(['\u22121.3', '0.0', '\u2013', '\u2013', '\u2013']);

@@ -1,7 +1,6 @@
 // The drives of an identification, and that none begins without the person's consent at its time.
 import { describe, expect, it } from 'vitest';
-import { drive, type Reach } from '../../../daemon/web/state/identification_drive.ts';
-import { calibrationCourses, decimals, drivesOf, fileName, measuredIn, measuredTable, noteOf, space, tagsOf } from '../../../daemon/web/state/identify.ts';
+import { calibrationCourses, decimals, drive, drivesOf, fileName, measuredIn, measuredTable, noteOf, space, tagsOf, type Reach } from '../../../daemon/web/state/identify.ts';
 import type { Run, State } from '../../../daemon/web/state/messages.ts';
 import type { RunEntry } from '../../../daemon/web/state/runs.ts';
 import type { CourseEntry, SetupList } from '../../../daemon/web/state/setup.ts';

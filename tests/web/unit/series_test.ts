@@ -1,8 +1,7 @@
 // What the page keeps of the past: always bounded, and the whole of it.
 import { describe, expect, it } from 'vitest';
-import { Thinned } from '../../../daemon/web/replay/thinned.ts';
-import { PathHistory } from '../../../daemon/web/state/path_history.ts';
-import { Series } from '../../../daemon/web/state/series.ts';
+import { Thinned } from '../../../daemon/web/replay/recording.ts';
+import { PathHistory, Series } from '../../../daemon/web/state/series.ts';
 
 describe('a series', () => {
   const column = (series: Series, index = 0, since = -Infinity): number[] => [...(series.since(since)[index] ?? [])];

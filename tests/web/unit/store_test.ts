@@ -3,7 +3,7 @@ import { beforeEach, expect, it } from 'vitest';
 import { BatteryWatch } from '../../../daemon/web/state/battery.ts';
 import type { Estimate, EstimatedPose, Event, State } from '../../../daemon/web/state/messages.ts';
 import { column, kEvents, Store, type Column } from '../../../daemon/web/state/store.ts';
-import { Moved } from '../../../daemon/web/scene/moved.ts';
+import { Moved } from '../../../daemon/web/scene/view.ts';
 
 const at = (x_m: number, y_m = 0): EstimatedPose => ({ x_m, y_m, z_m: 0, roll_rad: 0, pitch_rad: 0, yaw_rad: 0 }) as EstimatedPose;
 const estimate = (t_s: number, x_m: number, more: object = {}): Estimate =>
