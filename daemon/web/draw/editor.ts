@@ -1,4 +1,4 @@
-// The editor of a course: its points over the map, its values and its text in the drawer. The daemon checks each change
+// The editor of a course: its points over the map, its values and its text beside it. The daemon checks each change
 // and says where everything lies; what it said of the text before stays on the map until it answers.
 import { button, h, Message, setAttribute, setClass, setText } from '../panel/dom.ts';
 import type { Viewport } from '../panel/viewport.ts';
@@ -27,6 +27,7 @@ export class CourseEditor {
   private readonly name = h('input', { type: 'text', name: 'course-name', 'aria-label': 'Name of the course', maxlength: '64' });
   private readonly text = h('textarea', { rows: '14', spellcheck: 'false', 'aria-label': 'Text of the course file' });
   private readonly verdict = new Message('draw-verdict');
+  private readonly hint = h('p', { class: 'draw-hint', role: 'status' });
   private readonly fieldsBox = h('div');
   private readonly replaceButton = deed('draw-replace', 'Replace it', () => void this.save(true));
   private readonly undoButton = deed('draw-undo', 'Undo', () => { this.take(this.history.go(-1)); });
@@ -63,6 +64,7 @@ export class CourseEditor {
   /** Counts what is opened and closed: answers about another file are late. */
   private session = 0;
   private asking = false;
+  private onMap = false;
   private chooses = false;
 
   constructor(
@@ -101,6 +103,7 @@ export class CourseEditor {
     this.history.restart(text);
     this.course = new CourseText('');
     this.take(text);
+    this.onMap = true;
     this.stage.show(true);
     this.opens(true);
   }
@@ -115,14 +118,20 @@ export class CourseEditor {
   close(): void {
     this.element.hidden = true;
     this.session++;
-    this.stage.show(false);
-    this.map.draft(undefined, undefined);
+    this.showOnMap(false);
     this.opens(false);
+  }
+
+  /** Shows the draft on the map instead of the course in force, or that again. */
+  showOnMap(on: boolean): void {
+    this.onMap = on && this.active;
+    this.stage.show(this.onMap);
+    this.map.draft(this.onMap ? this.drawn : undefined, this.onMap ? this.frame : undefined);
   }
 
   /** Shows the state of the controls, and the handles where the map is now. */
   tick(mayChange: boolean): void {
-    if (!this.active) return;
+    if (!this.onMap) return;
     this.stage.draw(this.handles_, this.selected);
     this.undoButton.disabled = !this.history.can(-1);
     this.redoButton.disabled = !this.history.can(1);
@@ -158,6 +167,7 @@ export class CourseEditor {
     this.stage.element.addEventListener('keydown', (event) => { this.key(event); });
     this.element.append(
       bar,
+      this.hint,
       h('div', { class: 'draw-answer' }, this.verdict.element, this.replaceButton),
       h('div', { class: 'draw-file' }, h('label', {}, 'name ', this.name), ...this.saves, this.closeButton),
       this.fieldsBox,
@@ -175,6 +185,7 @@ export class CourseEditor {
 
   private pick(tool: string | undefined): void {
     this.tool = tool;
+    setText(this.hint, tool === undefined ? 'Drag the points of the drawing, or pick what to add.' : tool in kEnds ? `Press on the map where the ${tool === 'pivot' ? 'turn looks to' : `${tool} ends`}.` : 'Press on the map where it shall be.');
     for (const [each, element] of this.tools) setAttribute(element, 'aria-pressed', String(each === tool));
     setClass(this.stage.element, 'adds', tool !== undefined);
   }
@@ -267,7 +278,7 @@ export class CourseEditor {
     if (this.drawn === undefined) return;
     const moved = this.current === undefined ? this.moved : undefined;
     this.handles_ = handles(this.course, this.drawn).map((each) => (each.id === moved?.id ? { ...each, at: moved.at } : each));
-    if (this.active) this.stage.draw(this.handles_, this.selected);
+    if (this.onMap) this.stage.draw(this.handles_, this.selected);
   }
 
   private fit(): void {
@@ -280,7 +291,7 @@ export class CourseEditor {
 
   private show(frame: Bounds): void {
     this.frame = frame;
-    this.map.draft(this.drawn, frame);
+    if (this.onMap) this.map.draft(this.drawn, frame);
   }
 
   private fieldsOf(piece: Piece): HTMLElement {

@@ -1,7 +1,7 @@
-// Driving by hand: holds the wheel's token and sends the person's input while a person attends this
-// page. It takes the wheel only on request.
+// Driving by hand: holds the lease's token and sends the person's input while a person attends this
+// page. It takes the lease only on request.
 import type { State } from '../state/messages.ts';
-import type { Inputs, Wish } from './inputs.ts';
+import type { Inputs, KeyChange, Wish } from './inputs.ts';
 import { reason, type Call } from '../state/service.ts';
 
 export const kPeriod_ms = 40;
@@ -24,7 +24,7 @@ export class Driver {
   private unanswered = 0;
 
   /**
-   * `move` sends a request that makes the robot move, with the person's consent. `attended`: whether a person is at this page, which is visible and has the focus. `ended`: called when the wheel is
+   * `move` sends a request that makes the robot move, with the person's consent. `attended`: whether a person is at this page, which is visible and has the focus. `ended`: called when the lease is
    * lost, with the reason, or released here, with an empty text.
    */
   constructor(
@@ -72,6 +72,15 @@ export class Driver {
     if (!this.drives) return;
     this.forget();
     this.ended(why);
+  }
+
+  /** A key of the keyboard; true: this page drives by it. */
+  key(code: string, change: KeyChange): boolean {
+    // The release of a key counts even if this page no longer drives.
+    if (!this.drives && change !== 'released') return false;
+    const drives = this.inputs.key(code, change) && this.drives;
+    if (drives) this.tick();
+    return drives;
   }
 
   /** Call when the page loses the focus or is closed, or a key may have been lost: sends a standstill while it still can. */

@@ -1,6 +1,6 @@
 // The keyboard: STOP before everything else; and the list of the keys.
 import type { KeyChange } from '../drive/inputs.ts';
-import { h } from '../panel/dom.ts';
+import { h, typing } from '../panel/dom.ts';
 
 export interface Keys {
   stop(): void;
@@ -14,10 +14,8 @@ export interface Keys {
   held: Partial<Record<string, () => void>>;
 }
 
-/** Whether `target` uses the space bar itself. */
-function typing(target: EventTarget | null): boolean {
-  return target instanceof HTMLElement && target.matches('input:not([type=range]), select, textarea');
-}
+/** Whether `target` uses letters and arrows itself: a list. */
+const chooses = (target: EventTarget | null): boolean => target instanceof HTMLSelectElement;
 
 /** Browsers on macOS do not tell that a key is released while Cmd is held. */
 const hidesReleases = (event: KeyboardEvent): boolean => event.metaKey || event.key === 'Meta';
@@ -33,7 +31,12 @@ export function listen(keys: Keys): void {
         return;
       }
       if (hidesReleases(event)) keys.letGo();
-      if (event.ctrlKey || event.metaKey || event.altKey || typing(event.target)) return;
+      // The space bar stops: the enter key checks a box.
+      if (event.key === 'Enter' && event.target instanceof HTMLInputElement && event.target.type === 'checkbox') {
+        event.preventDefault();
+        event.target.click();
+      }
+      if (event.ctrlKey || event.metaKey || event.altKey || typing(event.target) || chooses(event.target)) return;
       if (keys.driveKey(event.code, event.repeat ? 'repeated' : 'pressed')) {
         event.preventDefault();
         event.stopPropagation();
@@ -58,16 +61,17 @@ export function listen(keys: Keys): void {
 
 const kKeys: [key: string, meaning: string][] = [
   ['space, esc', 'STOP'],
-  ['r', 'start, or continue a paused run; asks for confirmation, or where the robot stands'],
-  ['p', 'pause: stands still on the path, armed'],
-  ['h', 'hold: ends the run or the drive and disarms'],
-  ['m', 'drive by hand: takes the wheel; asks for confirmation'],
+  ['r', 'start, or resume a paused run; asks for confirmation, or where the robot stands'],
+  ['p', 'pause: stands still on the path, motors on'],
+  ['h', 'end the run or the drive: motors off'],
+  ['m', 'drive by hand: takes the lease; asks for confirmation'],
   ['arrows; w, a, s, d', 'while this page drives: forwards, left, backwards, right, as long as they are held'],
-  ['1, 2, 3, 4', 'view: chase, top, free, map'],
-  ['c', 'next view'],
+  ['1, 2, 3, 4', 'Drive, Plan, Analyse, Set up'],
+  ['c', 'next camera: chase, top, free, map'],
   ['[, ]', 'step through a recording'],
   ['?', 'this list'],
-  ['tab, arrows', 'from control to control; between the tabs'],
+  ['tab, arrows', 'from control to control; between the tabs of a view'],
+  ['enter', 'presses a button, checks a box'],
 ];
 
 export function keyList(): HTMLElement {

@@ -24,7 +24,7 @@ function pressAll(): void {
   showCards();
 }
 
-const stopAll = new StopPanel(pressAll, 'space or esc', 'STOP all');
+const stopAll = new StopPanel(pressAll, undefined, 'STOP all');
 stopAll.element.id = 'stop-all';
 stopAll.show({ kind: 'ready' });
 const note = h('p', { class: 'robots-note', role: 'status' });

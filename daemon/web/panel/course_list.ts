@@ -12,6 +12,7 @@ const kAboutSetups: Record<string, string> = {
   flat: 'a flat floor; ramps and blocks are virtual',
   terrain: 'ramps and blocks are really there',
 };
+const kUnavailable = 'The list of courses is not available now.';
 const kFloor =
   'The real floor does not change with the course: with set-up terrain its ramps and blocks must stand there. An emulated robot keeps the floor and the disturbances that it was started with.';
 
@@ -21,20 +22,21 @@ export class CourseList {
   private readonly setups = h('select', { id: 'choose-setup', 'aria-label': 'Set-up' });
   private readonly placeStart = button({ class: 'control', id: 'place-start' }, 'Place at start', () => void this.change('place', { at: 'start' }));
   private readonly placeMap = button({ class: 'control', id: 'place-map', 'aria-pressed': 'false' }, 'Place on the map', () => {
-    this.drawPlace(this.placeMap.getAttribute('aria-pressed') !== 'true');
+    this.drawPlace(!this.placing);
   });
   private readonly upload = button({ class: 'control', id: 'upload' }, 'Upload', () => { this.file.click(); });
   private readonly drawNew = button({ class: 'control', id: 'draw-new' }, 'Draw a course', () => {
     this.editor.openNew(this.list?.courses.map(({ name }) => name) ?? []);
   });
   private readonly file = h('input', { type: 'file', accept: '.toml', 'aria-label': 'Course or robot file', hidden: '' });
+  private readonly about = h('p', { class: 'courses-about' });
   private readonly why = h('p', { class: 'courses-why', role: 'status' });
   private readonly message = new Message('courses-message');
   private readonly replace = button({ class: 'control', id: 'upload-replace', hidden: '' }, 'Replace it', () => {
     if (this.replaced !== undefined) void this.save(this.replaced, true);
   });
   private readonly cards = h('ol', { class: 'cards' });
-  private readonly listing = new Listing<SetupList>('/api/setup', (list) => { this.build(list); }, () => { this.say('The list of courses is not available now.'); });
+  private readonly listing = new Listing<SetupList>('/api/setup', (list) => { this.build(list); }, () => { this.say(kUnavailable); });
   private list: SetupList | undefined;
   private asking = false;
   private mayChange = false;
@@ -58,6 +60,7 @@ export class CourseList {
         this.drawNew,
         this.file,
       ),
+      this.about,
       this.why,
       h('div', { class: 'courses-answer' }, this.message.element, this.replace),
       this.cards,
@@ -100,6 +103,11 @@ export class CourseList {
     if (pose !== undefined) void this.change('place', pose);
   }
 
+  /** Whether a pose is being drawn on the map. */
+  get placing(): boolean {
+    return this.placeMap.getAttribute('aria-pressed') === 'true';
+  }
+
   drawing(on: boolean): void {
     setAttribute(this.placeMap, 'aria-pressed', String(on));
     if (on) this.say('Press on the map where the robot is, and drag towards where it points.');
@@ -117,16 +125,19 @@ export class CourseList {
 
   private build(list: SetupList): void {
     this.list = list;
-    const option = (name: string, about: string, why: string): HTMLOptionElement => {
-      const element = h('option', { value: name }, about === '' ? name : `${name}: ${about}`);
+    if (this.message.element.textContent === kUnavailable) this.say('');
+    const option = (name: string, why: string): HTMLOptionElement => {
+      const element = h('option', { value: name }, name);
       element.disabled = why !== '';
       if (why !== '') element.title = why;
       return element;
     };
-    this.robots.replaceChildren(...list.robots.map((each: RobotEntry) => option(each.name, each.description ?? '', each.why_not)));
+    this.robots.replaceChildren(...list.robots.map((each: RobotEntry) => option(each.name, each.why_not)));
     this.robots.value = list.robot;
-    this.setups.replaceChildren(...list.setups.map((name) => option(name, kAboutSetups[name] ?? '', '')));
+    this.setups.replaceChildren(...list.setups.map((name) => option(name, '')));
     this.setups.value = list.setup;
+    const robot = list.robots.find(({ name }) => name === list.robot);
+    setText(this.about, [`${list.robot}: ${robot?.description ?? ''}`, `${list.setup}: ${kAboutSetups[list.setup] ?? ''}`].join('. '));
     const rank = (course: CourseEntry): number => Number(course.identifies === true) - Number(course.from !== 'bundled');
     const courses = [...list.courses].sort((a, b) => rank(a) - rank(b));
     const card = (course: CourseEntry): HTMLElement =>

@@ -64,6 +64,11 @@ export function deleteButton(attributes: Record<string, string>, act: () => void
   return element;
 }
 
+/** Whether a text is typed into `target`: then the space bar and all other keys belong to it. */
+export function typing(target: EventTarget | null): boolean {
+  return target instanceof HTMLElement && target.matches('input:not([type=range], [type=checkbox]), textarea');
+}
+
 /** Whether a person is at this page: it is visible and has the focus. */
 export const attended = (): boolean => document.visibilityState === 'visible' && document.hasFocus();
 
@@ -89,6 +94,7 @@ const kIcons = {
   wheel: 'M8 1.5a6.5 6.5 0 1 0 0 13 6.5 6.5 0 0 0 0-13zm0 2a4.5 4.5 0 0 1 4.3 3.2L9.6 7a1.8 1.8 0 0 0-3.2 0l-2.7-.3A4.5 4.5 0 0 1 8 3.5zM7 12.4A4.5 4.5 0 0 1 3.6 8.7l2.6.4.8 1zm2 0v-2.3l.8-1 2.6-.4A4.5 4.5 0 0 1 9 12.4z',
   theme: 'M8 1.5a6.5 6.5 0 1 0 0 13a6.5 6.5 0 1 0 0-13zM8 3.2v9.6a4.8 4.8 0 0 1 0-9.6z',
   grid: 'M2 2h5v5H2zM9 2h5v5H9zM2 9h5v5H2zM9 9h5v5H9z',
+  fold: 'M5 3l1.5-1.5L13 8l-6.5 6.5L5 13l5-5z',
   square: 'M4 4h8v8H4z',
   close: 'M4 5l1-1 3 3 3-3 1 1-3 3 3 3-1 1-3-3-3 3-1-1 3-3z',
   stop: 'M5.3 1.5h5.4l3.8 3.8v5.4l-3.8 3.8H5.3l-3.8-3.8V5.3z',

@@ -1,4 +1,4 @@
-// Driving by hand: the button that takes the wheel, and while this page drives the stick, the
+// Driving by hand: the button that takes the lease, and while this page drives the stick, the
 // commanded and the actual motion.
 import type { Driver } from '../drive/driver.ts';
 import type { Inputs } from '../drive/inputs.ts';
@@ -12,7 +12,7 @@ import { button, h, setAttribute, setClass, setText } from './dom.ts';
 const kSources = { none: 'no control held', keys: 'keys', stick: 'stick', gamepad: 'gamepad' };
 
 export class DrivePanel {
-  private readonly control = control('drive', 'wheel', 'Drive', 'm', () => { this.press(); });
+  private readonly control = control('by-hand', 'wheel', 'By hand', 'm', () => { this.press(); });
   readonly button = this.control.button;
   readonly element = h('section', { class: 'drive-panel', 'aria-label': 'Driving by hand', hidden: '' });
   private readonly stick: Stick;
@@ -24,12 +24,16 @@ export class DrivePanel {
   private readonly asked = h('p', { class: 'drive-asked', role: 'status' });
   private readonly release = button({ class: 'control', id: 'drive-release' }, 'Release', () => { this.driver.release(); });
   private readonly confirmation: Confirmation;
+  /** It waits for the second press. */
+  asks = false;
   private needsConfirmation = true;
 
   constructor(
     private readonly driver: Driver,
     private readonly inputs: Inputs,
     consent: Consent,
+    /** The robot is asked to move. */
+    private readonly moves: () => void,
   ) {
     this.confirmation = new Confirmation(consent);
     this.stick = new Stick((at) => {
@@ -54,10 +58,12 @@ export class DrivePanel {
     );
   }
 
-  /** Takes the wheel, confirmed if the daemon requires it. Never releases it: a control that starts never stops. */
+  /** Takes the lease, confirmed if the daemon requires it. Never releases it: a control that starts never stops. */
   press(): void {
     if (this.button.disabled || this.driver.drives) return;
-    if (!this.needsConfirmation || this.confirmation.press()) void this.driver.take();
+    if (this.needsConfirmation && !this.confirmation.press()) return;
+    void this.driver.take();
+    this.moves();
   }
 
   show(store: Store, connected: boolean, mayCommand: boolean): void {
@@ -84,17 +90,17 @@ export class DrivePanel {
 
   private showButton(state: State | undefined, fresh: boolean, mayCommand: boolean): void {
     this.needsConfirmation = state?.confirm_start !== false;
-    // Another driver can be asked for the wheel.
+    // Another driver can be asked for the lease.
     const other = state?.driver?.fresh === true && !this.driver.drives;
     this.button.disabled = !(fresh && !this.driver.drives && (state?.can.drive === true || other));
     // Pause has this place during a run.
     this.button.hidden = state?.can.pause === true;
-    const confirm = this.confirmation.show();
+    const confirm = (this.asks = this.confirmation.show());
     setClass(this.button, 'confirm', confirm);
-    setText(this.control.label, confirm ? 'Press again' : other ? 'Ask' : 'Drive');
+    setText(this.control.label, confirm ? 'Press again' : other ? 'Ask' : 'By hand');
     const why = !mayCommand ? kNoRights : (state?.why_not_drive ?? '');
-    const title = other ? `${why}: ask for the wheel` : why;
-    setAttribute(this.button, 'title', title === '' ? 'Drive by hand (m)' : title);
+    const title = other ? `${why}: ask for the lease, the right to drive` : why;
+    setAttribute(this.button, 'title', title === '' ? 'Drive by hand, with keys, stick or gamepad (m)' : title);
   }
 
   private showDrive(store: Store, state: State | undefined): void {
@@ -102,7 +108,7 @@ export class DrivePanel {
     const estimate = store.get('/estimate');
     const pose = estimate?.[estimate.steering];
     const armed = state?.run === 'driving';
-    setClass(this.element, 'frozen', this.inputs.frozen);
+    setClass(this.element, 'frozen', this.inputs.frozen || estimate?.at_fence === true);
     const source = this.inputs.frozen
       ? 'gamepad: its values do not change; move the stick'
       : this.inputs.silent
@@ -110,7 +116,7 @@ export class DrivePanel {
         : !armed
           ? 'arming\u2026'
           : estimate?.at_fence === true
-            ? 'at the fence'
+            ? 'at the fence: drive away from it'
             : kSources[wish?.source ?? 'none'];
     setText(this.source, source);
     const { speed_mps, yaw_rate_radps } = this.driver.limits;
@@ -119,7 +125,7 @@ export class DrivePanel {
     const most = this.driver.share * speed_mps;
     setText(this.shareText, `${fixed(most, 2)} of ${fixed(speed_mps, 2)} m/s, ${degrees(this.driver.share * yaw_rate_radps, 0)}\u00b0/s`);
     const by = state?.driver?.asked_by ?? '';
-    setText(this.asked, by === '' ? '' : `${by} asks for the wheel`);
+    setText(this.asked, by === '' ? '' : `${by} asks for the lease: release it?`);
     this.stick.show(wish?.forward ?? 0, wish?.left ?? 0);
   }
 }

@@ -35,10 +35,23 @@ export class EventLog {
     const last = this.shown.at(-1);
     const from = last === undefined ? 0 : store.events.lastIndexOf(last) + 1;
     if (from === store.events.length) return;
-    for (const event of store.events.slice(from)) this.list.prepend(row(event, began_unix_s));
+    for (const event of store.events.slice(from)) this.add(event);
     while (this.list.children.length > kEvents) this.list.lastElementChild?.remove();
     this.shown = store.events.slice(-1);
     this.narrow();
+  }
+
+  /** Adds an event; one like the newest before it takes its place, and counts. */
+  private add(event: Event): void {
+    const next = row(event, this.began_unix_s);
+    const before = this.list.firstElementChild;
+    if (before instanceof HTMLElement && before.dataset.like === next.dataset.like) {
+      const times = Number(before.dataset.times ?? 1) + 1;
+      next.dataset.times = String(times);
+      next.querySelector('.event-text')?.append(h('span', { class: 'event-times' }, `\u00d7 ${times}`));
+      before.remove();
+    }
+    this.list.prepend(next);
   }
 
   private narrow(): void {
@@ -58,7 +71,8 @@ function row(event: Event, began_unix_s: number | undefined): HTMLElement {
   const time = began_unix_s === undefined ? since : wallClock(began_unix_s + event.t_s);
   return h(
     'li',
-    { class: 'event', 'data-level': event.level, 'data-kind': event.kind },
+    // Events that differ only in figures are alike.
+    { class: 'event', 'data-level': event.level, 'data-kind': event.kind, 'data-like': `${event.level} ${event.kind} ${event.text.replace(/\d+(\.\d+)?/g, '#')}` },
     h('time', { title: `${since} since the start of tp100d` }, time),
     h('span', { class: 'event-kind' }, event.kind),
     h('span', { class: 'event-text' }, event.text, ...(what === '' ? [] : [h('span', { class: 'event-cause' }, what)])),

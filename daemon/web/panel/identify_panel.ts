@@ -16,6 +16,7 @@ export class IdentifyPanel {
     void this.act('Evaluating the drives \u2026', () => this.identify());
   });
   private readonly message = new Message('identify-message', 'Drive the courses on a flat floor, evaluate the drives, and save the resulting robot file.');
+  private readonly progress = h('p', { class: 'identify-progress' });
   private readonly why = h('p', { class: 'identify-why', role: 'status' });
   private readonly question = h('section', { class: 'identify-question', role: 'dialog', 'aria-label': 'Before the drive', hidden: '' });
   private readonly list = h('ol', { class: 'identify-courses' });
@@ -51,7 +52,7 @@ export class IdentifyPanel {
     consent.subscribe((why) => { this.giveUp(why); });
     onLeave(() => { this.giveUp('The page was left'); });
     this.found = new FoundRobot(call, this.message);
-    this.element.append(h('div', { class: 'tab-bar' }, this.evaluate, this.message.element), this.why, this.question, this.found.element, this.list);
+    this.element.append(h('div', { class: 'tab-bar' }, this.evaluate, this.message.element), this.progress, this.why, this.question, this.found.element, this.list);
   }
 
   /** Draws the tab's content; reloads the lists from time to time. */
@@ -101,12 +102,22 @@ export class IdentifyPanel {
         // Do not redraw while a measurement is being typed.
         if (`${setup}${runs}` === this.shown || (document.activeElement?.closest('.identify-measured') ?? null) !== null) return;
         this.shown = `${setup}${runs}`;
-        this.list.replaceChildren(...calibrationCourses(this.setup).map((course) => this.course(course)));
+        const courses = calibrationCourses(this.setup);
+        setText(this.progress, this.progressOf(courses));
+        this.list.replaceChildren(...courses.map((course) => this.course(course)));
       } catch {
         this.shown = '';
         this.message.say('The lists of courses and runs are not available now.', true);
       }
     });
+  }
+
+  /** For example "3 of 9 courses driven, about 2 min of driving left". */
+  private progressOf(courses: readonly CourseEntry[]): string {
+    const left = courses.filter(({ name }) => drivesOf(this.runs, name, this.robot).length === 0);
+    const left_s = left.reduce((sum_s, { duration_s }) => sum_s + (duration_s ?? 0), 0);
+    const time = left_s < 60 ? `${left_s.toFixed(0)} s` : `${Math.ceil(left_s / 60)} min`;
+    return `${courses.length - left.length} of ${courses.length} courses driven${left.length === 0 ? '' : `, about ${time} of driving left`}`;
   }
 
   /** Writes a measurement down. One may be typed at any time, also while a course is driven. */

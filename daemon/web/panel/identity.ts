@@ -6,7 +6,12 @@ export class Identity {
   private readonly badge = h('span', { class: 'badge' });
   private readonly setting = h('span', { class: 'setting' });
   private readonly robots = h('a', { class: 'robots-link', href: 'robots.html', 'aria-label': 'All robots', title: 'All robots' }, icon('grid'));
-  readonly element = h('div', { class: 'identity' }, this.robots, h('h1', {}, 'TP100'), this.setting, this.badge);
+  readonly element: HTMLElement;
+
+  /** `tools`: beside the name. */
+  constructor(...tools: HTMLElement[]) {
+    this.element = h('div', { class: 'identity' }, this.robots, h('h1', {}, 'TP100'), this.setting, this.badge, ...tools);
+  }
 
   /** `metadata`: sent by the daemon when this page connected. */
   show(store: Store, metadata: { robot?: string; setup?: string }): void {

@@ -1,4 +1,4 @@
-// Below the view: the most severe current problem with its remedy, and all others on request.
+// Below the header, in all views: the most severe current problem with its remedy, and all others on request.
 import { fixed } from '../state/format.ts';
 import type { Store } from '../state/store.ts';
 import { button, h, icon, setAttribute, setText } from './dom.ts';
@@ -61,8 +61,7 @@ export class Notice {
     setAttribute(this.element, 'data-level', rows[0]?.level ?? 'none');
     const others = visible.length - 1;
     this.more.hidden = others < 1;
-    setText(this.more, this.open ? 'less' : `+${others}`);
-    setAttribute(this.more, 'aria-label', this.open ? 'Show the first notice only' : `Show ${others} more`);
+    setText(this.more, this.open ? 'less' : `${others} more`);
     setAttribute(this.more, 'aria-expanded', String(this.open));
   }
 }

@@ -24,8 +24,6 @@ export interface PlotOptions {
   decimals: number;
   soft: [number, number];
   curves: Curve[];
-  /** With times below the axis. */
-  times?: boolean;
 }
 
 const kAxis_px = 44;
@@ -44,23 +42,27 @@ export class Plot {
   readonly element: HTMLElement;
   private readonly canvas = h('div', { class: 'plot-canvas' });
   private readonly values: HTMLElement[] = [];
+  private readonly keys: (HTMLElement | undefined)[] = [];
   private readonly plot: uPlot;
   private end_s = 1;
   private from_s = 0;
   private range: [number, number];
 
-  constructor(private readonly options: PlotOptions) {
+  /** `head`: before the legend; it names the diagram. */
+  constructor(private readonly options: PlotOptions, head: HTMLElement) {
     this.range = niceRange(NaN, NaN, options.soft);
     const key = h('div', { class: 'plot-key' });
     for (const curve of options.curves) {
       const value = h('span', { class: 'plot-value' });
       this.values.push(value);
-      if (curve.quiet !== true) key.append(keyOf(curve.label, curve.colour, curve.nameOnly === true ? [] : [value], curve.dash));
+      const named = curve.quiet === true ? undefined : keyOf(curve.label, curve.colour, curve.nameOnly === true ? [] : [value], curve.dash);
+      this.keys.push(named);
+      if (named !== undefined) key.append(named);
     }
     this.element = h(
       'section',
       { class: 'plot', id: `plot-${options.id}`, 'aria-label': `${options.title}, ${options.unit}` },
-      h('header', {}, h('h2', {}, options.title, h('span', { class: 'plot-unit' }, options.unit)), key),
+      h('header', {}, head, h('span', { class: 'plot-unit' }, options.unit), key),
       this.canvas,
     );
     this.plot = new uPlot(this.uplotOptions(), options.curves.reduce<number[][]>((all) => [...all, []], [[]]) as uPlot.AlignedData, this.canvas);
@@ -71,6 +73,10 @@ export class Plot {
     if (width > 0 && height > 0 && (width !== this.plot.width || height !== this.plot.height)) {
       this.plot.setSize({ width, height });
     }
+  }
+
+  destroy(): void {
+    this.plot.destroy();
   }
 
   /** Draws the `window_s` before the newest row. */
@@ -86,6 +92,7 @@ export class Plot {
     this.range = niceRange(...extent(curves), this.options.soft);
     this.plot.setData([column(columns, 't_s'), ...curves]);
     this.figures();
+    for (const [i, curve] of this.options.curves.entries()) this.keys[i]?.toggleAttribute('hidden', curve.colour === 'fused' && !store.usesCamera);
   }
 
   /** The values of the newest row, or of the one under the cursor. */
@@ -98,13 +105,12 @@ export class Plot {
   }
 
   private uplotOptions(): uPlot.Options {
-    const times = this.options.times === true;
     return {
       width: 300,
       height: 100,
       legend: { show: false },
-      padding: [6, 10, times ? 0 : 4, 0],
-      cursor: { y: false, points: { size: 5 }, drag: { x: false, y: false }, sync: { key: 'time', setSeries: false } },
+      padding: [6, 10, 0, 0],
+      cursor: { y: false, points: { size: 5 }, drag: { x: false, y: false } },
       scales: {
         x: { time: false, range: () => [this.from_s, this.end_s] },
         y: { range: () => this.range },
@@ -112,10 +118,10 @@ export class Plot {
       axes: [
         {
           ...kAxis,
-          size: times ? kTimes_px : 0,
+          size: kTimes_px,
           gap: 4,
           space: 48,
-          values: (_, splits) => (times ? splits.map((t_s) => fixed(t_s, 0)) : splits.map(() => '')),
+          values: (_, splits) => splits.map((t_s) => fixed(t_s, 0)),
         },
         {
           ...kAxis,

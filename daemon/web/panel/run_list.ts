@@ -3,7 +3,7 @@ import { bytes } from '../state/format.ts';
 import { titleOf, type RunEntry, type RunFile, type RunNote, type RunsList } from '../state/runs.ts';
 import { button, h, Message, setText } from './dom.ts';
 import { noteForm, runRow, type RunActions } from './run_row.ts';
-import { Listing, reason, type Call } from '../state/service.ts';
+import { fetched, Listing, reason, type Call } from '../state/service.ts';
 
 const kCompared = 2;
 
@@ -46,7 +46,7 @@ export class RunList {
     this.table.hidden = true;
     this.actions = {
       replay,
-      report: (run) => void this.make(`the report of ${titleOf(run)}`, 'run_report', { run: run.run }),
+      report: ({ run }) => { this.report(run); },
       edit: ({ run }) => { this.edit(run); },
       remove: ({ run }) => void this.change('run_delete', { run }),
       choose: ({ run }, on) => {
@@ -69,6 +69,21 @@ export class RunList {
   /** The list has changed: reload it at once. */
   changed(): void {
     this.listing.reload();
+  }
+
+  report(run: string): void {
+    const title = titleOf(this.list?.runs.find((each) => each.run === run) ?? { name: '', run });
+    void this.make(`the report of ${title}`, 'run_report', { run });
+  }
+
+  /** With the run of the same course before it. */
+  async compareWithBefore(run: string): Promise<void> {
+    // A run is named by its time and its course.
+    const course = run.replace(/^\d+-\d+/, '');
+    const runs = await fetched('/api/runs').then((text) => (JSON.parse(text) as RunsList).runs, () => []);
+    const before = runs.filter((each) => each.run.endsWith(course) && each.run < run && !each.active).map((each) => each.run).sort().at(-1);
+    if (before === undefined) this.message.say('There is no run of this course before it.', true);
+    else await this.make(`the comparison of ${run} with ${before}`, 'run_compare', { run, with: before });
   }
 
   private enable(): void {

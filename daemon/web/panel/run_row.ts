@@ -76,7 +76,7 @@ function files(run: RunEntry): HTMLElement[] {
   const count = links.length;
   if (count === 0) return [];
   links.push(h('a', { class: 'run-zip', href: `/runs/${run.run}.zip`, download: '', 'aria-label': `All files of ${titleOf(run)} as a ZIP archive` }, 'all (zip)'));
-  return [h('details', { class: 'run-more' }, h('summary', {}, count === 1 ? '1 file' : `${count} files`), ...links)];
+  return [h('details', { class: 'run-more' }, h('summary', {}, count === 1 ? '1 file' : `${count} files`), h('div', { class: 'run-links' }, ...links))];
 }
 
 /** The form that replaces a row. */

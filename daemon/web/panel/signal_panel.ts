@@ -45,7 +45,9 @@ export class SignalPanel {
     );
     this.element.append(this.chooser, h('div', { class: 'signal-view' }, tools, this.charts_));
     this.search.addEventListener('input', () => { this.showList(); });
-    for (const name of remembered()) this.choose(name);
+    const names = remembered();
+    this.rebuild();
+    for (const name of names) this.choose(name);
     // On a phone the diagrams need the space.
     if (this.live.names.length > 0 && innerWidth < 700) this.chooser.removeAttribute('open');
   }
@@ -62,6 +64,7 @@ export class SignalPanel {
 
   /** Shows a recording; undefined: the robot again. */
   look(frames: readonly Frame[] | undefined): void {
+    if (frames === this.frames) return;
     const names = this.live.names;
     this.signals = this.live;
     this.fixed = undefined;
@@ -155,7 +158,7 @@ export class SignalPanel {
   }
 
   private draw(): void {
-    setText(this.pauseButton, this.fixed === undefined ? 'Pause' : 'Go on');
+    setText(this.pauseButton, this.fixed === undefined ? 'Pause' : 'Continue');
     setAttribute(this.pauseButton, 'aria-pressed', String(this.fixed !== undefined));
     if (this.element.hidden) return;
     const range = this.range;

@@ -1,5 +1,5 @@
 // The question before a start after a run that ended early: does the robot stand at the course's start again, or shall
-// it go on from where it is estimated to be? Nothing moves before one of them is chosen.
+// it continue from where it is estimated to be? Nothing moves before one of them is chosen.
 import { degrees, fixed } from '../state/format.ts';
 import type { Consent } from '../state/consent.ts';
 import type { State } from '../state/messages.ts';
@@ -21,7 +21,7 @@ export class StartQuestion {
         if (from !== undefined) chosen(from);
       });
     this.first = answer('start-cancel', 'Cancel');
-    this.starts = [answer('start-placed', 'Placed back at the start: start there', 'start'), answer('start-here', 'Go on from here', 'here')];
+    this.starts = [answer('start-placed', 'Placed back at the start: start there', 'start'), answer('start-here', 'Continue from here', 'here')];
     this.element.append(this.text, this.first, ...this.starts);
   }
 

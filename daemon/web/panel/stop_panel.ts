@@ -1,7 +1,7 @@
 // The STOP button: always visible, acts on press, shows the result.
 import { fixed } from '../state/format.ts';
 import type { StopView } from '../state/stop.ts';
-import { h, icon, setAttribute, setText } from './dom.ts';
+import { h, icon, setAttribute, setText, typing } from './dom.ts';
 
 const kClickAfterPress_ms = 3000;
 
@@ -9,14 +9,14 @@ export class StopPanel {
   readonly element: HTMLButtonElement;
   private readonly line = h('span', { class: 'stop-line' });
 
-  /** `keys`: names of the keys that do the same; empty: none. */
-  constructor(pressed: () => void, private readonly keys = 'space or esc', text = 'STOP') {
+  /** `keys`: names of the keys that do the same now; empty: none. */
+  constructor(pressed: () => void, private readonly keys = stopKeys, text = 'STOP') {
     this.element = h('button', { class: 'stop', type: 'button', 'data-state': 'ready' });
     const word = h('span', { class: 'stop-word' }, icon('stop'), text);
     this.element.append(word, this.line);
     this.line.setAttribute('role', 'status');
     this.line.setAttribute('aria-live', 'assertive');
-    if (keys !== '') this.element.setAttribute('aria-keyshortcuts', 'Space Escape');
+    if (keys() !== '') this.element.setAttribute('aria-keyshortcuts', 'Space Escape');
     // Acts on press, not on release. The click that follows belongs to the same press; a click
     // without a pointer comes from the enter key or from assistive technology.
     let pointer_ms = -Infinity;
@@ -31,9 +31,12 @@ export class StopPanel {
 
   show(view: StopView): void {
     setAttribute(this.element, 'data-state', view.kind);
-    setText(this.line, describe(view, this.keys));
+    setText(this.line, describe(view, this.keys()));
   }
 }
+
+/** The keys that press STOP: none on a touch screen; not the space bar while a text is typed. */
+const stopKeys = (): string => (matchMedia('(any-hover: none)').matches ? '' : typing(document.activeElement) ? 'esc' : 'space or esc');
 
 /** One short line that fits the button. */
 export function describe(view: StopView, keys: string): string {

@@ -1,6 +1,7 @@
-// Progress along the course as a strip: its obstacles and the robot's position.
+// Progress along the course as a strip: its obstacles and the robot's position; and the time that is left.
 import { clock, fixed } from '../state/format.ts';
-import type { Course, Place } from '../state/messages.ts';
+import type { Course, Place, Segment } from '../state/messages.ts';
+import { minutes } from '../state/run_words.ts';
 import type { Store } from '../state/store.ts';
 import { heightOf, lengthOf } from '../scene/geometry.ts';
 import { h, setClass, setText } from './dom.ts';
@@ -13,11 +14,12 @@ export class Timeline {
   private readonly marks = h('div', { class: 'strip-marks' });
   private readonly time = h('output', { class: 'timeline-time' });
   private readonly progress = h('output', { class: 'timeline-progress' });
+  private readonly left = h('output', { class: 'timeline-left', title: 'At the speed of the course' });
   private courseShown = -1;
 
   constructor() {
     this.strip.append(this.fill, this.marks);
-    this.element.append(this.name, this.strip, this.progress, this.time);
+    this.element.append(this.name, this.strip, this.progress, this.left, this.time);
   }
 
   show(store: Store): void {
@@ -29,11 +31,13 @@ export class Timeline {
     }
     const state = store.get('/state');
     const length_m = course?.length_m ?? 0;
-    const progress_m = state?.run === 'idle' ? 0 : (store.get('/estimate')?.progress_m ?? 0);
+    const progress_m = state?.run === 'idle' && state.continue_from === undefined ? 0 : (store.get('/estimate')?.progress_m ?? 0);
     const share = length_m > 0 ? Math.min(Math.max(progress_m / length_m, 0), 1) : 0;
     const transform = `scaleX(${share.toFixed(4)})`;
     if (this.fill.style.transform !== transform) this.fill.style.transform = transform;
     setText(this.progress, length_m > 0 ? `${fixed(progress_m, 2)} / ${fixed(length_m, 2)} m` : '\u2013');
+    const left_s = course !== undefined && state?.run === 'running' && state.pause_left_s === undefined ? left(course, progress_m) : undefined;
+    setText(this.left, left_s === undefined ? '' : `${minutes(left_s)} left`);
     setText(this.time, clock(state?.run_s ?? 0));
     setClass(this.element, 'stale', store.stale('/estimate'));
   }
@@ -55,6 +59,16 @@ export class Timeline {
     }
     for (const disturbance of course.disturbances) mark(disturbance.at_m, disturbance.at_m + 0.01, 'disturbance', 'disturbance');
   }
+}
+
+/** A usual rate of a turn on the spot. */
+const kPivot_radps = 0.5;
+
+/** How long the rest of the course takes at its speed. */
+function left(course: Course, progress_m: number): number {
+  const turned_rad = ({ begin, end }: Segment): number => Math.abs(Math.atan2(Math.sin(end.yaw_rad - begin.yaw_rad), Math.cos(end.yaw_rad - begin.yaw_rad)));
+  const turns = course.segments.filter(({ kind, from_m }) => kind === 'pivot' && from_m >= progress_m);
+  return Math.max(course.length_m - progress_m, 0) / course.speed_mps + turns.reduce((sum_s, turn) => sum_s + turned_rad(turn) / kPivot_radps, 0);
 }
 
 /** The part of the path within half of `length` of a piece's middle; undefined if the path does not cross it. */

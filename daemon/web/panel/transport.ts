@@ -1,4 +1,4 @@
-// The bar of a displayed recording: play, scrub, speed, back to live.
+// The bar of a displayed recording: play, scrub, speed, close.
 import type { Player } from '../replay/player.ts';
 import { clock } from '../state/format.ts';
 import { button, h, icon, setAttribute, setText } from './dom.ts';
@@ -21,7 +21,7 @@ export class Transport {
   private shownPlaying: boolean | undefined;
 
   constructor(close: () => void) {
-    const leave = button({ id: 'live' }, 'back to live', close);
+    const leave = button({ id: 'live' }, 'close', close);
     this.element.append(this.name, this.play, this.slider, this.time, this.speed, leave);
     this.element.hidden = true;
     this.slider.addEventListener('input', () => {

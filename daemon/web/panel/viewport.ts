@@ -7,15 +7,19 @@ import type { View } from '../scene/view.ts';
 import type { Course } from '../state/messages.ts';
 import { kEstimates, type EstimateName, type Store } from '../state/store.ts';
 import { button, h, setAttribute, setClass } from './dom.ts';
+import { kHelp } from './help.ts';
 
-export const kModes = [...kCameraModes, 'map'] as const;
-export type Mode = (typeof kModes)[number];
+const kModes = [...kCameraModes, 'map'] as const;
+type Mode = (typeof kModes)[number];
+
+const kAbout: Record<Mode, string> = { chase: 'From behind the robot', top: 'From above the robot', free: 'From where you turn it', map: 'Plan of the course' };
 
 export class Viewport {
   readonly element = h('section', { class: 'viewport', 'aria-label': 'Course' });
   private readonly stage = h('div', { class: 'stage' });
   private readonly buttons = new Map<Mode, HTMLButtonElement>();
   private readonly toggles = new Map<EstimateName, HTMLButtonElement>();
+  private readonly steers = new Map<EstimateName, HTMLElement>();
   private readonly hidden = new Set<EstimateName>();
   private view: View;
   private mode: Mode = 'free';
@@ -24,23 +28,26 @@ export class Viewport {
   private courseShown = -1;
   private drafted = false;
   private frame: Bounds | undefined;
+  private store: Store | undefined;
 
   constructor() {
     const modes = h('div', { class: 'modes', role: 'group', 'aria-label': 'Camera' });
     for (const mode of kModes) {
-      const camera = button({ 'aria-pressed': 'false', id: `camera-${mode}` }, mode, () => { this.set(mode); });
+      const camera = button({ 'aria-pressed': 'false', id: `camera-${mode}`, title: `${kAbout[mode]} (c: the next one)` }, mode, () => { this.set(mode); });
       this.buttons.set(mode, camera);
       modes.append(camera);
     }
     const key = h('div', { class: 'key', role: 'group', 'aria-label': 'Paths' });
     const plan = h('i', { class: 'swatch dashed' });
     plan.style.color = 'var(--path)';
-    key.append(h('span', { class: 'key-item' }, plan, 'plan'));
+    key.append(h('span', { class: 'key-item', title: kHelp.plan }, plan, 'plan'));
     for (const name of kEstimates) {
       const swatch = h('i', { class: 'swatch' });
       swatch.style.color = `var(--${name})`;
-      const toggle = button({ class: 'key-item', 'aria-pressed': 'true', id: `show-${name}` }, swatch, () => { this.toggle(name); });
-      toggle.append(name);
+      const toggle = button({ class: 'key-item', 'aria-pressed': 'true', id: `show-${name}`, title: kHelp[name] }, swatch, () => { this.toggle(name); });
+      const steers = h('span', { class: 'key-steers', title: kHelp.steering, hidden: '' }, 'steers');
+      toggle.append(name, steers);
+      this.steers.set(name, steers);
       this.toggles.set(name, toggle);
       key.append(toggle);
     }
@@ -51,7 +58,16 @@ export class Viewport {
     const first = drawnBy === 'card' ? 'free' : 'map';
     this.view = this.make(first);
     this.set(this.view instanceof MapView ? 'map' : first);
-    new ResizeObserver(() => { this.view.resize(); }).observe(this.stage);
+    // Drawn at once, because a canvas is empty after its size has changed.
+    new ResizeObserver(() => {
+      this.view.resize();
+      if (this.store !== undefined) this.view.draw(this.store, this.left_out, 0);
+    }).observe(this.stage);
+  }
+
+  /** Whether the page shows it. */
+  get visible(): boolean {
+    return this.stage.clientHeight > 0;
   }
 
   set(mode: Mode): void {
@@ -102,20 +118,38 @@ export class Viewport {
   }
 
   draw(store: Store, dt_s: number): void {
+    this.store = store;
+    if (!this.visible) return;
     const received = store.received['/course'] ?? 0;
     if (received !== this.courseShown && !this.drafted) {
       this.courseShown = received;
       this.setCourse(store.get('/course'));
     }
-    const truth = this.toggles.get('truth');
-    if (truth) setClass(truth, 'absent', !store.get('/estimate')?.truth);
+    this.showKey(store);
     setClass(this.element, 'stale', store.stale('/estimate'));
-    this.view.draw(store, this.hidden, dt_s);
+    this.view.draw(store, this.left_out, dt_s);
   }
 
   /** Call when the data source changes: clears the drawing of the old one. */
   reset(): void {
     this.view.reset();
+  }
+
+  /** The legend: what there is to see, and which estimate steers. */
+  private showKey(store: Store): void {
+    const estimate = store.get('/estimate');
+    for (const [name, toggle] of this.toggles) {
+      const absent = (name === 'truth' && !estimate?.truth) || (name === 'fused' && !store.usesCamera);
+      if (toggle.hidden === absent) continue;
+      toggle.hidden = absent;
+      this.view.reset();
+    }
+    for (const [name, steers] of this.steers) steers.hidden = name !== estimate?.steering;
+  }
+
+  /** What is not drawn. */
+  private get left_out(): ReadonlySet<EstimateName> {
+    return this.toggles.get('fused')?.hidden === true ? new Set([...this.hidden, 'fused'] as const) : this.hidden;
   }
 
   private toggle(name: EstimateName): void {

@@ -1,9 +1,9 @@
 // A robot's card: state, figures, faults, the link to its page, and its STOP.
 import { h, setAttribute, setText } from '../panel/dom.ts';
-import { kRunLamps } from '../panel/status_bar.ts';
 import { StopPanel } from '../panel/stop_panel.ts';
 import { clock, degrees, fixed } from '../state/format.ts';
-import { asksForMotion, type State } from '../state/messages.ts';
+import type { State } from '../state/messages.ts';
+import { runWords } from '../state/run_words.ts';
 import type { Robot } from './robot.ts';
 
 export class RobotCard {
@@ -19,7 +19,7 @@ export class RobotCard {
   constructor(private readonly robot: Robot) {
     const { url } = robot.listed;
     const { host } = new URL(url);
-    this.stop = new StopPanel(() => { this.pressStop(); }, '');
+    this.stop = new StopPanel(() => { this.pressStop(); }, () => '');
     const page = h('a', { class: 'link', href: url }, host);
     this.element = h(
       'li',
@@ -52,12 +52,10 @@ export class RobotCard {
   }
 
   private showState(state: State): void {
-    const asked = asksForMotion(state.run);
     const present = state.session === 'ready';
-    const unasked = state.motors_on && !asked;
-    setAttribute(this.element, 'data-lamp', unasked || !present ? 'bad' : kRunLamps[state.run] ?? 'none');
-    const paused = state.pause_left_s === undefined ? '' : ' \u00b7 paused';
-    setText(this.status, unasked ? `${state.run} \u00b7 motors on` : present ? state.run + paused : 'no robot');
+    const { lamp, word, detail } = runWords(state);
+    setAttribute(this.element, 'data-lamp', lamp);
+    setText(this.status, state.run === 'running' && state.pause_left_s === undefined ? word : [word, detail].filter((text) => text !== '').join(' \u00b7 '));
     setText(this.badge, this.robot.link?.kind ?? '');
     setAttribute(this.badge, 'data-kind', this.robot.link?.kind ?? '');
     const progress = typeof state.length_m === 'number' ? `, ${fixed(state.progress_m, 2)} of ${fixed(state.length_m, 2)} m` : '';

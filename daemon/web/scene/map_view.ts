@@ -8,6 +8,11 @@ import { kDefaultShape } from './robot_model.ts';
 
 const kMargin_m = 0.12;
 const kCleat_m = 0.02;
+/** A course that ends so near to its start ends there. */
+const kSamePlace_m = 0.05;
+/** Lengths that the map's measure has, and how long it is at most. */
+const kLengths_m = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50];
+const kMeasure_px = 140;
 
 /** World to image: x to the right, y up. */
 export interface Projection {
@@ -176,6 +181,7 @@ export class MapView implements View {
     context.fillStyle = colour('floor');
     context.fillRect(0, 0, width, height);
     this.grid(context);
+    this.measure(context);
     const course = this.course;
     if (course === undefined) return;
     for (const surface of course.surfaces) {
@@ -199,6 +205,7 @@ export class MapView implements View {
       context.stroke();
     }
     this.polygon(context, cornersOf(course.fence));
+    context.lineWidth = 2 * this.ratio;
     context.stroke();
     context.setLineDash([6 * this.ratio, 5 * this.ratio]);
     context.strokeStyle = colour('path');
@@ -210,6 +217,55 @@ export class MapView implements View {
     }
     context.stroke();
     context.setLineDash([]);
+    this.ends(context, course);
+  }
+
+  /** Where the course begins and ends. */
+  private ends(context: CanvasRenderingContext2D, course: Course): void {
+    const last = course.path.at(-1);
+    if (last === undefined) return;
+    const closed = Math.hypot(last.x_m - course.start.x_m, last.y_m - course.start.y_m) < kSamePlace_m;
+    this.end(context, course.start, 'fused', closed ? 'start, goal' : 'start');
+    if (!closed) this.end(context, last, 'path', 'goal');
+  }
+
+  private end(context: CanvasRenderingContext2D, { x_m, y_m }: { x_m: number; y_m: number }, name: 'fused' | 'path', text: string): void {
+    const { x, y } = this.pixel(x_m, y_m);
+    context.fillStyle = colour(name);
+    context.beginPath();
+    context.arc(x, y, 5 * this.ratio, 0, 2 * Math.PI);
+    context.fill();
+    this.write(context, text, x - 8 * this.ratio, y + 18 * this.ratio);
+  }
+
+  private write(context: CanvasRenderingContext2D, text: string, x: number, y: number): void {
+    context.font = `${11 * this.ratio}px B612, sans-serif`;
+    context.fillStyle = colour('dim');
+    context.fillText(text, x, y);
+  }
+
+  /** How long a length is, and which way x and y point. */
+  private measure(context: CanvasRenderingContext2D): void {
+    const px = this.ratio;
+    const length_m = kLengths_m.filter((each) => each * this.projection.scale < kMeasure_px * px).at(-1) ?? 0.1;
+    const [x, y, length] = [14 * px, this.ground.height - 14 * px, length_m * this.projection.scale];
+    context.strokeStyle = colour('dim');
+    context.lineWidth = 1.5 * px;
+    context.beginPath();
+    for (const at of [x, x + length]) {
+      context.moveTo(at, y - 4 * px);
+      context.lineTo(at, y + 4 * px);
+    }
+    context.moveTo(x, y);
+    context.lineTo(x + length, y);
+    // The axes.
+    context.moveTo(x, y - 50 * px);
+    context.lineTo(x, y - 22 * px);
+    context.lineTo(x + 28 * px, y - 22 * px);
+    context.stroke();
+    this.write(context, `${length_m} m`, x + length + 8 * px, y + 4 * px);
+    this.write(context, 'x', x + 32 * px, y - 18 * px);
+    this.write(context, 'y', x - 3 * px, y - 55 * px);
   }
 
   private grid(context: CanvasRenderingContext2D): void {

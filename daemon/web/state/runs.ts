@@ -42,7 +42,7 @@ export interface RunNote {
   keep: boolean;
 }
 
-export const titleOf = ({ name, run }: RunEntry): string => (name === '' ? run : name);
+export const titleOf = ({ name, run }: Pick<RunEntry, 'name' | 'run'>): string => (name === '' ? run : name);
 
 /** The page that tp100d report makes; undefined: not yet. */
 export const reportOf = (run: RunEntry): RunFile | undefined => run.files.find(({ name }) => name === 'report.html');

@@ -13,13 +13,22 @@ export type EstimateName = (typeof kEstimates)[number];
 const deg = (value_rad: number | undefined): number => ((value_rad ?? NaN) * 180) / Math.PI;
 const error_mm = ({ truth }: Estimate, pose: Pose): number => (truth ? 1000 * Math.hypot(pose.x_m - truth.x_m, pose.y_m - truth.y_m) : NaN);
 
+/** A sample that is older tells nothing of now. */
+const kStaleSample_us = 400_000;
+/** Below this speed of both tracks, slip is a ratio of noise. */
+const kStill_mps = 0.005;
+const moving = ({ tracks }: Estimate): boolean => Math.max(Math.abs(tracks.left_mps), Math.abs(tracks.right_mps)) > kStill_mps;
+const slip_percent = (estimate: Estimate, ratio: number | undefined): number => (moving(estimate) ? 100 * (ratio ?? NaN) : NaN);
+/** Whether a pose of the camera has ever come: without one, `fused` is the odometry once more. */
+const seen = ({ steering, fused }: Estimate): boolean => steering === 'fused' || typeof fused.camera_age_us === 'number';
+
 /** Columns of `Store.series` by name, in the units that the plots show. */
 const kColumns = {
   t_s: (estimate) => estimate.t_s,
   desired_yaw_deg: (estimate) => deg(estimate.desired_yaw_rad),
   model_yaw_deg: (estimate) => deg(estimate.model.yaw_rad),
   odometry_yaw_deg: (estimate) => deg(estimate.odometry.yaw_rad),
-  fused_yaw_deg: (estimate) => deg(estimate.fused.yaw_rad),
+  fused_yaw_deg: (estimate) => (seen(estimate) ? deg(estimate.fused.yaw_rad) : NaN),
   truth_yaw_deg: (estimate) => deg(estimate.truth?.yaw_rad),
   cross_track_mm: (estimate) => 1000 * estimate.cross_track_m,
   heading_error_deg: (estimate) => deg(estimate.heading_error_rad),
@@ -27,17 +36,19 @@ const kColumns = {
   right_mps: ({ tracks }) => tracks.right_mps,
   left_commanded_mps: ({ tracks }) => tracks.left_commanded_mps ?? NaN,
   right_commanded_mps: ({ tracks }) => tracks.right_commanded_mps ?? NaN,
-  slip_left_percent: (_, slip) => 100 * (slip?.left ?? NaN),
-  slip_right_percent: (_, slip) => 100 * (slip?.right ?? NaN),
-  fused_slip_left_percent: (_, slip) => 100 * (slip?.fused_left ?? NaN),
-  fused_slip_right_percent: (_, slip) => 100 * (slip?.fused_right ?? NaN),
+  slip_left_percent: (estimate, slip) => slip_percent(estimate, slip?.left),
+  slip_right_percent: (estimate, slip) => slip_percent(estimate, slip?.right),
+  fused_slip_left_percent: (estimate, slip) => (seen(estimate) ? slip_percent(estimate, slip?.fused_left) : NaN),
+  fused_slip_right_percent: (estimate, slip) => (seen(estimate) ? slip_percent(estimate, slip?.fused_right) : NaN),
   model_error_mm: (estimate) => error_mm(estimate, estimate.model),
   odometry_error_mm: (estimate) => error_mm(estimate, estimate.odometry),
-  fused_error_mm: (estimate) => error_mm(estimate, estimate.fused),
+  fused_error_mm: (estimate) => (seen(estimate) ? error_mm(estimate, estimate.fused) : NaN),
 } satisfies Record<string, (estimate: Estimate, slip: Slip | undefined) => number>;
 export type Column = keyof typeof kColumns;
 
-const row = (estimate: Estimate, slip: Slip | undefined): number[] => Object.values(kColumns).map((of) => of(estimate, slip));
+/** While no fresh sample comes, the daemon repeats what it last knew: a gap. */
+const row = (estimate: Estimate, slip: Slip | undefined): number[] =>
+  Object.values(kColumns).map((of) => (of === kColumns.t_s || (estimate.age_us ?? Infinity) < kStaleSample_us ? of(estimate, slip) : NaN));
 
 /** One of the columns that Series.since gives. */
 export function column(columns: readonly Float64Array[], name: Column): Float64Array {
@@ -61,7 +72,6 @@ const kStale_ms: Partial<Record<Topic, number>> = {
   '/client': 3000,
   '/camera/image': 2500,
 };
-const kStaleSample_us = 400_000;
 
 /** Messages of all stores. */
 let received = 0;
@@ -114,6 +124,29 @@ export class Store {
   get pose(): Pose | undefined {
     const estimate = this.latest['/estimate'];
     return estimate?.[estimate.steering];
+  }
+
+  /** Times and values of a column after a time. */
+  past(after_s: number, name: Column): [times: Float64Array, values: Float64Array] {
+    const columns = this.series.since(after_s);
+    const times = column(columns, 't_s');
+    const first = times.findIndex((t_s) => t_s > after_s);
+    const from = first < 0 ? times.length : first;
+    return [times.subarray(from), column(columns, name).subarray(from)];
+  }
+
+  /** Of each track; unknown at standstill. */
+  get slip(): { left: number; right: number } {
+    const estimate = this.latest['/estimate'];
+    const slip = this.latest['/slip'];
+    if (estimate === undefined || !moving(estimate)) return { left: NaN, right: NaN };
+    return { left: slip?.left ?? NaN, right: slip?.right ?? NaN };
+  }
+
+  /** Whether the fused pose tells more than the odometry. */
+  get usesCamera(): boolean {
+    const estimate = this.latest['/estimate'];
+    return estimate !== undefined && seen(estimate);
   }
 
   /** Adds the daemon's messages from before this page was opened. */

@@ -4,7 +4,7 @@ import { join } from 'node:path';
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, expect, it } from 'vitest';
 import { clock } from '../../../daemon/web/state/format.ts';
-import { driveUntil, rest, shows, until } from './cockpit.ts';
+import { driveUntil, goTo, rest, shows, until } from './cockpit.ts';
 import { Program, freePort } from './programs.ts';
 import { Setting } from './setting.ts';
 
@@ -69,13 +69,14 @@ it("a camera's image is beside the run, live and in the recording, in step", asy
   for (const state of ['hidden', 'visible'] as const) {
     await page.click('#camera-image-toggle');
     await page.waitForSelector('.camera-image img', { state });
+    expect((await page.locator('.stage canvas').boundingBox())?.width, 'the course stays').toBeGreaterThan(200);
   }
 
   await driveUntil(page, async () => parseFloat((await page.textContent('.timeline-progress')) ?? '') > 1.5);
   await rest(page);
   await camera.end();
   // The recording ends a second after the run.
-  await page.click('#tab-runs');
+  await goTo(page, 'runs');
   const replay = page.locator('tr', { hasText: '-3' }).getByText('replay').first();
   await until(() => replay.isVisible(), 'the recording');
   await until(async () => (await page.locator('tr.active').count()) === 0, 'its end');

@@ -77,7 +77,23 @@ export async function openPage(browser: Browser, url: string, complaints: string
 
 /** The state of the run as the page shows it. */
 export async function run(page: Page): Promise<string> {
-  return (await page.textContent('#chip-run .chip-value')) ?? '';
+  return (await page.getAttribute('#chip-run', 'data-run')) ?? '';
+}
+
+/** The views, and the tabs or parts of each that the tests name. */
+export const kParts: Record<string, string[]> = {
+  drive: ['events'],
+  plan: ['courses'],
+  analyse: ['runs', 'signals'],
+  setup: ['doctor', 'identify', 'parameters', 'link', 'keys'],
+};
+
+/** Shows a part of the page: its view, and its tab if it is one. */
+export async function goTo(page: Page, part: string): Promise<void> {
+  const view = Object.keys(kParts).find((each) => kParts[each]?.includes(part)) ?? '';
+  await page.click(`#view-${view}`);
+  const tab = page.locator(`#tab-${part}`);
+  if ((await tab.count()) > 0) await tab.click();
 }
 
 /** The number that a figure of the page shows; NaN for a dash. */
@@ -135,8 +151,11 @@ export async function press(page: Page, button: string): Promise<void> {
  * confirmation, or where the robot stands; the next call confirms, or says at the start.
  */
 export async function goOn(page: Page): Promise<void> {
+  const before = await page.evaluate(() => location.hash);
   if (await page.isVisible('#start-placed')) await press(page, '#start-placed');
   else if ((await rests(page)) && (await page.isEnabled('#start'))) await press(page, '#start');
+  // A start shows the view Drive; the test stays where it is.
+  await page.evaluate((hash) => { if (location.hash !== hash) location.hash = hash; }, before);
 }
 
 /** Drives until the run is in a state or a condition is met; starts it again as often as necessary. */

@@ -9,7 +9,6 @@ const setting = new Setting();
 async function openDoctor(): Promise<Page> {
   const page = await setting.openTab('doctor', kPhone);
   await rest(page);
-  await page.click('#drawer-size');
   return page;
 }
 

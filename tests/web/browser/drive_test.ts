@@ -2,7 +2,7 @@
 import { afterEach, describe, expect, it } from 'vitest';
 import type { State } from '../../../daemon/web/state/messages.ts';
 import { Bus } from './bus.ts';
-import { again, alive, drawn, driveUntil, figure, hide, press, run, shows, until } from './cockpit.ts';
+import { again, alive, drawn, driveUntil, figure, goTo, hide, press, run, shows, until } from './cockpit.ts';
 import { Setting } from './setting.ts';
 
 let bus: Bus | undefined;
@@ -67,7 +67,7 @@ describe('the page of a robot that drives course 3', () => {
       await page.keyboard.press('p');
       await until(() => aborted() || paused(), 'it is paused');
       await until(async () => aborted() || Math.abs(await figure(page, 'left')) < 0.003, 'it stands', () => figure(page, 'left'));
-      await until(() => start('Continue'), 'Start continues');
+      await until(() => start('Resume'), 'Start resumes');
       const stood = await figure(page, 'x');
       // Frightened, a person presses again, and another person as well.
       await press(page, '#pause');
@@ -89,7 +89,7 @@ describe('the page of a robot that drives course 3', () => {
     };
     await again(pausedAndContinued, 'runs');
     await page.click('#pause');
-    await until(() => start('Continue'), 'it is paused again');
+    await until(() => start('Resume'), 'it is paused again');
     // STOP of another page ends the pause, and what this page was about to do.
     await press(page, '#start');
     await other.keyboard.press('Escape');
@@ -133,7 +133,7 @@ describe('what goes wrong', () => {
     const page = await setting.open();
     await alive(page);
     await driveUntil(page, 'running');
-    await until(async () => (await page.locator('.number.low #number-battery').count()) === 1, 'the figure of the battery');
+    await until(async () => (await page.locator('.number-row.low #number-battery').count()) === 1, 'the figure of the battery');
 
     await setting.pair.robot.end('SIGKILL');
     const rows = page.locator('#notice-list li');
@@ -141,7 +141,7 @@ describe('what goes wrong', () => {
     await page.click('#notice-more');
     await until(async () => (await rows.count()) > 1, 'the fault that ended the run');
     const [notice, stage] = await Promise.all(['.notice', '.stage canvas'].map((selector) => page.locator(selector).boundingBox()));
-    expect(notice?.y, 'the view is not covered').toBeGreaterThanOrEqual((stage?.y ?? NaN) + (stage?.height ?? NaN) - 1);
+    expect((notice?.y ?? NaN) + (notice?.height ?? NaN), 'the view is not covered').toBeLessThanOrEqual((stage?.y ?? NaN) + 1);
     await page.click('#notice-close');
     await until(async () => (await page.getAttribute('.notice', 'data-level')) === 'none', 'it is closed');
   });
@@ -154,9 +154,9 @@ describe('a viewer without rights', () => {
     const page = await setting.openTab('courses');
     await page.waitForSelector('#course-1-curve');
     await shows(page, '.courses-why', 'server.commands');
-    await page.click('#tab-parameters');
+    await goTo(page, 'parameters');
     await until(() => page.isDisabled('#parameters-save'), 'Save is off');
-    await page.click('#tab-doctor');
+    await goTo(page, 'doctor');
     await until(async () => (await page.getAttribute('#doctor-examine', 'title'))?.includes('server.commands'), 'the reason');
     for (const button of ['#course-1-curve .card-choose', '#place-start', '#doctor-examine', '#pause', '#start']) expect(await page.isDisabled(button), button).toBe(true);
   });

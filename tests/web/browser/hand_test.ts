@@ -28,11 +28,11 @@ async function mayDrive(page: Page): Promise<void> {
   await alive(page);
   await until(async () => {
     if (['arming', 'running'].includes(await run(page))) await page.keyboard.press('h');
-    return page.isEnabled('#drive');
+    return page.isEnabled('#by-hand');
   }, 'the robot may be driven');
 }
 
-async function takeWheel(page: Page): Promise<void> {
+async function takeLease(page: Page): Promise<void> {
   await mayDrive(page);
   await until(async () => {
     if ((await run(page)) === 'driving' && (await page.isVisible('#drive-release'))) return true;
@@ -79,7 +79,7 @@ describe('driving by hand', () => {
     const page = await setting.open();
     await mayDrive(page);
     await page.keyboard.press('m');
-    await shows(page, '#drive', 'Press again');
+    await shows(page, '#by-hand', 'Press again');
     expect(await page.isVisible('#drive-release')).toBe(false);
     await page.keyboard.press('m');
     await until(async () => (await run(page)) === 'driving', 'it is driven');
@@ -114,7 +114,7 @@ describe('driving by hand', () => {
     ['is closed', (page) => page.close()],
   ])('stops when the page %s', async (what, lose) => {
     const page = await setting.open();
-    await takeWheel(page);
+    await takeLease(page);
     const typist = new Typist(page);
     await typist.down('KeyW');
     await moves();
@@ -142,7 +142,7 @@ describe('driving by hand', () => {
     });
     await page.reload();
     const trembles = (on: boolean): Promise<void> => page.evaluate((on) => { (globalThis as unknown as { hand: { trembles: boolean } }).hand.trembles = on; }, on);
-    await takeWheel(page);
+    await takeLease(page);
     await trembles(true);
     await moves();
     await trembles(false);
@@ -151,14 +151,14 @@ describe('driving by hand', () => {
     await release(page);
   });
 
-  it('gives the wheel to one page at a time', async () => {
+  it('gives the lease to one page at a time', async () => {
     // The slow part first: a driver who is not heard for 2 s, because another page opens, is none any more.
     const second = await setting.open({ width: 800, height: 600 });
     await alive(second);
     const first = await setting.open();
-    /** False: a busy machine has ended the first page's drive, and the second one has taken the wheel. */
+    /** False: a busy machine has ended the first page's drive, and the second one has taken the lease. */
     const refused = async (): Promise<boolean> => {
-      await takeWheel(first);
+      await takeLease(first);
       const takes = (): Promise<boolean> => second.isVisible('#drive-release');
       await until(async () => {
         await second.keyboard.press('m');
@@ -169,11 +169,11 @@ describe('driving by hand', () => {
       return false;
     };
     await again(refused, 'is refused with the name');
-    await shows(second, '#drive', 'Ask');
-    await shows(first, '.drive-asked', 'asks for the wheel');
+    await shows(second, '#by-hand', 'Ask');
+    await shows(first, '.drive-asked', 'asks for the lease');
     expect(await second.isVisible('#drive-release')).toBe(false);
     await release(first);
-    await takeWheel(second);
+    await takeLease(second);
     expect(await first.isVisible('#drive-release')).toBe(false);
     // STOP is everybody's.
     await first.keyboard.press('Escape');
@@ -184,7 +184,7 @@ describe('driving by hand', () => {
     const page = await setting.open({ width: 360, height: 640 });
     /** False: a busy machine has ended the drive. */
     const pushed = async (): Promise<boolean> => {
-      await takeWheel(page);
+      await takeLease(page);
       await page.locator('.drive-stick').scrollIntoViewIfNeeded();
       const box = await page.locator('.drive-stick').boundingBox();
       if (box === null) throw new Error('no stick');

@@ -61,7 +61,6 @@ describe('the identification', () => {
   it('goes from the drives to a new robot file in use', async () => {
     const page = await setting.openTab('identify', kPhone);
     await rest(page);
-    await page.click('#drawer-size');
     const bus = new Bus(setting.pair.url, ['/state']);
     await until(() => page.isVisible('[data-course="ahead"]'), 'the courses');
     expect(await page.isDisabled('#identify-evaluate')).toBe(true);

@@ -1,17 +1,14 @@
 // The page as a whole: its layout on every screen, its themes, the map and the scene, and everything without a mouse.
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
-import { alive, colour, drawn, driveUntil, findings, goOn, kDesktop, kPhone, kSize, picture, resize, rest, run, shows, tooWide, until } from './cockpit.ts';
+import { alive, colour, drawn, driveUntil, findings, goOn, goTo, kDesktop, kParts, kPhone, kSize, picture, resize, rest, run, shows, tooWide, until } from './cockpit.ts';
 import { Setting } from './setting.ts';
 
-const kTabs = ['events', 'courses', 'runs', 'parameters', 'signals', 'link', 'doctor', 'identify', 'keys'];
+const kAll = Object.values(kParts).flat();
 
 /** Pairs of the bar's parts that lie over each other, by what they say. */
 function overlaps(): string[] {
-  // As wide as it gets: a viewer was too slow for many messages.
-  const dropped = document.querySelector('#chip-viewers .chip-detail');
-  if (dropped !== null) dropped.textContent = '12345 dropped';
-  const parts = [...document.querySelectorAll('h1, .badge, .chip, .controls button, #stop')]
+  const parts = [...document.querySelectorAll('h1, .setting, .badge, .theme-switch, .views a, .chip, .controls button, .next-step, #stop')]
     .map((element) => ({ says: element.textContent, box: element.getBoundingClientRect() }))
     .filter(({ box }) => box.width > 0);
   return parts.flatMap((a, i) =>
@@ -26,9 +23,17 @@ function overlaps(): string[] {
 const frame = (page: Page): Promise<unknown> =>
   page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
 
-/** Both sides of every width at which the layout changes. On the first ones every tab is looked at. */
-const kWidths = [360, 768, 1024, 1440, 390, 1001, 1101, 1241, 1421, 1501, 2560];
-const kEveryTab = 4;
+/** Words of the header that do not fit into their place. */
+function clipped(): string[] {
+  return [...document.querySelectorAll<HTMLElement>('.views a, .chip-value, .controls button, .controls button span, .stop-line, .number-value, .number-label, .key-item, .modes button')]
+    .filter((element) => element.offsetParent !== null && element.scrollWidth > element.clientWidth + 1 && getComputedStyle(element).display !== 'inline')
+    .map((element) => `${element.className}: ${element.textContent}`);
+}
+
+/** Both sides of every width at which the layout changes. On the first ones every part is looked at. */
+const kWidths = [360, 768, 1024, 1440, 390, 621, 1001, 1241, 1401, 2560];
+const kEveryPart = 4;
+const kTablet = { width: 1024, height: 768 };
 
 const theme = (page: Page): Promise<string | null> => page.getAttribute('html', 'data-theme');
 const pressed = async (page: Page, id: string): Promise<boolean> => (await page.getAttribute(`#${id}`, 'aria-pressed')) === 'true';
@@ -59,9 +64,9 @@ describe('the page', () => {
       const height = width < 500 ? 640 : 600;
       await resize(page, { width, height });
       await frame(page);
-      for (const tab of kTabs.slice(0, i < kEveryTab ? kTabs.length : 1)) {
-        await page.click(`#tab-${tab}`);
-        const where = `${tab} at ${width}`;
+      for (const part of kAll.slice(0, i < kEveryPart ? kAll.length : 1)) {
+        await goTo(page, part);
+        const where = `${part} at ${width}`;
         expect(await page.evaluate(tooWide, ''), where).toEqual([]);
         const stop = await page.locator('#stop').boundingBox();
         if (stop === null) throw new Error('no STOP');
@@ -70,44 +75,48 @@ describe('the page', () => {
         const middle = [stop.x + stop.width / 2, stop.y + stop.height / 2] as const;
         expect(await page.evaluate(([x, y]) => document.elementFromPoint(x, y)?.closest('#stop') !== null, middle), `nothing lies over STOP with ${where}`).toBe(true);
       }
-      // The bar is fullest during a run, which a busy machine may have ended meanwhile.
+      // The header is fullest during a run, which a busy machine may have ended meanwhile.
+      await goTo(page, 'events');
       await driveUntil(page, 'running');
       expect(await page.evaluate(overlaps), String(width)).toEqual([]);
+      expect(await page.evaluate(clipped), String(width)).toEqual([]);
     }
     // The picture of README.md.
     await resize(page, kDesktop);
-    await page.click('#tab-link');
     await page.click('#camera-free');
     await alive(page);
     await driveUntil(page, 'running');
     await picture(page, 'layout-1440');
   });
 
-  it.each([
-    { scheme: 'dark', ground: 'rgb(10, 14, 19)', size: kDesktop },
-    { scheme: 'light', ground: 'rgb(255, 255, 255)', size: kPhone },
-  ] as const)('can be read by everybody in the $scheme, on every tab, also when all of it is old', async ({ scheme, ground, size }) => {
-    setting.expected = /WebSocket|ERR_CONNECTION|Failed to load/;
+  it.each(
+    (['dark', 'light'] as const).flatMap((scheme) => [kDesktop, kTablet, kPhone].map((size) => ({ scheme, size, width: size.width }))),
+  )('can be read by everybody in the $scheme at a width of $width, in every view', async ({ scheme, size }) => {
     const page = await setting.open(size);
     await page.emulateMedia({ colorScheme: scheme });
     await alive(page);
     await until(async () => (await theme(page)) === scheme, 'the theme that the system prefers');
-    expect(await page.evaluate(() => getComputedStyle(document.body).backgroundColor)).toBe(ground);
-    // A histogram has its text with its first values.
-    await until(async () => (await page.locator('.bars:not([aria-label])').count()) === 0, 'all figures');
-    // All of the page once, then what each tab changes.
-    const found = await findings(page);
+    expect(await page.evaluate(() => getComputedStyle(document.body).backgroundColor)).toBe(scheme === 'dark' ? 'rgb(10, 14, 19)' : 'rgb(255, 255, 255)');
     // A page that draws no moving robot is examined sooner.
     await rest(page);
-    for (const tab of kTabs) {
-      await page.click(`#tab-${tab}`);
-      found.push(...(await findings(page, '.drawer')).map((each) => `${tab}: ${each}`));
+    const found: string[] = [];
+    for (const part of kAll) {
+      await goTo(page, part);
+      await frame(page);
+      if (part === 'link') await until(async () => (await page.locator('.bars:not([aria-label])').count()) === 0, 'all figures');
+      found.push(...(await findings(page)).map((each) => `${part}: ${each}`));
+      await picture(page, `view-${part}-${size.width}-${scheme}`);
     }
-    await page.click('#tab-events');
+    expect([...new Set(found)]).toEqual([]);
+  });
+
+  it('can be read by everybody when all of it is old', async () => {
+    setting.expected = /WebSocket|ERR_CONNECTION|Failed to load/;
+    const page = await setting.open();
+    await alive(page);
     setting.pair.daemon.freeze();
     await until(async () => (await page.getAttribute('.viewport', 'class'))?.includes('stale'), 'it is shown as old');
-    found.push(...(await findings(page)).map((each) => `old: ${each}`));
-    expect([...new Set(found)]).toEqual([]);
+    expect(await findings(page)).toEqual([]);
     setting.pair.daemon.thaw();
     await alive(page);
   });
@@ -135,9 +144,14 @@ describe('the page', () => {
   it('is used without a mouse and told in words, on a screen 360 px wide', async () => {
     const page = await setting.open({ width: 360, height: 640 });
     await alive(page);
-    for (const [key, camera] of [['1', 'chase'], ['2', 'top'], ['3', 'free'], ['4', 'map'], ['c', 'chase'], ['4', 'map']] as const) {
+    for (const [key, view] of [['2', 'plan'], ['4', 'setup'], ['3', 'analyse'], ['1', 'drive']] as const) {
       await page.keyboard.press(key);
-      expect(await pressed(page, `camera-${camera}`), `${key} is ${camera}`).toBe(true);
+      expect(await page.getAttribute(`#view-${view}`, 'aria-current'), `${key} is ${view}`).toBe('page');
+      expect(new URL(page.url()).hash).toMatch(new RegExp(`^#${view}`));
+    }
+    for (const camera of ['chase', 'top', 'free', 'map']) {
+      await page.keyboard.press('c');
+      expect(await pressed(page, `camera-${camera}`), camera).toBe(true);
     }
     for (const id of ['stop', 'camera-map', 'show-model']) await tabTo(page, id);
     expect(await pressed(page, 'show-model')).toBe(true);
@@ -145,10 +159,18 @@ describe('the page', () => {
     expect(await pressed(page, 'show-model')).toBe(false);
 
     // Tabs are one stop of the tab key; the arrow keys change between them.
-    await tabTo(page, 'tab-events');
-    for (let i = 0; i < 3; i++) await page.keyboard.press('ArrowRight');
+    await page.keyboard.press('4');
+    await tabTo(page, 'tab-doctor');
+    for (let i = 0; i < 2; i++) await page.keyboard.press('ArrowRight');
     expect(await page.getAttribute('#tab-parameters', 'aria-selected')).toBe('true');
     expect(await page.isVisible('#page-parameters')).toBe(true);
+    // The address leads to where the page is.
+    expect(new URL(page.url()).hash).toBe('#setup/parameters');
+    await page.reload();
+    expect(await page.isVisible('#page-parameters')).toBe(true);
+    await page.goBack();
+    expect(await page.getAttribute('#view-drive', 'aria-current')).toBe('page');
+    await alive(page);
 
     await driveUntil(page, 'running');
     await shows(page, '#scene-words', /^Course 3, robot end-loaded, running\. It is at x /);
@@ -186,7 +208,7 @@ describe('without WebGL', () => {
       return (await drawn(page))?.join() !== first.join();
     }, 'it moves');
     // Two standard deviations of each estimated position: some millimetres to centimetres.
-    for (const name of ['model', 'odometry', 'fused']) {
+    for (const name of ['model', 'odometry']) {
       const ring = ((await page.getAttribute('.stage canvas', `data-${name}-uncertainty`)) ?? '').split(' ').map(Number);
       expect(ring.length === 2 && ring.every((m) => m > 1e-4 && m < 0.5), `${name} ${ring.join()}`).toBe(true);
     }

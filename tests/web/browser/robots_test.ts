@@ -38,13 +38,13 @@ describe('the page of all robots', () => {
     const third = await setting.another();
     await becomes(page, third, /running/);
     await part(page, second, '.stop').click();
-    await becomes(page, second, /aborted/);
+    await becomes(page, second, /stopped/);
     await says(page, second, '.stop-line', /stopped/);
     await stopped(second);
     // The space bar on a card means its robot; it does not press the button once more.
     await part(page, third, '.stop').focus();
     await page.keyboard.press('Space');
-    await becomes(page, third, /aborted/);
+    await becomes(page, third, /stopped/);
     await stopped(third);
     expect(setting.pair.said).not.toMatch(/stop_requested/);
     // Anywhere else, Escape means all.

@@ -4,7 +4,7 @@ import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 
 import { join } from 'node:path';
 import type { Locator, Page } from 'playwright-core';
 import { beforeAll, describe, expect, it } from 'vitest';
-import { drawn, driveUntil, fits, rest, shows, until } from './cockpit.ts';
+import { drawn, driveUntil, fits, goTo, rest, shows, until } from './cockpit.ts';
 import { bin } from './programs.ts';
 import { Setting } from './setting.ts';
 
@@ -84,7 +84,7 @@ describe('a recorded run', () => {
     for (const text of ['wet', 'lab', 'first line', 'second line']) expect(shown).toContain(text);
     expect(readFileSync(join(folder(), name, 'run.toml'), 'utf8')).toContain('tags = "wet lab"');
     await page.reload();
-    await page.click('#tab-runs');
+    await goTo(page, 'runs');
     await shows(row(page, name), '.run-what', 'Wet floor');
 
     await shows(page, '.runs-room', /^\d+ runs, .* of at most .*free$/);

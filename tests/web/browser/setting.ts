@@ -2,7 +2,7 @@
 import { join } from 'node:path';
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, beforeEach, expect } from 'vitest';
-import { alive, openBrowser, openPage, picture, type Size } from './cockpit.ts';
+import { alive, goTo, openBrowser, openPage, picture, type Size } from './cockpit.ts';
 import { Pair } from './programs.ts';
 
 export interface Wishes {
@@ -82,11 +82,11 @@ export class Setting {
     return openPage(this.browser, url, this.complaints, size, smooth);
   }
 
-  /** Opens another page, with one of its tabs, once it shows the robot. */
+  /** Opens another page, at one of its parts, once it shows the robot. */
   async openTab(tab: string, size?: Size): Promise<Page> {
     const page = await this.open(size);
     await alive(page);
-    await page.click(`#tab-${tab}`);
+    await goTo(page, tab);
     return page;
   }
 }

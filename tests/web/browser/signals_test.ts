@@ -4,7 +4,7 @@ import { join } from 'node:path';
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { Bus } from './bus.ts';
-import { alive, drag, driveUntil, fits, kDesktop, kPhone, rest, shows, until } from './cockpit.ts';
+import { drag, driveUntil, fits, goTo, kDesktop, kPhone, rest, shows, until } from './cockpit.ts';
 import { Setting } from './setting.ts';
 
 const setting = new Setting({ records: true, configuration: '# of the law\n[control]\n  preview_s = 0.05 # mine\n' });
@@ -47,17 +47,16 @@ describe('signals', () => {
 
   it('of any channel are chosen, paused, zoomed and saved', async () => {
     const page = await setting.openTab('signals', kDesktop);
-    await page.click('#drawer-size');
     await choose(page, '/estimate.tracks.left_mps', '/estimate.tracks.right_mps', '/sample.battery_v', '/loop.work_us.p99');
     expect(await page.locator('.signal-chart').count()).toBe(3);
     await page.fill('input[aria-label="Search signals"]', '');
     await fits(page, '#page-signals');
 
     await page.click('#signals-pause');
-    await shows(page, '#signals-pause', /^Go on$/);
+    await shows(page, '#signals-pause', /^Continue$/);
     const whole = await times_s(page);
     expect(whole.length).toBeGreaterThan(2);
-    await shows(page, '#number-battery', /\d/);
+    await page.waitForTimeout(1000);
     expect((await times_s(page)).at(-1), 'a paused table ends where it did').toBe(whole.at(-1));
     await page.click('#signals-in');
     expect((await times_s(page)).length).toBeLessThan(whole.length);
@@ -67,7 +66,7 @@ describe('signals', () => {
     const box = await page.locator('.signal-chart .u-over').first().boundingBox();
     if (box === null) throw new Error('no diagram');
     await drag(page, { x: box.x + 0.5 * box.width, y: box.y + 40 }, { x: box.x + 0.9 * box.width, y: box.y + 40 });
-    await shows(page, '#signals-pause', /^Go on$/);
+    await shows(page, '#signals-pause', /^Continue$/);
     expect(await span_s(page), 'what was dragged over').toBeLessThan(25);
   });
 
@@ -78,17 +77,16 @@ describe('signals', () => {
     // The page is at least so old that the past is told from the present.
     await page.waitForTimeout(3000);
     await page.reload();
-    await alive(page);
-    await page.click('#tab-signals');
+    await goTo(page, 'signals');
     await known(page, 1);
     const loaded_s = await page.evaluate(() => performance.now() / 1000);
     await until(async () => (await span_s(page)) > loaded_s + 2, 'the past is there');
 
     await rest(page);
-    await page.click('#tab-runs');
+    await goTo(page, 'runs');
     await page.locator('.runs').getByText('replay').first().click();
     await until(() => page.evaluate(() => document.body.classList.contains('replaying')), 'it is replayed');
-    await page.click('#tab-signals');
+    await goTo(page, 'signals');
     await known(page, 1);
     expect((await times_s(page)).length).toBeGreaterThan(1);
   });

@@ -57,7 +57,7 @@ it('it stays bounded however long it runs, and takes an event that is repeated a
 
 it('the diagrams show what was estimated in their units, and errors only against a truth', () => {
   const yaw = (yaw_deg: number): EstimatedPose => ({ ...at(1), yaw_rad: (yaw_deg * Math.PI) / 180 });
-  const of = { model: yaw(10), odometry: yaw(20), fused: yaw(30), desired_yaw_rad: Math.PI / 2, cross_track_m: 0.002, heading_error_rad: Math.PI / 4, tracks: { left_mps: 0.1, right_mps: 0.2, left_commanded_mps: 0.3 } };
+  const of = { model: yaw(10), odometry: yaw(20), fused: { ...yaw(30), camera_age_us: 2000 }, desired_yaw_rad: Math.PI / 2, cross_track_m: 0.002, heading_error_rad: Math.PI / 4, tracks: { left_mps: 0.1, right_mps: 0.2, left_commanded_mps: 0.3 } };
   store.receive('/slip', { t_s: 0, left: 0.16, right: 0.17, fused_left: 0.18, fused_right: 0.19, gyro_bias_radps: 0, fused_gyro_bias_radps: 0, slope_rad: 0 });
   store.receive('/estimate', estimate(0, 1, of));
   store.receive('/estimate', estimate(1, 1, { ...of, truth: at(1, 0.003) }));
@@ -69,6 +69,22 @@ it('the diagrams show what was estimated in their units, and errors only against
   };
   const shown = Object.keys(columns).map((name) => [...column(store.series.since(-1), name as Column)].map((value) => Math.round(value * 1e6) / 1e6));
   expect(shown).toEqual(Object.values(columns));
+});
+
+it('the diagrams have a gap where nothing is known: slip at standstill, fused without a camera, all of it without a fresh sample', () => {
+  store.receive('/slip', { t_s: 0, left: 0.16, right: 0.17, fused_left: 0.18, fused_right: 0.19, gyro_bias_radps: 0, fused_gyro_bias_radps: 0, slope_rad: 0 });
+  store.receive('/estimate', estimate(0, 1));
+  expect(store.usesCamera).toBe(false);
+  expect(store.slip).toEqual({ left: 0.16, right: 0.17 });
+  store.receive('/estimate', estimate(1, 1, { tracks: { left_mps: 0.001, right_mps: 0 } as Estimate['tracks'] }));
+  expect(store.slip).toEqual({ left: NaN, right: NaN });
+  store.receive('/estimate', estimate(2, 1, { age_us: 2e6 }));
+  const shown = (name: Column): number[] => [...column(store.series.since(-1), name)];
+  expect(shown('slip_left_percent')).toEqual([16, NaN, NaN]);
+  expect(shown('fused_yaw_deg')).toEqual([NaN, NaN, NaN]);
+  expect(shown('left_mps')).toEqual([0.1, 0.001, NaN]);
+  expect(shown('t_s')).toEqual([0, 1, 2]);
+  expect(store.past(0, 'left_mps').map((values) => [...values])).toEqual([[1, 2], [0.001, NaN]]);
 });
 
 it('what was driven before is part of the path', () => {

@@ -1,7 +1,7 @@
-// Tabs below the view, with the usual keys: arrows select a tab, the selected one is shown.
-import { button, h, setAttribute, setText } from './dom.ts';
+// The tabs of a view, with the usual keys: arrows select a tab, the selected one is shown.
+import { button, h, setAttribute } from './dom.ts';
 
-export interface Page {
+export interface Tab {
   id: string;
   title: string;
   element: HTMLElement;
@@ -9,31 +9,32 @@ export interface Page {
   show(): void;
 }
 
-export class Drawer {
-  readonly element = h('section', { class: 'drawer', 'aria-label': 'Details' });
-  private readonly tabs: HTMLButtonElement[];
+export class Tabs {
+  readonly element: HTMLElement;
+  /** Called when another tab was selected. */
+  chosen: () => void = () => undefined;
+  private readonly buttons: HTMLButtonElement[];
   private current = 0;
 
-  /** `tools`: buttons beside the tabs. */
-  constructor(private readonly pages: Page[], ...tools: HTMLElement[]) {
-    const list = h('div', { class: 'tabs', role: 'tablist' });
-    this.tabs = pages.map((page, i) => {
+  /** `name`: class of the element; `label`: for reading. */
+  constructor(
+    name: string,
+    label: string,
+    private readonly pages: Tab[],
+  ) {
+    const list = h('div', { class: 'tabs', role: 'tablist', 'aria-label': label });
+    this.buttons = pages.map((page, i) => {
       const tab = button({ role: 'tab', id: `tab-${page.id}`, 'aria-controls': `page-${page.id}` }, page.title, () => { this.choose(i); });
       tab.addEventListener('keydown', (event) => {
         const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
         if (step === undefined) return;
         this.choose((this.current + step + pages.length) % pages.length);
-        this.tabs[this.current]?.focus();
+        this.buttons[this.current]?.focus();
       });
       return tab;
     });
-    list.append(...this.tabs);
-    const size = button({ id: 'drawer-size', 'aria-pressed': 'false', title: 'More room for these pages' }, 'larger', () => {
-      const large = document.body.classList.toggle('large-drawer');
-      setAttribute(size, 'aria-pressed', String(large));
-      setText(size, large ? 'smaller' : 'larger');
-    });
-    this.element.append(h('div', { class: 'drawer-head' }, list, ...tools, size));
+    list.append(...this.buttons);
+    this.element = h('section', { class: `tabbed ${name}`, 'aria-label': label }, list);
     for (const page of pages) {
       setAttribute(page.element, 'id', `page-${page.id}`);
       setAttribute(page.element, 'role', 'tabpanel');
@@ -41,7 +42,7 @@ export class Drawer {
       page.element.classList.add('page');
       this.element.append(page.element);
     }
-    this.choose(0);
+    this.mark(0);
   }
 
   show(): void {
@@ -52,20 +53,27 @@ export class Drawer {
     return this.pages[this.current]?.id ?? '';
   }
 
+  /** Without such a tab, nothing changes. */
   select(id: string): void {
-    this.choose(this.pages.findIndex((page) => page.id === id));
+    const index = this.pages.findIndex((page) => page.id === id);
+    if (index >= 0) this.choose(index);
   }
 
   private choose(index: number): void {
+    this.mark(index);
+    this.show();
+    this.chosen();
+  }
+
+  private mark(index: number): void {
     this.current = index;
     this.pages.forEach((page, i) => {
       const chosen = i === index;
       page.element.hidden = !chosen;
-      const tab = this.tabs[i];
+      const tab = this.buttons[i];
       if (tab === undefined) return;
       setAttribute(tab, 'aria-selected', String(chosen));
       tab.tabIndex = chosen ? 0 : -1;
     });
-    this.show();
   }
 }

@@ -1,0 +1,47 @@
+// The recording that this page shows: loaded, played, closed.
+import { reason } from '../state/service.ts';
+import { Store } from '../state/store.ts';
+import { Transport } from '../panel/transport.ts';
+import { Player } from './player.ts';
+import { loadRecording } from './recording.ts';
+
+export class Replay {
+  readonly transport = new Transport(() => { this.close(); });
+  player: Player | undefined;
+  /** The run that is loaded or shown; empty: none. */
+  run = '';
+  private loading: AbortController | undefined;
+
+  constructor(
+    /** Another recording is shown, or none. */
+    private readonly changed: () => void,
+    private readonly failed: (why: string) => void,
+  ) {}
+
+  async open(run: string, url = `/runs/${encodeURIComponent(run)}/run.mcap`): Promise<void> {
+    this.loading?.abort();
+    const mine = (this.loading = new AbortController());
+    this.run = run;
+    this.transport.loading(run, 0);
+    try {
+      const frames = await loadRecording(url, (share) => { this.transport.loading(run, share); }, mine.signal);
+      // Data of a recording does not age.
+      this.player = new Player(frames, new Store(() => 0));
+      this.transport.open(run, this.player);
+      this.player.playing = true;
+      this.changed();
+    } catch (error: unknown) {
+      if (mine.signal.aborted) return;
+      this.close();
+      this.failed(reason(error));
+    }
+  }
+
+  close(): void {
+    this.loading?.abort();
+    this.player = undefined;
+    this.run = '';
+    this.transport.close();
+    this.changed();
+  }
+}
