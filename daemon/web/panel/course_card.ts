@@ -19,7 +19,7 @@ export function courseCard(course: CourseEntry, actions: CardActions): HTMLEleme
     'div',
     { class: 'card-buttons' },
     button({ class: 'control card-choose', 'aria-label': `Choose course ${course.name}`, ...fixed }, course.in_force ? 'In use' : 'Choose', actions.choose),
-    button({ class: 'link card-edit', 'aria-label': `Edit course ${course.name}` }, 'edit', actions.edit),
+    button({ class: 'link card-edit', title: course.from === 'own' ? 'Open it in the editor' : 'Open a copy of your own in the editor', 'aria-label': `Edit course ${course.name}` }, 'edit', actions.edit),
   );
   if (course.from !== 'given') buttons.append(h('a', { href: `/courses/${course.name}.toml`, download: '' }, 'file'));
   if (course.from === 'own') buttons.append(deleteButton({ class: 'link card-delete', 'data-fixed': String(course.in_force) }, actions.remove));

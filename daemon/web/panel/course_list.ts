@@ -20,12 +20,12 @@ export class CourseList {
   readonly element = h('div', { class: 'courses', tabindex: '0' });
   private readonly robots = h('select', { id: 'choose-robot', 'aria-label': 'Robot' });
   private readonly setups = h('select', { id: 'choose-setup', 'aria-label': 'Set-up' });
-  private readonly placeStart = button({ class: 'control', id: 'place-start' }, 'Place at start', () => void this.change('place', { at: 'start' }));
-  private readonly placeMap = button({ class: 'control', id: 'place-map', 'aria-pressed': 'false' }, 'Place on the map', () => {
+  private readonly placeStart = button({ class: 'control', id: 'place-start', title: 'Say that the robot stands at the start of the course' }, 'Place at start', () => void this.change('place', { at: 'start' }));
+  private readonly placeMap = button({ class: 'control', id: 'place-map', 'aria-pressed': 'false', title: 'Say where the robot stands, on the map' }, 'Place on the map', () => {
     this.drawPlace(!this.placing);
   });
   private readonly upload = button({ class: 'control', id: 'upload' }, 'Upload', () => { this.file.click(); });
-  private readonly drawNew = button({ class: 'control', id: 'draw-new' }, 'Draw a course', () => {
+  private readonly drawNew = button({ class: 'control', id: 'draw-new', title: 'Draw a course of your own on the map' }, 'Draw a course', () => {
     this.editor.openNew(this.list?.courses.map(({ name }) => name) ?? []);
   });
   private readonly file = h('input', { type: 'file', accept: '.toml', 'aria-label': 'Course or robot file', hidden: '' });

@@ -78,7 +78,8 @@ function problems(store: Store, connected: boolean, retryIn_s: number, replaying
   if (state.session !== 'ready' && !replaying) {
     const link = store.get('/link');
     const port = link === undefined || link.port === '' ? 'No robot' : `No robot on ${link.port}`;
-    const note = (link?.note ?? '').replace(`${link?.port ?? ''}: `, '');
+    // The headline has the port already; commands in a text stand between backticks.
+    const note = (link?.note ?? '').replace(link?.port ? `${link.port}: ` : '', '').replaceAll('`', '');
     all.push({ level: 'warn', what: port, todo: state.session === 'closed' ? note : state.why_not_start });
   }
   // After a completed run, a fault explains why the next one cannot begin; the run did not fail.

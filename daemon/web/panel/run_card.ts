@@ -1,7 +1,7 @@
 // After a run: how it ended, and what can be done with it.
 import { clock, fixed } from '../state/format.ts';
 import type { State } from '../state/messages.ts';
-import { runWords } from '../state/run_words.ts';
+import { outcomeOf } from '../state/run_words.ts';
 import type { Store } from '../state/store.ts';
 import { button, h, icon, setAttribute } from './dom.ts';
 
@@ -63,10 +63,9 @@ export class RunCard {
   }
 
   private end(state: State): void {
-    const { word, lamp } = runWords(state);
     const cause = state.run === 'finished' ? undefined : state.faults.find(({ name }) => name !== 'stop_requested')?.cause;
-    const outcome = state.run === 'idle' ? 'ended' : word;
-    setAttribute(this.element, 'data-lamp', state.run === 'idle' ? 'none' : lamp);
+    const outcome = outcomeOf(state);
+    setAttribute(this.element, 'data-outcome', outcome);
     this.words.replaceChildren(
       h('strong', {}, `Run ${outcome}`),
       cause === undefined ? '' : `: ${cause}`,

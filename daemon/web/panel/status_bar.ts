@@ -1,6 +1,6 @@
 // The state of the run and of the link, in the header.
 import { count, duration, fixed } from '../state/format.ts';
-import { runWords, type Lamp } from '../state/run_words.ts';
+import { kSessions, runWords, type Lamp } from '../state/run_words.ts';
 import type { Store } from '../state/store.ts';
 import { h, setAttribute, setText } from './dom.ts';
 
@@ -63,7 +63,7 @@ export class StatusBar {
       `${count(link.counters.lost)} samples lost, ${count(link.counters.crc_errors)} CRC errors, ${count(link.counters.reconnects)} reconnects`;
     if (link.session !== 'ready') {
       const waiting = link.quality === 'lost' || link.session === 'closed' || link.session === 'refused';
-      this.link.show(waiting ? 'bad' : 'wait', 'link', link.session, title);
+      this.link.show(waiting ? 'bad' : 'wait', 'link', kSessions[link.session], title);
       return;
     }
     const bad_hz = link.lost_hz + link.bad_hz;

@@ -12,10 +12,21 @@ export interface RunWords {
   detail: string;
 }
 
+/** Of each state of the session, unless it is ready. */
+export const kSessions: Record<State['session'], string> = {
+  closed: 'no port',
+  listening: 'no answer yet',
+  hello: 'connecting',
+  parameters: 'connecting',
+  syncing: 'connecting',
+  ready: '',
+  refused: 'refused',
+};
+
 export function runWords(state: State): RunWords {
-  const { run, session, stop } = state;
+  const { run, session } = state;
   if (state.motors_on && !asksForMotion(run)) return { lamp: 'bad', word: 'motors on', detail: 'without a run' };
-  if (session !== 'ready' && !asksForMotion(run)) return { lamp: 'bad', word: 'no robot', detail: session };
+  if (session !== 'ready' && !asksForMotion(run)) return { lamp: 'bad', word: 'no robot', detail: kSessions[session] };
   const time = typeof state.run_s === 'number' ? clock(state.run_s) : '';
   switch (run) {
     case 'arming':
@@ -26,12 +37,18 @@ export function runWords(state: State): RunWords {
     case 'driving':
       return { lamp: 'good', word: 'by hand', detail: state.driver?.by ?? 'motors on' };
     case 'finished':
-      return { lamp: 'done', word: 'completed', detail: time };
+      return { lamp: 'done', word: outcomeOf(state), detail: time };
     case 'aborted':
-      return { lamp: 'bad', word: stop.latched ? 'stopped' : 'aborted', detail: time };
+      return { lamp: 'bad', word: outcomeOf(state), detail: time };
     case 'idle':
       return { lamp: 'none', word: state.can.start ? 'ready' : 'not ready', detail: state.can.start ? 'motors off' : state.why_not_start };
   }
+}
+
+/** How a run ended: a STOP that somebody wanted is no fault. */
+export function outcomeOf({ run, stop }: State): string {
+  if (run === 'finished') return 'completed';
+  return run === 'aborted' ? (stop.latched ? 'stopped' : 'aborted') : 'ended';
 }
 
 /** For example 1:52. */

@@ -40,6 +40,21 @@ describe('a recorded run', () => {
     const page = await openRuns();
     await driveUntil(page, 'running');
     await rest(page);
+    // Drive says how it ended, and leads to its report and its replay.
+    await goTo(page, 'events');
+    await shows(page, '.run-card p', /^Run stopped .* of 4\.06 m in .* off the path$/);
+    await page.click('#card-replay');
+    await until(() => page.evaluate(() => document.body.classList.contains('replaying')), 'it is replayed');
+    expect(new URL(page.url()).hash).toMatch(/^#analyse\/runs&replay=[\d-]+-3$/);
+    // What moves the robot shows the robot.
+    await page.keyboard.press('r');
+    await until(() => page.isEnabled('#start-placed'), 'it may start');
+    await page.click('#start-placed');
+    await until(async () => (await page.getAttribute('#view-drive', 'aria-current')) === 'page', 'the robot is shown');
+    expect(await page.evaluate(() => document.body.classList.contains('replaying'))).toBe(false);
+    await rest(page);
+    await goTo(page, 'runs');
+    await page.click('#live');
     // Its recording ends a second later.
     const last = page.locator('.runs tr[data-run$="-3"]').first();
     await until(async () => (await last.count()) === 1 && (await last.locator('.run-make').isEnabled()), 'it is recorded');

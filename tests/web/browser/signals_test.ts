@@ -4,7 +4,7 @@ import { join } from 'node:path';
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { Bus } from './bus.ts';
-import { drag, driveUntil, fits, goTo, kDesktop, kPhone, rest, shows, until } from './cockpit.ts';
+import { drag, driveUntil, fits, goTo, kDesktop, kPhone, picture, rest, shows, until } from './cockpit.ts';
 import { Setting } from './setting.ts';
 
 const setting = new Setting({ records: true, configuration: '# of the law\n[control]\n  preview_s = 0.05 # mine\n' });
@@ -89,6 +89,10 @@ describe('signals', () => {
     await goTo(page, 'signals');
     await known(page, 1);
     expect((await times_s(page)).length).toBeGreaterThan(1);
+    // The picture of TUTORIALS.md.
+    await page.fill('#scrub', '3');
+    await page.waitForTimeout(1000);
+    await picture(page, 'analyse-1440');
   });
 });
 

@@ -1,7 +1,7 @@
 // STOP on the page, while robot and daemon answer, hang or are dead.
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
-import { driveUntil, press as pressButton, run, shows, until } from './cockpit.ts';
+import { driveUntil, press as pressButton, rests, run, shows, until } from './cockpit.ts';
 import { Setting } from './setting.ts';
 
 const setting = new Setting({ each: true });
@@ -105,6 +105,17 @@ describe('STOP', () => {
     await page.focus('#stop');
     await page.keyboard.press('Enter');
     await says(page, /^robot stopped in/);
+    // A list and a box take it as well; a text does not, and the button says so.
+    await page.keyboard.press('1');
+    for (const focus of ['#choose-plot', '#wheels-up-free', 'input[aria-label="Search events"]']) {
+      await until(() => rests(page), 'the run is over');
+      await page.click(focus.includes('wheels') ? '#view-setup' : '#view-drive');
+      await driveUntil(page, 'running');
+      await page.focus(focus);
+      if (focus.startsWith('input')) await says(page, /^esc$/);
+      await page.keyboard.press(focus.startsWith('input') ? 'Escape' : 'Space');
+      await says(page, /^robot stopped in/);
+    }
   });
 
   it.each(['robot', 'daemon'] as const)('is not acknowledged by a %s that hangs, and is the first thing that it hears afterwards', async (who) => {

@@ -26,7 +26,7 @@ it('the state of a run is told in words that a person knows', () => {
   // A STOP that somebody wanted is no fault.
   expect(words({ run: 'aborted', run_s: 1, stop: { ...kState.stop, latched: true } })).toBe('bad stopped, 0:01.0');
   expect(words({ run: 'aborted', run_s: 1 })).toBe('bad aborted, 0:01.0');
-  expect(words({ session: 'closed' })).toBe('bad no robot, closed');
+  expect(words({ session: 'closed' })).toBe('bad no robot, no port');
   expect(words({ motors_on: true })).toBe('bad motors on, without a run');
 });
 
