@@ -2,13 +2,13 @@
 // and says where everything lies; what it said of the text before stays on the map until it answers.
 import { button, h, Message, setAttribute, setClass, setText } from '../panel/dom.ts';
 import type { Viewport } from '../panel/viewport.ts';
-import type { Bounds, Point2 } from '../scene/geometry.ts';
+import { frameOf, zoomed, type Bounds, type Point2 } from '../scene/geometry.ts';
 import type { Course } from '../state/messages.ts';
 import { nameOf, type CourseCheck } from '../state/setup.ts';
 import { CourseText, History, type Piece, type Value } from './course_text.ts';
 import { added, beyond, find, handles, kEmptyCourse, kEnds, kTools, withCorner, withoutCorner, type Handle, type Selected } from './draft.ts';
 import { fields } from './fields.ts';
-import { DrawStage, frameOf, zoomed } from './stage.ts';
+import { DrawStage } from './stage.ts';
 import { reason, type Call } from '../state/service.ts';
 
 /** The daemon charges requests by the length of their answers: longer courses are asked about less often. */

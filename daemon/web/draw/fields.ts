@@ -11,6 +11,15 @@ const kOf: Record<string, Record<string, Value>> = {
 };
 const kTitles: Record<string, string> = { '': 'course', keep_out: 'keep-out area' };
 
+const kUnits: Record<string, string> = { m: 'm', mps: 'm/s', deg: '\u00b0', s: 's' };
+
+/** A key of the file in words, for example "speed [m/s]". */
+function wordOf(key: string): string {
+  const parts = key.split('_');
+  const unit = parts.length > 1 ? kUnits[parts.at(-1) ?? ''] : undefined;
+  return unit === undefined ? parts.join(' ') : `${parts.slice(0, -1).join(' ')} [${unit}]`;
+}
+
 /** The fields of a piece; `set` is called with each value that was typed. */
 export function fields(piece: Piece, set: (key: string, value: Value) => void): HTMLElement {
   const many = piece.table in kValues;
@@ -26,7 +35,7 @@ export function fields(piece: Piece, set: (key: string, value: Value) => void): 
       const typed = number ? Number(input.value) : input.value;
       if (input.value !== '' && (!number || Number.isFinite(typed))) set(key, typed);
     });
-    form.append(h('label', {}, `${key} `, input));
+    form.append(h('label', {}, `${wordOf(key)} `, input));
   }
   return form;
 }

@@ -1,8 +1,7 @@
 // The handles of a draft over the map: moved with mouse, pen or finger, and with the arrow keys.
 import { setAttribute, setClass, svg } from '../panel/dom.ts';
-import { bounds, type Bounds, type Point2 } from '../scene/geometry.ts';
+import type { Point2 } from '../scene/geometry.ts';
 import type { Handle, Selected } from './draft.ts';
-import type { Course } from '../state/messages.ts';
 
 /** Larger than the drawn handle, so that a finger can hit it. */
 const kReach_px = 18;
@@ -161,24 +160,4 @@ export class DrawStage {
     if (over) this.dragged = undefined;
     if (handle !== undefined && to !== undefined) this.actions.move(handle, to, over);
   }
-}
-
-/** Margin around a course, and least size, so that there is room to draw. */
-const kRoom_m = 0.2;
-const kLeast_m = 1.2;
-const kMaxSize_m = 200;
-
-export function frameOf(course: Course): Bounds {
-  const box = bounds(course);
-  const wide = Math.max(0, kLeast_m - (box.max_x - box.min_x)) / 2 + kRoom_m;
-  const high = Math.max(0, kLeast_m - (box.max_y - box.min_y)) / 2 + kRoom_m;
-  return { min_x: box.min_x - wide, max_x: box.max_x + wide, min_y: box.min_y - high, max_y: box.max_y + high };
-}
-
-/** The box scaled about its middle; a larger factor shows more. */
-export function zoomed(box: Bounds, factor: number): Bounds {
-  const [x, y] = [(box.min_x + box.max_x) / 2, (box.min_y + box.max_y) / 2];
-  const [wide, high] = [(factor * (box.max_x - box.min_x)) / 2, (factor * (box.max_y - box.min_y)) / 2];
-  if (Math.max(wide, high) > kMaxSize_m / 2 || Math.min(wide, high) < kRoom_m) return box;
-  return { min_x: x - wide, max_x: x + wide, min_y: y - high, max_y: y + high };
 }

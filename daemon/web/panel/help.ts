@@ -10,6 +10,7 @@ export const kHelp = {
   'slip ratio': 'Share of a track’s speed that does not become ground speed; unknown at standstill',
   age: 'How old the values are: now minus the time at which they were measured',
   battery: 'Voltage of the battery, as the robot measures it',
+  fence: 'The part of the floor that the reference point may not leave',
   plan: 'The path of the course',
   model: 'Pose by the counts of the encoders alone',
   odometry: 'Pose by encoders and gyro',

@@ -146,7 +146,7 @@ export class Plot {
 }
 
 /** Digits needed to distinguish the ticks. */
-function tickDecimals(splits: readonly number[]): number {
+export function tickDecimals(splits: readonly number[], most = 3): number {
   const step = Math.abs((splits[1] ?? 1) - (splits[0] ?? 0));
-  return Math.max(0, Math.min(3, Math.ceil(-Math.log10(step) - 1e-9) + (/[^0]5/.test(step.toPrecision(2)) ? 1 : 0)));
+  return Math.max(0, Math.min(most, Math.ceil(-Math.log10(step) - 1e-9) + (/[^0]5/.test(step.toPrecision(2)) ? 1 : 0)));
 }

@@ -5,7 +5,7 @@ import { fixed } from '../state/format.ts';
 import { extent, niceRange } from '../state/series.ts';
 import type { Signals } from '../state/signals.ts';
 import { h, setText } from './dom.ts';
-import { kAxis, keyOf } from './plot.ts';
+import { kAxis, keyOf, tickDecimals } from './plot.ts';
 
 export interface TimeRange {
   from_s: number;
@@ -92,7 +92,7 @@ export class SignalChart {
       },
       axes: [
         { ...kAxis, size: 20, gap: 4, space: 60, values: (_, splits) => splits.map((t_s) => `${fixed(t_s, splits.length > 1 && (splits[1] ?? 0) - (splits[0] ?? 0) < 1 ? 2 : 0)} s`) },
-        { ...kAxis, size: 58, gap: 6, space: 24 },
+        { ...kAxis, size: 58, gap: 6, space: 24, values: (_, splits) => splits.map((value) => fixed(value, tickDecimals(splits, 7))) },
       ],
       series: [{}, ...this.names.map((_, i) => ({ stroke: () => colour(colourOf(i)), width: 1.5, points: { show: false }, spanGaps: true }))],
       hooks: {

@@ -1,6 +1,6 @@
 // The view of the course with legend and cameras: 3-D if WebGL works, else a map.
 import { kCameraModes } from '../scene/camera_rig.ts';
-import type { Bounds, Point2 } from '../scene/geometry.ts';
+import { bounds, zoomed, type Bounds, type Point2 } from '../scene/geometry.ts';
 import { MapView } from '../scene/map_view.ts';
 import { SceneView } from '../scene/scene_view.ts';
 import type { View } from '../scene/view.ts';
@@ -12,11 +12,13 @@ import { kHelp } from './help.ts';
 const kModes = [...kCameraModes, 'map'] as const;
 type Mode = (typeof kModes)[number];
 
+const kZoom = 1.4;
 const kAbout: Record<Mode, string> = { chase: 'From behind the robot', top: 'From above the robot', free: 'From where you turn it', map: 'Plan of the course' };
 
 export class Viewport {
   readonly element = h('section', { class: 'viewport', 'aria-label': 'Course' });
   private readonly stage = h('div', { class: 'stage' });
+  private readonly zooms = h('div', { class: 'zooms', role: 'group', 'aria-label': 'Zoom of the map' });
   private readonly buttons = new Map<Mode, HTMLButtonElement>();
   private readonly toggles = new Map<EstimateName, HTMLButtonElement>();
   private readonly steers = new Map<EstimateName, HTMLElement>();
@@ -41,6 +43,9 @@ export class Viewport {
     const plan = h('i', { class: 'swatch dashed' });
     plan.style.color = 'var(--path)';
     key.append(h('span', { class: 'key-item', title: kHelp.plan }, plan, 'plan'));
+    const fence = h('i', { class: 'swatch' });
+    fence.style.color = 'var(--fence)';
+    key.append(h('span', { class: 'key-item key-fence', title: kHelp.fence }, fence, 'fence'));
     for (const name of kEstimates) {
       const swatch = h('i', { class: 'swatch' });
       swatch.style.color = `var(--${name})`;
@@ -51,7 +56,11 @@ export class Viewport {
       this.toggles.set(name, toggle);
       key.append(toggle);
     }
-    this.element.append(this.stage, key, modes);
+    const zooms = ([['in', '+', 'Nearer, around the robot'], ['out', '\u2212', 'Farther'], ['fit', 'fit', 'The whole course']] as const).map(([id, text, title]) =>
+      button({ id: `zoom-${id}`, title }, text, () => { this.zoom(id); }),
+    );
+    this.zooms.append(...zooms);
+    this.element.append(this.stage, key, modes, this.zooms);
     // Rendering 3-D on the processor would leave little of it for the robot's loop: begin with the map.
     const drawnBy = webglDrawnBy();
     if (drawnBy === 'nothing') this.withoutWebgl();
@@ -123,6 +132,7 @@ export class Viewport {
     const received = store.received['/course'] ?? 0;
     if (received !== this.courseShown && !this.drafted) {
       this.courseShown = received;
+      this.frame = undefined;
       this.setCourse(store.get('/course'));
     }
     this.showKey(store);
@@ -150,6 +160,14 @@ export class Viewport {
   /** What is not drawn. */
   private get left_out(): ReadonlySet<EstimateName> {
     return this.toggles.get('fused')?.hidden === true ? new Set([...this.hidden, 'fused'] as const) : this.hidden;
+  }
+
+  private zoom(how: 'in' | 'out' | 'fit'): void {
+    const pose = this.store?.pose;
+    const box = this.frame ?? bounds(this.course);
+    const near = how === 'in' && pose !== undefined ? { x: pose.x_m, y: pose.y_m } : undefined;
+    this.frame = how === 'fit' ? undefined : zoomed(box, how === 'in' ? 1 / kZoom : kZoom, near);
+    this.setCourse(this.course);
   }
 
   private toggle(name: EstimateName): void {
@@ -199,6 +217,7 @@ export class Viewport {
 
   private mark(): void {
     for (const [mode, button] of this.buttons) setAttribute(button, 'aria-pressed', String(mode === this.mode));
+    this.zooms.hidden = this.mode !== 'map';
   }
 }
 

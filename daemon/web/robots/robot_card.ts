@@ -12,7 +12,7 @@ export class RobotCard {
   private readonly badge = h('span', { class: 'badge' });
   private readonly status = h('p', { class: 'card-status', role: 'status' });
   private readonly problem = h('p', { class: 'card-problem' });
-  private readonly figure = { course: h('dd'), time: h('dd'), pose: h('dd'), battery: h('dd') };
+  private readonly figure = { robot: h('dd'), course: h('dd'), time: h('dd'), pose: h('dd'), battery: h('dd') };
   private readonly figures = h('dl', { class: 'card-figures' }, ...Object.entries(this.figure).map(([name, value]) => h('div', {}, h('dt', {}, name), value)));
   private readonly stop: StopPanel;
 
@@ -58,6 +58,7 @@ export class RobotCard {
     setText(this.status, state.run === 'running' && state.pause_left_s === undefined ? word : [word, detail].filter((text) => text !== '').join(' \u00b7 '));
     setText(this.badge, this.robot.link?.kind ?? '');
     setAttribute(this.badge, 'data-kind', this.robot.link?.kind ?? '');
+    setText(this.figure.robot, `${state.robot} \u00b7 ${state.setup}`);
     const progress = typeof state.length_m === 'number' ? `, ${fixed(state.progress_m, 2)} of ${fixed(state.length_m, 2)} m` : '';
     setText(this.figure.course, state.course === '' ? 'none' : `${state.course}${progress}`);
     setText(this.figure.time, typeof state.run_s === 'number' ? clock(state.run_s) : '\u2013');

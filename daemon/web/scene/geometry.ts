@@ -124,3 +124,24 @@ export function ribbon(points: Float32Array, from: number, to: number, width: nu
     out.set([x - dy, y + dx, z, x + dy, y - dx, z], 6 * i);
   }
 }
+
+/** Margin around a course, and least size, so that there is room to draw. */
+const kRoom_m = 0.2;
+const kLeast_m = 1.2;
+const kMaxSize_m = 200;
+
+/** The part of the floor that a map shows while the course is drawn. */
+export function frameOf(course: Course): Bounds {
+  const box = bounds(course);
+  const wide = Math.max(0, kLeast_m - (box.max_x - box.min_x)) / 2 + kRoom_m;
+  const high = Math.max(0, kLeast_m - (box.max_y - box.min_y)) / 2 + kRoom_m;
+  return { min_x: box.min_x - wide, max_x: box.max_x + wide, min_y: box.min_y - high, max_y: box.max_y + high };
+}
+
+/** The box scaled, its middle at a point or where it was; a larger factor shows more. */
+export function zoomed(box: Bounds, factor: number, middle?: Point2): Bounds {
+  const [x, y] = [middle?.x ?? (box.min_x + box.max_x) / 2, middle?.y ?? (box.min_y + box.max_y) / 2];
+  const [wide, high] = [(factor * (box.max_x - box.min_x)) / 2, (factor * (box.max_y - box.min_y)) / 2];
+  if (Math.max(wide, high) > kMaxSize_m / 2 || Math.min(wide, high) < kRoom_m) return box;
+  return { min_x: x - wide, max_x: x + wide, min_y: y - high, max_y: y + high };
+}

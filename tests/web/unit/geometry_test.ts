@@ -45,3 +45,10 @@ it('a footprint turns with the heading', () => {
   const corners = geometry.footprint({ x_m: 1, y_m: 2, heading_rad: Math.PI / 2 }, 4, 2);
   expect(corners.map(({ x, y }) => [x, y].map((value) => Math.round(value * 1e6) / 1e6 + 0))).toEqual([[2, 0], [2, 4], [0, 4], [0, 0]]);
 });
+
+it('a map is zoomed about its middle or a point, and stays within reason', () => {
+  const box = { min_x: 0, max_x: 4, min_y: 0, max_y: 2 };
+  expect(geometry.zoomed(box, 2)).toEqual({ min_x: -2, max_x: 6, min_y: -1, max_y: 3 });
+  expect(geometry.zoomed(box, 0.5, { x: 1, y: 1 })).toEqual({ min_x: 0, max_x: 2, min_y: 0.5, max_y: 1.5 });
+  for (const factor of [1e3, 1e-3]) expect(geometry.zoomed(box, factor)).toEqual(box);
+});
