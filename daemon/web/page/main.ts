@@ -13,7 +13,7 @@ import { StatusBar } from '../panel/status_bar.ts';
 import { StopPanel } from '../panel/stop_panel.ts';
 import { Viewport } from '../panel/viewport.ts';
 import { Replay } from '../replay/replay.ts';
-import { kViews, parseAddress, valueIn } from '../state/address.ts';
+import { kViews, parseAddress, valueIn } from '../page/views.ts';
 import type { State } from '../state/messages.ts';
 import type { Store } from '../state/store.ts';
 import { AnalyseView } from './analyse_view.ts';

@@ -3,13 +3,11 @@
 // another card nor on the daemon that served the page.
 import './theme.css';
 import './base.css';
-import './header.css';
 import './robots.css';
 import { everyFrame, h, setText } from '../panel/dom.ts';
 import { StopPanel } from '../panel/stop_panel.ts';
-import { Robot, type Listed } from '../robots/robot.ts';
+import { Robot, RobotList, type Listed } from '../robots/robot.ts';
 import { RobotCard } from '../robots/robot_card.ts';
-import { RobotList } from '../robots/robot_list.ts';
 import { themeSwitch } from './theme.ts';
 
 const kList_ms = 1000;

@@ -16,8 +16,7 @@ import {
 import type { Course, Place } from '../state/messages.ts';
 import { bounds, cornersOf, drape } from './geometry.ts';
 import { colour } from './palette.ts';
-import { Ribbon } from './ribbon.ts';
-import { dispose, solid } from './solid.ts';
+import { dispose, Ribbon, solid } from './solid.ts';
 
 const kMargin_m = 1.2;
 const kPathWidth_m = 0.006;

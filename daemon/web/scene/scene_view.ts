@@ -7,9 +7,8 @@ import { CourseModel } from './course_model.ts';
 import { bounds } from './geometry.ts';
 import { colour } from './palette.ts';
 import { Moved, Pace, type View } from './view.ts';
-import { Ribbon } from './ribbon.ts';
+import { dispose, Ribbon } from './solid.ts';
 import { GhostModel, kDefaultShape, RobotModel, UncertaintyRing } from './robot_model.ts';
-import { dispose } from './solid.ts';
 
 const kHistoryWidth_m = 0.007;
 const kHistoryLift_m: Record<EstimateName, number> = { model: 0.002, odometry: 0.0025, fused: 0.003, truth: 0.0035 };
@@ -135,6 +134,8 @@ export class SceneView implements View {
     this.renderer.setPixelRatio(this.pace.coarse ? 0.6 : Math.min(window.devicePixelRatio, kMaxPixelRatio));
     this.renderer.setSize(clientWidth, clientHeight);
     this.rig.resize(clientWidth / clientHeight);
+    // At once, because its canvas is empty now.
+    this.renderer.render(this.scene, this.rig.camera);
     this.changed = true;
   }
 

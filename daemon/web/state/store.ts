@@ -1,9 +1,30 @@
 // All data that the views draw, from the channels of one source: the live daemon or a recording.
 // Its memory is bounded.
 import { kNoRights, onCourse, type Channels, type Estimate, type Event, type Pose, type SceneUpdate, type Slip, type State, type Topic } from './messages.ts';
-import { BatteryWatch } from './battery.ts';
-import { Series } from './series.ts';
-import { PathHistory } from './series.ts';
+import { PathHistory, Series } from './series.ts';
+
+const kMargin_v = 0.3;
+/** The voltage must be low for this long, because a starting motor lowers it for a moment. */
+const kLasting_s = 2;
+const kBack_v = 0.1;
+export class BatteryWatch {
+  private since_s: number | undefined;
+  low = false;
+  limit_v = NaN;
+
+  take(t_s: number, voltage_v: number | null | undefined, limit_v: number | undefined): void {
+    this.limit_v = limit_v ?? NaN;
+    const warn_v = this.limit_v + kMargin_v;
+    const known = typeof voltage_v === 'number' && limit_v !== undefined && limit_v > 0;
+    if (!known || voltage_v > warn_v + (this.low ? kBack_v : 0)) {
+      this.since_s = undefined;
+      this.low = false;
+      return;
+    }
+    if (this.since_s === undefined || t_s < this.since_s) this.since_s = t_s;
+    if (t_s - this.since_s >= kLasting_s) this.low = true;
+  }
+}
 
 /** Estimates with a covariance, and all poses that are drawn. */
 export const kUncertain = ['model', 'odometry', 'fused'] as const;

@@ -85,7 +85,11 @@ describe('the page', () => {
     await resize(page, kDesktop);
     await page.click('#camera-free');
     await alive(page);
-    await driveUntil(page, 'running');
+    await until(async () => {
+      await goOn(page);
+      const fresh = await page.evaluate(() => document.querySelector('.viewport.stale, .number-row.stale, .notice:not([data-level=none])') === null);
+      return fresh && (await run(page)) === 'running' && (await drawn(page)) !== undefined;
+    }, 'a robot that drives, and nothing that is old');
     await picture(page, 'layout-1440');
   });
 

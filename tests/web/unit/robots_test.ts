@@ -1,7 +1,6 @@
 // The page of all robots: what it knows of each, STOP for one that does not answer, and which it lists.
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { Robot, type Contact, type Listed } from '../../../daemon/web/robots/robot.ts';
-import { kEnded_ms, RobotList } from '../../../daemon/web/robots/robot_list.ts';
+import { kEnded_ms, Robot, RobotList, type Contact, type Listed } from '../../../daemon/web/robots/robot.ts';
 import { FakeDaemon, message } from './fake_daemon.ts';
 
 const kListed: Listed = { url: 'http://127.0.0.1:8766/', session: 'cd34' };

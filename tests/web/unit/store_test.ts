@@ -1,8 +1,7 @@
 // The data that the views draw: current, old, of this run, and bounded.
 import { beforeEach, expect, it } from 'vitest';
-import { BatteryWatch } from '../../../daemon/web/state/battery.ts';
+import { BatteryWatch, column, kEvents, Store, type Column } from '../../../daemon/web/state/store.ts';
 import type { Estimate, EstimatedPose, Event, State } from '../../../daemon/web/state/messages.ts';
-import { column, kEvents, Store, type Column } from '../../../daemon/web/state/store.ts';
 import { Moved } from '../../../daemon/web/scene/view.ts';
 
 const at = (x_m: number, y_m = 0): EstimatedPose => ({ x_m, y_m, z_m: 0, roll_rad: 0, pitch_rad: 0, yaw_rad: 0 }) as EstimatedPose;

@@ -3,7 +3,7 @@ import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { kHelp } from '../../../daemon/web/panel/help.ts';
 import { nextStep } from '../../../daemon/web/panel/next_step.ts';
-import { formatAddress, parseAddress, valueIn } from '../../../daemon/web/state/address.ts';
+import { formatAddress, parseAddress, valueIn } from '../../../daemon/web/page/views.ts';
 import type { State } from '../../../daemon/web/state/messages.ts';
 import { runWords } from '../../../daemon/web/state/run_words.ts';
 
