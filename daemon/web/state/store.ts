@@ -3,10 +3,12 @@
 import { kNoRights, onCourse, type Channels, type Estimate, type Event, type Pose, type SceneUpdate, type Slip, type State, type Topic } from './messages.ts';
 import { PathHistory, Series } from './series.ts';
 
+/** The battery warns this far above the voltage below which the daemon aborts the run. */
 const kMargin_v = 0.3;
 /** The voltage must be low for this long, because a starting motor lowers it for a moment. */
 const kLasting_s = 2;
 const kBack_v = 0.1;
+
 export class BatteryWatch {
   private since_s: number | undefined;
   low = false;
