@@ -77,6 +77,7 @@ document.body.append(
   h('header', { class: 'bar' }, identity.element, views.element, status.element, controls.element, step.element, stopPanel.element, notice.element),
   h('main', {}, viewport.element, drive.side, plan.element, analyse.tabs.element, setup.tabs.element),
 );
+if (wanted !== undefined) void replay.open(wanted);
 look();
 
 function pressStop(): void {
@@ -87,9 +88,9 @@ function pressStop(): void {
 /** Another view is shown, or another recording. */
 function look(): void {
   document.body.classList.toggle('replaying', replaying());
+  document.body.classList.toggle('replay-loading', replay.player === undefined && replay.run !== '' && views.shown === 'analyse');
   views.keep('replay', replay.run === '' ? undefined : replay.run);
   plan.look(views.shown === 'plan');
-  if (views.shown !== 'drive') driver.release();
   const player = replaying() ? replay.player : undefined;
   drive.look(player);
   analyse.signals.look(player?.frames);
@@ -124,7 +125,6 @@ everyFrame([
   { period_ms: kState_ms, run: showState },
 ]);
 daemon.start();
-if (wanted !== undefined) void replay.open(wanted);
 
 function showView(now_ms: number): void {
   const dt_s = Math.min((now_ms - last_ms) / 1000, 0.5);
@@ -137,10 +137,12 @@ function showView(now_ms: number): void {
 
 function showState(now_ms: number): void {
   const { connected, mayCommand } = daemon;
+  // Also a lease whose token has arrived after another view was chosen.
+  if (views.shown !== 'drive') driver.release();
   status.show(live, connected);
   identity.show(live, daemon.metadata);
   controls.show(live, connected, mayCommand);
-  step.show(live, connected, mayCommand, controls.asks || drivePanel.asks);
+  step.show(live, connected, mayCommand, controls.asks || drivePanel.asks, driver.drives);
   drivePanel.show(live, connected, mayCommand);
   notice.show(live, connected, daemon.retryIn_s, now_ms, replaying());
   drive.showWords(live, shown(), replaying(), began_unix_s(), now_ms);

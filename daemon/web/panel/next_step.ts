@@ -10,11 +10,12 @@ interface Step {
   link?: readonly [href: string, text: string];
 }
 
-/** `asks`: a press that sets the robot in motion waits for the second one. */
-export function nextStep(state: State, mayCommand: boolean, asks: boolean): Step {
+/** `asks`: a press that sets the robot in motion waits for the second one. `drives`: this page drives by hand. */
+export function nextStep(state: State, mayCommand: boolean, asks: boolean, drives: boolean): Step {
   if (asks) return { text: 'Press again within 3 s: the robot will move.' };
   if (!mayCommand) return { text: `${kNoRights}.` };
   if (state.pause_left_s !== undefined) return { text: 'Paused on the path, motors on: Resume, or End run.' };
+  if (state.run === 'driving' && !drives) return { text: `Driven by hand by ${state.driver?.by ?? 'another viewer'}; End run switches the motors off.` };
   if (state.run === 'driving') return { text: 'Arrow keys, stick or gamepad drive while they are held; Release ends it.' };
   if (asksForMotion(state.run)) return { text: 'Pause stands still; End run switches the motors off.' };
   if (state.session !== 'ready') return { text: 'Plug the robot in and switch it on.', link: ['#setup/doctor', 'What is wrong?'] };
@@ -34,9 +35,9 @@ export class NextStep {
     this.element.append(this.text, ' ', this.link);
   }
 
-  show(store: Store, connected: boolean, mayCommand: boolean, asks: boolean): void {
+  show(store: Store, connected: boolean, mayCommand: boolean, asks: boolean, drives: boolean): void {
     const state = store.get('/state');
-    const step = !connected || state === undefined || store.stale('/state') ? { text: '' } : nextStep(state, mayCommand, asks);
+    const step = !connected || state === undefined || store.stale('/state') ? { text: '' } : nextStep(state, mayCommand, asks, drives);
     setText(this.text, step.text);
     setText(this.link, step.link?.[1] ?? '');
     setAttribute(this.link, 'href', step.link?.[0] ?? '#');

@@ -10,6 +10,8 @@ interface Value {
   label: string;
   unit: string;
   help: string;
+  /** Where it comes from, if not from the figure's topic. */
+  topic?: Topic;
   text(store: Store): string;
 }
 
@@ -59,7 +61,7 @@ const kFigures: Figure[] = [
     topic: '/state',
     values: [
       { id: 'battery', label: 'battery', unit: 'V', help: kHelp.battery, text: (store) => fixed(store.get('/state')?.battery_v, 2) },
-      { id: 'age', label: 'data age', unit: 'ms', help: kHelp.age, text: (store) => fixed(ageMs(store), (ageMs(store) ?? 0) < 100 ? 1 : 0) },
+      { id: 'age', label: 'data age', unit: 'ms', help: kHelp.age, topic: '/estimate', text: (store) => fixed(ageMs(store), (ageMs(store) ?? 0) < 100 ? 1 : 0) },
     ],
   },
 ];
@@ -85,7 +87,7 @@ export class Numbers {
         const output = h('output', { class: 'number-value', id: `number-${value.id}` }, '\u2013');
         const row = h('div', { class: 'number-row stale', title: value.help }, h('span', { class: 'number-label' }, value.label), output, h('span', { class: 'number-unit' }, value.unit));
         tile.append(row);
-        return { value, topic, row, output };
+        return { value, topic: value.topic ?? topic, row, output };
       });
     });
   }

@@ -1,6 +1,6 @@
 // The daemon's recorded runs: to name, report, compare, replay and delete.
 import { bytes } from '../state/format.ts';
-import { titleOf, type RunEntry, type RunFile, type RunNote, type RunsList } from '../state/runs.ts';
+import { courseOf, titleOf, type RunEntry, type RunFile, type RunNote, type RunsList } from '../state/runs.ts';
 import { button, h, Message, setText } from './dom.ts';
 import { noteForm, runRow, type RunActions } from './run_row.ts';
 import { fetched, Listing, reason, type Call } from '../state/service.ts';
@@ -78,10 +78,8 @@ export class RunList {
 
   /** With the run of the same course before it. */
   async compareWithBefore(run: string): Promise<void> {
-    // A run is named by its time and its course.
-    const course = run.replace(/^\d+-\d+/, '');
     const runs = await fetched('/api/runs').then((text) => (JSON.parse(text) as RunsList).runs, () => []);
-    const before = runs.filter((each) => each.run.endsWith(course) && each.run < run && !each.active).map((each) => each.run).sort().at(-1);
+    const before = runs.filter((each) => courseOf(each.run) === courseOf(run) && each.run < run && !each.active).map((each) => each.run).sort().at(-1);
     if (before === undefined) this.message.say('There is no run of this course before it.', true);
     else await this.make(`the comparison of ${run} with ${before}`, 'run_compare', { run, with: before });
   }

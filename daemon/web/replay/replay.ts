@@ -23,6 +23,7 @@ export class Replay {
     const mine = (this.loading = new AbortController());
     this.run = run;
     this.transport.loading(run, 0);
+    this.changed();
     try {
       const frames = await loadRecording(url, (share) => { this.transport.loading(run, share); }, mine.signal);
       // Data of a recording does not age.

@@ -30,7 +30,7 @@ export function runWords(state: State): RunWords {
   const time = typeof state.run_s === 'number' ? clock(state.run_s) : '';
   switch (run) {
     case 'arming':
-      return { lamp: 'wait', word: 'motors on', detail: 'starting' };
+      return { lamp: 'wait', word: 'starting', detail: state.motors_on ? 'motors on' : 'motors off' };
     case 'running':
       if (state.pause_left_s === undefined) return { lamp: 'good', word: 'running', detail: time };
       return { lamp: 'warn', word: 'paused', detail: `motors on, ends in ${minutes(state.pause_left_s)}` };
@@ -45,10 +45,11 @@ export function runWords(state: State): RunWords {
   }
 }
 
-/** How a run ended: a STOP that somebody wanted is no fault. */
-export function outcomeOf({ run, stop }: State): string {
+/** How a run ended: a STOP that somebody wanted is no fault, and one after a fault has ended nothing. */
+export function outcomeOf({ run, stop, faults }: State): string {
   if (run === 'finished') return 'completed';
-  return run === 'aborted' ? (stop.latched ? 'stopped' : 'aborted') : 'ended';
+  if (run !== 'aborted') return 'ended';
+  return stop.latched && faults.every(({ name }) => name === 'stop_requested') ? 'stopped' : 'aborted';
 }
 
 /** For example 1:52. */

@@ -42,6 +42,9 @@ export interface RunNote {
   keep: boolean;
 }
 
+/** A run is named by its time and its course. */
+export const courseOf = (run: string): string => run.replace(/^\d+-\d+-?/, '');
+
 export const titleOf = ({ name, run }: Pick<RunEntry, 'name' | 'run'>): string => (name === '' ? run : name);
 
 /** The page that tp100d report makes; undefined: not yet. */

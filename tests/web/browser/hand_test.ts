@@ -110,6 +110,7 @@ describe('driving by hand', () => {
   it.each<[string, (page: Page) => Promise<unknown>]>([
     ['loses the focus', (page) => page.evaluate(() => window.dispatchEvent(new Event('blur')))],
     ['hears Cmd', (page) => page.keyboard.press('Meta')],
+    ['shows another view', (page) => page.click('#view-plan')],
     ['is hidden', hide],
     ['is closed', (page) => page.close()],
   ])('stops when the page %s', async (what, lose) => {
@@ -123,7 +124,7 @@ describe('driving by hand', () => {
     await new Promise((resolve) => setTimeout(resolve, 200));
     expect(speed_mps(), 'the key that is still held counts no more').toBe(0);
     typist.leave();
-    if (['is hidden', 'is closed'].includes(what)) await until(() => bus.last('/state')?.run === 'idle', 'and disarmed after a while');
+    if (['shows another view', 'is hidden', 'is closed'].includes(what)) await until(() => bus.last('/state')?.run === 'idle', 'and disarmed after a while');
     else await release(page);
   });
 

@@ -56,7 +56,11 @@ describe('signals', () => {
     await shows(page, '#signals-pause', /^Continue$/);
     const whole = await times_s(page);
     expect(whole.length).toBeGreaterThan(2);
-    await page.waitForTimeout(1000);
+    const bus = new Bus(setting.pair.url, ['/estimate']);
+    await until(() => bus.last('/estimate') !== undefined, 'messages arrive');
+    const paused_s = bus.last('/estimate')?.t_s ?? 0;
+    await until(() => (bus.last('/estimate')?.t_s ?? 0) > paused_s + 1, 'messages go on');
+    bus.close();
     expect((await times_s(page)).at(-1), 'a paused table ends where it did').toBe(whole.at(-1));
     await page.click('#signals-in');
     expect((await times_s(page)).length).toBeLessThan(whole.length);
@@ -91,7 +95,7 @@ describe('signals', () => {
     expect((await times_s(page)).length).toBeGreaterThan(1);
     // The picture of TUTORIALS.md.
     await page.fill('#scrub', '3');
-    await page.waitForTimeout(1000);
+    await shows(page, '.transport-time', /^0:03/);
     await picture(page, 'analyse-1440');
   });
 });

@@ -8,14 +8,14 @@ import type { State } from '../../../daemon/web/state/messages.ts';
 import { runWords } from '../../../daemon/web/state/run_words.ts';
 
 const kState = {
-  run: 'idle', session: 'ready', motors_on: false, course: '3', length_m: 4.06, why_not_start: '', stop: { latched: false }, can: { start: true },
+  run: 'idle', session: 'ready', motors_on: false, course: '3', length_m: 4.06, why_not_start: '', stop: { latched: false }, faults: [], can: { start: true },
 } as unknown as State;
 const state = (changes: Partial<State>): State => ({ ...kState, ...changes });
 const words = (changes: Partial<State>): string => {
   const { lamp, word, detail } = runWords(state(changes));
   return `${lamp} ${word}, ${detail}`;
 };
-const step = (changes: Partial<State>): string => nextStep(state(changes), true, false).text;
+const step = (changes: Partial<State>): string => nextStep(state(changes), true, false, false).text;
 
 it('the state of a run is told in words that a person knows', () => {
   expect(words({})).toBe('none ready, motors off');
@@ -25,7 +25,11 @@ it('the state of a run is told in words that a person knows', () => {
   expect(words({ run: 'finished', run_s: 42 })).toBe('done completed, 0:42.0');
   // A STOP that somebody wanted is no fault.
   expect(words({ run: 'aborted', run_s: 1, stop: { ...kState.stop, latched: true } })).toBe('bad stopped, 0:01.0');
-  expect(words({ run: 'aborted', run_s: 1 })).toBe('bad aborted, 0:01.0');
+  const fault = { name: 'fence', cause: '', fix: '' } as unknown as State['faults'][number];
+  const late = 'bad aborted, 0:01.0';
+  expect(words({ run: 'aborted', run_s: 1, faults: [fault], stop: { ...kState.stop, latched: true } }), 'a STOP after the end').toBe(late);
+  expect(words({ run: 'aborted', run_s: 1 })).toBe(late);
+  expect(words({ run: 'arming' })).toBe('wait starting, motors off');
   expect(words({ session: 'closed' })).toBe('bad no robot, no port');
   expect(words({ motors_on: true })).toBe('bad motors on, without a run');
 });
@@ -33,11 +37,13 @@ it('the state of a run is told in words that a person knows', () => {
 it('the next step is told, and why Start is grey', () => {
   expect(step({})).toBe('Put the robot at the start of course 3, 4.06 m, and press Start.');
   expect(step({ session: 'closed' })).toMatch(/^Plug the robot in/);
-  expect(nextStep(state({ course: '' }), true, false).link?.[0]).toBe('#plan');
+  expect(nextStep(state({ course: '' }), true, false, false).link?.[0]).toBe('#plan');
   expect(step({ can: { ...kState.can, start: false }, why_not_start: 'the battery is too low' })).toBe('Not now: the battery is too low.');
   expect(step({ run: 'running', pause_left_s: 100 })).toContain('Resume');
-  expect(nextStep(kState, true, true).text).toContain('the robot will move');
-  expect(nextStep(kState, false, false).text).toContain('server.commands');
+  expect(step({ run: 'driving' }), 'another page drives').not.toContain('Arrow keys');
+  expect(nextStep(state({ run: 'driving' }), true, false, true).text).toContain('Arrow keys');
+  expect(nextStep(kState, true, true, false).text).toContain('the robot will move');
+  expect(nextStep(kState, false, false, false).text).toContain('server.commands');
 });
 
 describe('the address', () => {
