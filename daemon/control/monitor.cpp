@@ -12,6 +12,8 @@ namespace {
 using Limits = shared::HostLimits<double>;
 
 constexpr double kObstacleS = 1.0;
+// A robot that may stall for longer is judged as soon as one of the default.
+constexpr double kLongestStallS = 1.0;
 
 // The robot itself gives up after 200 ms without a valid command.
 constexpr double kNoneTakenS = 0.3;
@@ -54,7 +56,7 @@ bool DutyMonitor::update(double duty, double track_mps, const Load& load, double
                            (obstacle_s_ > 0.0 ? shared::obstacle_duty<double>() : 0.0);
   const bool free = load_duty < Limits::free_duty();
   return law_.update(duty, track_mps, load_duty, free, dt_s, motor_.dead_band, motor_.feed_forward,
-                     Limits::soonest_share() * motor_.stall_s);
+                     Limits::soonest_share() * std::min(motor_.stall_s, kLongestStallS));
 }
 
 bool JumpMonitor::update(const Sample& sample) {

@@ -2,7 +2,9 @@
 // speed: the monitors of the robot itself find an encoder that fails, and stop no healthy drive.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -147,7 +149,7 @@ std::vector<Drive> drives(BoardKind board, const std::vector<std::string_view>& 
         for (const Steering steering : {Steering::kByCounts, Steering::kByGyro}) {
           ++number;
           if (number % step != 0) continue;
-          all.push_back({.robot = kDrivenRobots[number / step % std::size(kDrivenRobots)],
+          all.push_back({.robot = kDrivenRobots[(number + number / 6) % std::size(kDrivenRobots)],
                          .fault = fault,
                          .fault_s = number / 2 % 2 == 0 ? 0.0 : 2.0,
                          .mps = mps,

@@ -24,9 +24,10 @@ namespace shared {
   X(duty_per_slope_rad, 3.0, 0.8)                                                              \
   /* Load below which a track runs freely: the host's includes the noise of its pitch. */      \
   X(free_duty, 0.05, 0.1)                                                                      \
-  /* Slip that may take part of a turn on an obstacle, where one track may slip while the */   \
-  /* other grips; the robot may as well be on a slope. */                                      \
-  X(obstacle_slip_share, 0.8, 0.3)                                                             \
+  /* Share of a turn that slip may take on an obstacle, where one track may slip while the */  \
+  /* other grips: at least this (the robot may as well be on a slope), and so much more. */    \
+  X(obstacle_slip_share, 0.8, 0.0)                                                             \
+  X(obstacle_slip_more, 0.0, 0.25)                                                             \
   /* Slip of one track: as a fraction of the distance, which a host of another make cannot */  \
   /* switch off, and as a fraction of its share of a turn. */                                  \
   X(distance_share, 0.1, 0.0)                                                                  \
@@ -174,7 +175,8 @@ class DutyMonitor {
 /// `share`: of a turn. `driven_rad`: mean distance of the tracks without sign over the wheelbase.
 template <class Real, class Limits>
 Real slip_of_turn(Real share, bool on_obstacle, Real gyro_rad, Real driven_rad) {
-  if (on_obstacle) share = larger(share, Limits::obstacle_slip_share());
+  if (on_obstacle)
+    share = larger(share + Limits::obstacle_slip_more(), Limits::obstacle_slip_share());
   Real of_distance = Limits::distance_share();
   if (Limits::distance_slip_share() > 0) of_distance += share * Limits::distance_slip_share();
   return share * magnitude(gyro_rad) + of_distance * driven_rad;
