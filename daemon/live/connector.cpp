@@ -107,7 +107,7 @@ void Connector::take_back(const loop::LostPort& lost, HostNs now) {
             (lost.error == 0 ? "end of file" : std::strerror(lost.error)) +
             "); plug the robot in again";
   }
-  if (!found_ && !wait_) throw UserError(line);
+  if (!found_ && !wait_ && !stopped_) throw UserError(line);
   say_once(line);
 }
 

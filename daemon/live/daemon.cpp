@@ -150,6 +150,8 @@ void Daemon::take_records() {
 void Daemon::take_events() {
   LiveEvent event;
   while (parts_.cycle.take_event(event)) {
+    // The recording of a run begins with its first step, and has the event.
+    if (std::holds_alternative<RunChange>(event)) take_records();
     // An event that ends the program is reported once, as the error.
     if (const auto* report = std::get_if<SessionReport>(&event))
       connector_.on_event(*report, parts_.setup.in_force()->loaded.setup.robot.name);

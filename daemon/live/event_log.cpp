@@ -12,6 +12,7 @@
 #include <chrono>
 #include <csignal>
 #include <thread>
+#include <utility>
 
 #include "core/arithmetic.h"
 #include "text/standard_streams.h"

@@ -241,7 +241,9 @@ void RunRecordings::end() {
 void RunRecordings::take(const StepRecord& record) {
   const bool was = std::exchange(under_way_, under_way(record.snapshot.run_state));
   if (!on_) return;
-  if (was && !under_way_ && own_ != 0) end_ns_ = record.now_ns + kTailNs;
+  const bool failed =
+      (record.snapshot.faults & ~std::exchange(faults_, record.snapshot.faults)) != 0;
+  if ((was || failed) && !under_way_ && own_ != 0) end_ns_ = record.now_ns + kTailNs;
   const bool begins = !was && under_way_;
   if (begins || (end_ns_ && record.now_ns >= *end_ns_)) {
     end_ns_.reset();

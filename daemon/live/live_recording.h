@@ -124,6 +124,7 @@ class RunRecordings : public messages::Sink {
   messages::EventQueue& events_;
   bool on_;
   bool under_way_ = false;
+  FaultMask faults_ = 0;   // of the step before
   std::uint64_t own_ = 0;  ///< the recording begun here; 0: none
   std::optional<HostNs> end_ns_{};
 };
