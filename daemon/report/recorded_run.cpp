@@ -108,6 +108,10 @@ void Reader::step(const StepRecord& record) {
     end_ns_ = record.now_ns;
     ended_ = state;
     faults_ = record.snapshot.faults;
+  } else if (state_ == RunState::kFinished && state == RunState::kAborted) {
+    // The robot did not confirm that its motors are off.
+    ended_ = state;
+    faults_ = record.snapshot.faults;
   }
   if (run_.steps > 0 && record.step > step_) run_.missing_steps += record.step - step_ - 1;
   ++run_.steps;
@@ -252,8 +256,9 @@ void Reader::disturbances() {
 void Reader::judge() {
   const auto& course = run_.run_context.course;
   const std::vector<TrajectoryPoint>& points = run_.result.points;
-  judge_end(run_.result, ended_, faults_,
-            course && !points.empty() && at_end(course::Path(*course), points.back().world));
+  std::optional<bool> there;
+  if (course && !points.empty()) there = at_end(course::Path(*course), points.back().world);
+  judge_end(run_.result, ended_, faults_, there);
 }
 
 void Reader::finish() {

@@ -13,12 +13,13 @@ bool at_end(const course::Path& path, const Pose& truth) {
   return magnitude(truth.x_m - end.x_m, truth.y_m - end.y_m) <= kEndToleranceM;
 }
 
-void judge_end(RunResult& result, RunState state, FaultMask faults, bool at_end) {
+void judge_end(RunResult& result, RunState state, FaultMask faults, std::optional<bool> at_end) {
   const std::optional<Fault> fault = first_fault(faults);
   result.finished = state == RunState::kFinished;
-  result.completed = result.finished && at_end;
+  result.completed = result.finished && at_end.value_or(false);
   result.cause = result.completed              ? ""
                  : !result.began_ns            ? kNeverBegan
+                 : result.finished && !at_end  ? "unknown: course or poses are missing"
                  : result.finished             ? "ended too far from the end of the path"
                  : state == RunState::kRunning ? "the recording ends before the run does"
                  : fault                       ? describe(*fault).name

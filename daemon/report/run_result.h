@@ -111,8 +111,8 @@ inline constexpr const char* kNeverBegan = "never began";
 /// Whether the robot truly stands at the end of the path, within kEndToleranceM.
 bool at_end(const course::Path& path, const Pose& truth);
 /// Judges how a run ended, if it began: by the state after kRunning, or kRunning if none is known,
-/// by its faults and by at_end() then.
-void judge_end(RunResult& result, RunState state, FaultMask faults, bool at_end);
+/// by its faults and by at_end() then, if that is known.
+void judge_end(RunResult& result, RunState state, FaultMask faults, std::optional<bool> at_end);
 
 /// The columns of a pose in a CSV header, each after a comma: `,<name>_x_m` and y_m, z_m, roll_rad,
 /// pitch_rad, yaw_rad.
