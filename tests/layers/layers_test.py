@@ -41,7 +41,7 @@ def names_the_laboratory(root):
     kinds = ('.cpp', '.h', '.ts', '.gd', '.toml', '.service')
     for folder in ('daemon', 'firmware', 'sim', 'config', 'scripts'):
         for path in (root / folder).rglob('*'):
-            if path.suffix in kinds and not {'node_modules', 'lab'} & set(path.parts):
+            if path.suffix in kinds and not {'node_modules', 'lab'} & set(path.relative_to(root).parts):
                 if re.search('sim/lab|tp100-lab|tp100_sim_lab', path.read_text(encoding='utf-8')):
                     yield str(path.relative_to(root))
 

@@ -168,9 +168,13 @@ const preparing = { closed: 2, listening: 1, hello: 1, parameters: 1, syncing: 1
 function checkStates(states, json, facts) {
   const estimates = new Map(json('/estimate').map(({ logTime, value }) => [logTime, value]));
   const samples = json('/sample');
-  const changes = json('/event').filter(({ value }) => value.text.startsWith('state: ')).map(({ logTime, value }) => {
-    const [, to, , faults] = /^state: \w+ -> (\w+)(, (.*))?$/.exec(value.text);
-    return { logTime, run: to, faults: faults ?? '', message: faults === undefined ? to : `${to}: ${value.cause}; ${value.fix}` };
+  const events = json('/event');
+  const changes = events.filter(({ value }) => value.text.startsWith('state: ')).map(({ logTime, value }) => {
+    const [, run] = /^state: \w+ -> (\w+)$/.exec(value.text);
+    // The faults that end a run are reported with the change.
+    const faults = events.filter((event) => event.logTime === logTime && event.value.level === 'error').map((event) => event.value);
+    const [reason = ''] = faults.map(({ cause, fix }) => `: ${cause}; ${fix}`);
+    return { logTime, run, faults: faults.map(({ text }) => text).join(' '), message: run + reason };
   });
   assert.deepEqual(changes.filter(({ logTime }) => !states.some((state) => state.logTime === logTime)), []);
   let before = { logTime: states[0].logTime, counted: counters.map(() => 0) };
