@@ -22,8 +22,9 @@ std::string rounded(double value, double unit) {
 }
 
 bool meets(const course::Path& path, const Outline& outline, double half_width_m) {
-  for (double s = 0.0; s <= path.length_m(); s += kStepM) {
-    const course::PathPoint point = path.at(s);
+  const int steps = static_cast<int>(path.length_m() / kStepM);
+  for (int step = 0; step <= steps; ++step) {
+    const course::PathPoint point = path.at(step * kStepM);
     const double c = std::cos(point.yaw_rad);
     const double sn = std::sin(point.yaw_rad);
     for (const double side : {-half_width_m, half_width_m}) {
