@@ -13,7 +13,6 @@ import { StatusBar } from '../panel/status_bar.ts';
 import { StopPanel } from '../panel/stop_panel.ts';
 import { Viewport } from '../panel/viewport.ts';
 import { Replay } from '../replay/replay.ts';
-import { kViews, parseAddress, valueIn } from '../page/views.ts';
 import type { State } from '../state/messages.ts';
 import type { Store } from '../state/store.ts';
 import { AnalyseView } from './analyse_view.ts';
@@ -23,7 +22,7 @@ import { listen } from './keys.ts';
 import { PlanView } from './plan_view.ts';
 import { SetupView } from './setup_view.ts';
 import { themeSwitch } from './theme.ts';
-import { Views } from './views.ts';
+import { kViews, parseAddress, valueIn, Views } from './views.ts';
 
 const kFigures_ms = 100;
 /** At most 30 frames per second; the margin lets a frame be drawn that is due within half a display period. */
