@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "core/arithmetic.h"
-#include "core/limits.h"
 #include "model/track_model.h"
 
 namespace tp100::bridge {
@@ -84,7 +83,6 @@ std::string parameter_name(unsigned index) {
 }
 
 static_assert(StepInputs::Samples::kCapacity >= link::Session::kMaxSamples);
-static_assert(link::OneShotRequest::kLimitNs == kAnswerNs);
 
 Cycle::Cycle(const link::SessionSettings& settings, const bridge::Parameters& parameters,
              std::shared_ptr<const course::Course> course)

@@ -24,7 +24,7 @@ void OneShotRequest::start(std::uint32_t token, HostNs now) {
 }
 
 bool OneShotRequest::take_overdue(HostNs now) {
-  if (!pending_ || overdue_ || now - started_ns_ < kLimitNs) return false;
+  if (!pending_ || overdue_ || now - started_ns_ < kAnswerNs) return false;
   overdue_ = true;
   return true;
 }

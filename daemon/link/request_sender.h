@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/command.h"
+#include "core/limits.h"
 #include "core/time.h"
 #include "link/output_queue.h"
 #include "link/session_event.h"
@@ -13,11 +14,10 @@
 
 namespace tp100::link {
 
-/// One request under way.
+/// One request under way. Its limit is kAnswerNs.
 class OneShotRequest {
  public:
   static constexpr HostNs kRepeatNs = 30 * kNsPerMs;
-  static constexpr HostNs kLimitNs = 200 * kNsPerMs;
 
   /// Starts (or replaces) the request; `token` comes back in the acknowledgement.
   void start(std::uint32_t token, HostNs now);
@@ -25,7 +25,7 @@ class OneShotRequest {
 
   /// True if a copy is to be sent now. After the limit, copies are sent at the limit's interval.
   bool due(HostNs now) const { return pending_ && now >= next_ns_; }
-  void sent(HostNs now) { next_ns_ = now + (overdue_ ? kLimitNs : kRepeatNs); }
+  void sent(HostNs now) { next_ns_ = now + (overdue_ ? kAnswerNs : kRepeatNs); }
 
   /// True once, when the limit has passed without an acknowledgement.
   bool take_overdue(HostNs now);

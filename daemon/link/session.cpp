@@ -23,7 +23,7 @@ constexpr HostNs kHelloRequestPeriodNs = 200 * kNsPerMs;
 constexpr HostNs kParametersPeriodNs = 100 * kNsPerMs;
 // After kHostSilenceMs of silence the robot considers the host lost.
 constexpr HostNs kKeepAliveNs = 400 * kNsPerMs;
-constexpr HostNs kArmLifeNs = OneShotRequest::kLimitNs;
+constexpr HostNs kArmLifeNs = kAnswerNs;
 // A sequence that is 2^15 ahead of the last accepted one counts as old.
 constexpr std::int16_t kFurthestAhead = 1 << 14;
 // The robot refuses a yaw beyond 1000 rad, and needs only the difference of the two.

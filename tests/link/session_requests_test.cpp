@@ -12,7 +12,7 @@ namespace {
 using wire::Result;
 using wire::Type;
 
-constexpr HostNs kRepeat = OneShotRequest::kRepeatNs, kLimit = OneShotRequest::kLimitNs;
+constexpr HostNs kRepeat = OneShotRequest::kRepeatNs, kLimit = kAnswerNs;
 
 class RequestSenderTest : public testing::Test {
  protected:
