@@ -129,15 +129,12 @@ double slip_angle_rad(const TrackParameters& parameters, const Turn& turn, doubl
   return turning ? turn.slip_angle_rad : parameters.slip_angle_straight_rad;
 }
 
-Twist body_twist(const TrackParameters& parameters, Mode mode, double left_mps, double right_mps,
-                 const Incline& incline) {
-  const auto [left, right] = over_ground({left_mps, right_mps}, slip_on(parameters, mode, incline));
-  return body_twist(parameters, mode, left_mps, right_mps, incline, turn_shape(left, right));
-}
+namespace {
 
-Twist body_twist(const TrackParameters& parameters, Mode mode, double left_mps, double right_mps,
-                 const Incline& incline, const TurnShape& shape) {
-  const auto [left, right] = over_ground({left_mps, right_mps}, slip_on(parameters, mode, incline));
+// Eqs 2 and 5.
+Twist twist_of(const TrackParameters& parameters, Mode mode, const TrackSpeeds& ground,
+               const TurnShape& shape) {
+  const auto [left, right] = ground;
   const Turn turn = turn_of(parameters, mode, shape);
   Twist twist;
   twist.vx_mps = (right + left) / 2.0 * (1.0 - turn.slip);
@@ -145,6 +142,20 @@ Twist body_twist(const TrackParameters& parameters, Mode mode, double left_mps, 
   const double slip_angle = slip_angle_rad(parameters, turn, twist.yaw_rate_radps);
   twist.vy_mps = twist.vx_mps * std::tan(slip_angle) - turn.x_icr_m * twist.yaw_rate_radps;
   return twist;
+}
+
+}  // namespace
+
+Twist body_twist(const TrackParameters& parameters, Mode mode, double left_mps, double right_mps,
+                 const Incline& incline) {
+  const TrackSpeeds ground = over_ground({left_mps, right_mps}, slip_on(parameters, mode, incline));
+  return twist_of(parameters, mode, ground, turn_shape(ground.left_mps, ground.right_mps));
+}
+
+Twist body_twist(const TrackParameters& parameters, Mode mode, double left_mps, double right_mps,
+                 const Incline& incline, const TurnShape& shape) {
+  return twist_of(parameters, mode,
+                  over_ground({left_mps, right_mps}, slip_on(parameters, mode, incline)), shape);
 }
 
 void advance(Pose& pose, const Twist& twist, double dt_s, const Incline& incline) {
@@ -174,9 +185,9 @@ const Twist& TrackModel::advance(double left_mps, double right_mps, double dt_s,
                                  const Incline& incline) {
   const Incline under = mode_ == Mode::kPaper ? Incline{} : incline;
   slip_ = slip_on(parameters_, mode_, under);
-  const auto [left, right] = over_ground({left_mps, right_mps}, slip_);
-  const TurnShape shape = turn_shape_filter_.update(left, right, dt_s);
-  twist_ = body_twist(parameters_, mode_, left_mps, right_mps, under, shape);
+  const TrackSpeeds ground = over_ground({left_mps, right_mps}, slip_);
+  const TurnShape shape = turn_shape_filter_.update(ground.left_mps, ground.right_mps, dt_s);
+  twist_ = twist_of(parameters_, mode_, ground, shape);
   model::advance(pose_, twist_, dt_s, under);
   return twist_;
 }
