@@ -94,6 +94,8 @@ void Reader::step(const StepRecord& record) {
   if (run_.steps == 0) begin(record.now_ns);
   run_monitor_.step(record);
   const RunState state = record.snapshot.run_state;
+  // The robot did not confirm that its motors are off after the end of the path.
+  const bool unconfirmed = state_ == RunState::kFinished && state == RunState::kAborted;
   if (state == RunState::kRunning && state_ != RunState::kRunning) {
     ++run_.runs;
     begin(record.now_ns);
@@ -104,12 +106,8 @@ void Reader::step(const StepRecord& record) {
     point(record);
     run_.result.camera = camera_figures(record.snapshot.filter);
     end_ns_ = record.now_ns;
-  } else if (state_ == RunState::kRunning) {
-    end_ns_ = record.now_ns;
-    ended_ = state;
-    faults_ = record.snapshot.faults;
-  } else if (state_ == RunState::kFinished && state == RunState::kAborted) {
-    // The robot did not confirm that its motors are off.
+  } else if (state_ == RunState::kRunning || unconfirmed) {
+    if (!unconfirmed) end_ns_ = record.now_ns;
     ended_ = state;
     faults_ = record.snapshot.faults;
   }
