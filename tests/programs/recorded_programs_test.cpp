@@ -69,8 +69,8 @@ TEST_F(RecordedPrograms, RecordedDrivesAreIdentifiedAgainstTheirOwnRobot) {
   };
   const std::string worn = drive("worn");
   const auto identify = [&](const test::Words& more) {
-    return test::run(test::joined(
-        {"tp100d", "identify", "--out", folder_.file("new.toml"), "--json", "--background"}, more));
+    return test::run(
+        test::joined({"tp100d", "identify", "--out", folder_.file("new.toml"), "--json"}, more));
   };
   const test::Finished found = identify({worn});
   ASSERT_EQ(found.status, 0) << found.output;
