@@ -128,11 +128,15 @@ std::uint32_t NativeBoard::micros() {
   return settings_.start_us + static_cast<std::uint32_t>((run_ns + error_ns) / 1000);
 }
 
-bool NativeBoard::uart_read(std::uint8_t& byte) {
-  if (received_.empty()) return false;
-  byte = received_.front();
-  received_.pop_front();
-  return true;
+std::uint8_t NativeBoard::uart_read(std::uint8_t* bytes, std::uint8_t most) {
+  std::uint8_t size = 0;
+  while (size < most && !received_.empty()) {
+    const std::uint8_t byte = received_.front();
+    received_.pop_front();
+    bytes[size++] = byte;
+    if (byte == wire::kDelimiter) break;
+  }
+  return size;
 }
 
 std::uint8_t NativeBoard::uart_waiting() {

@@ -66,7 +66,7 @@ class NativeBoard final : public Board, private firmware::Hal {
 
   // The hardware as the firmware sees it.
   std::uint32_t micros() override;
-  bool uart_read(std::uint8_t& byte) override;
+  std::uint8_t uart_read(std::uint8_t* bytes, std::uint8_t most) override;
   std::uint8_t uart_room() override;
   std::uint8_t uart_waiting() override;
   void uart_write(const std::uint8_t* bytes, std::uint8_t size) override;

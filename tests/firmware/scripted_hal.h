@@ -57,13 +57,17 @@ class ScriptedHal final : public Hal {
 
   std::uint32_t micros() override { return now_us; }
 
-  bool uart_read(std::uint8_t& byte) override {
-    if (received.empty()) return false;
-    byte = received.front();
-    received.pop_front();
-    ++read_in_a_row_;
+  std::uint8_t uart_read(std::uint8_t* bytes, std::uint8_t most) override {
+    std::uint8_t size = 0;
+    while (size < most && !received.empty()) {
+      const std::uint8_t byte = received.front();
+      received.pop_front();
+      bytes[size++] = byte;
+      if (byte == wire::kDelimiter) break;
+    }
+    read_in_a_row_ += size;
     most_read_in_a_row = std::max(most_read_in_a_row, read_in_a_row_);
-    return true;
+    return size;
   }
   std::uint8_t uart_room() override { return static_cast<std::uint8_t>(room); }
   std::uint8_t uart_waiting() override { return waiting; }

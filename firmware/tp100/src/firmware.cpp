@@ -18,8 +18,6 @@ using wire::Type;
 
 const uint16_t kLongestStepUs = 50000;
 const uint16_t kShortestStepUs = 1000;
-// A host that floods the wire must not hold up the loop.
-const uint8_t kReceiveBudget = 32;
 const int32_t kArmFurthestUs = 500000;
 const uint16_t kArmExpiryField = 2;
 
@@ -78,7 +76,7 @@ void Firmware::loop() {
 }
 
 void Firmware::receive() {
-  uint8_t budget = kReceiveBudget;
+  uint8_t budget = HostLink::kMostReceived;
   while (link_.receive(budget)) dispatch();
 }
 

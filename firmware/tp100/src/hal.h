@@ -15,8 +15,8 @@ class Hal {
   /// Device clock, wraps. Callable from the timer interrupt. [us]
   virtual uint32_t micros() = 0;
 
-  /// Takes one received byte. False: none available.
-  virtual bool uart_read(uint8_t& byte) = 0;
+  /// Takes at most `most` received bytes, and none behind a wire::kDelimiter. Returns how many.
+  virtual uint8_t uart_read(uint8_t* bytes, uint8_t most) = 0;
   /// Number of bytes that uart_write accepts without blocking.
   virtual uint8_t uart_room() = 0;
   /// Number of bytes passed to uart_write that have not been sent yet.

@@ -139,7 +139,7 @@ void MegaHal::begin() {
 
 uint32_t MegaHal::micros() { return ::micros(); }
 
-bool MegaHal::uart_read(uint8_t& byte) { return uart_mega::read(byte); }
+uint8_t MegaHal::uart_read(uint8_t* bytes, uint8_t most) { return uart_mega::read(bytes, most); }
 uint8_t MegaHal::uart_room() { return uart_mega::room(); }
 uint8_t MegaHal::uart_waiting() { return uart_mega::waiting(); }
 void MegaHal::uart_write(const uint8_t* bytes, uint8_t size) { uart_mega::write(bytes, size); }

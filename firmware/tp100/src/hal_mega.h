@@ -37,7 +37,7 @@ class MegaHal : public Hal {
   void begin();
 
   uint32_t micros() override;
-  bool uart_read(uint8_t& byte) override;
+  uint8_t uart_read(uint8_t* bytes, uint8_t most) override;
   uint8_t uart_room() override;
   uint8_t uart_waiting() override;
   void uart_write(const uint8_t* bytes, uint8_t size) override;

@@ -15,11 +15,11 @@ constexpr uint8_t frame_length(uint8_t payload_size) {
 }  // namespace
 
 bool HostLink::receive(uint8_t& budget) {
-  uint8_t byte;
-  while (budget > 0 && hal_.uart_read(byte)) {
-    --budget;
-    const uint32_t now_us = byte == wire::kDelimiter ? hal_.micros() : 0;
-    switch (decoder_.push(byte)) {
+  uint8_t bytes[kMostReceived];
+  while (const uint8_t size = hal_.uart_read(bytes, budget)) {
+    budget = static_cast<uint8_t>(budget - size);
+    const uint32_t now_us = bytes[size - 1] == wire::kDelimiter ? hal_.micros() : 0;
+    switch (decoder_.push(bytes, size)) {
       case wire::DecodeResult::kNothing:
         break;
       case wire::DecodeResult::kFrame:

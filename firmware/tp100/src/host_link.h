@@ -25,8 +25,11 @@ class HostLink {
  public:
   explicit HostLink(Hal& hal) : hal_(hal) {}
 
-  /// Takes bytes until a good frame is complete or `budget` bytes are used up. True: type(),
-  /// payload() and size() hold a frame until the next call.
+  /// The most bytes of one pass of the loop, which a host that floods the wire must not hold up.
+  static const uint8_t kMostReceived = 32;
+
+  /// Takes bytes until a good frame is complete or `budget` <= kMostReceived bytes are used up.
+  /// True: type(), payload() and size() hold a frame until the next call.
   bool receive(uint8_t& budget);
   uint8_t type() const { return decoder_.type(); }
   const uint8_t* payload() const { return decoder_.payload(); }

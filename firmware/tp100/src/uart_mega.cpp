@@ -66,13 +66,20 @@ bool worth_reading() {
   return frames_in != frames_out || static_cast<uint8_t>(received_head - received_tail) >= kMany;
 }
 
-bool read(uint8_t& byte) {
-  const uint8_t tail = received_tail;
-  if (tail == received_head) return false;
-  byte = received[tail];
-  received_tail = static_cast<uint8_t>(tail + 1);
-  if (byte == wire::kDelimiter) frames_out = static_cast<uint8_t>(frames_out + 1);
-  return true;
+uint8_t read(uint8_t* bytes, uint8_t most) {
+  const uint8_t head = received_head;
+  uint8_t tail = received_tail;
+  uint8_t size = 0;
+  while (size < most && tail != head) {
+    const uint8_t byte = received[tail];
+    tail = static_cast<uint8_t>(tail + 1);
+    bytes[size++] = byte;
+    if (byte != wire::kDelimiter) continue;
+    frames_out = static_cast<uint8_t>(frames_out + 1);
+    break;
+  }
+  received_tail = tail;
+  return size;
 }
 
 uint8_t waiting() { return static_cast<uint8_t>(sending_head - sending_tail); }

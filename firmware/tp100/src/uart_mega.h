@@ -14,8 +14,8 @@ namespace uart_mega {
 
 /// Configures 8N1 at wire::kBaud and enables both directions.
 void begin();
-/// Takes one received byte. False: none available.
-bool read(uint8_t& byte);
+/// See Hal::uart_read.
+uint8_t read(uint8_t* bytes, uint8_t most);
 /// True if a whole frame is waiting, or so many bytes that reading must not be delayed.
 bool worth_reading();
 /// Number of bytes that write() accepts now.

@@ -7,6 +7,7 @@
 
 #include <stddef.h>
 #include <stdint.h>
+#include <string.h>
 
 namespace tp100 {
 namespace wire {
@@ -97,22 +98,17 @@ enum class DecodeResult : uint8_t {
 /// any bytes. A corrupted byte costs its own frame and, if it is a delimiter, also the next one.
 class FrameDecoder {
  public:
-  DecodeResult push(uint8_t byte) {
-    if (byte != kDelimiter) {
-      if (skipping_) return DecodeResult::kNothing;
-      if (used_ == kMaxFrame - 1) {
-        skipping_ = true;
-        return DecodeResult::kOversize;
-      }
-      buffer_[used_++] = byte;
-      return DecodeResult::kNothing;
-    }
+  DecodeResult push(uint8_t byte) { return push(&byte, 1); }
+  /// The same for `size` > 0 bytes, of which only the last may be a delimiter.
+  DecodeResult push(const uint8_t* bytes, uint8_t size) {
+    const bool ends = bytes[size - 1] == kDelimiter;
+    const bool fits = keep(bytes, ends ? static_cast<uint8_t>(size - 1) : size);
+    if (!ends) return fits ? DecodeResult::kNothing : DecodeResult::kOversize;
     const uint8_t coded = used_;
     const bool skipped = skipping_;
-    used_ = 0;
-    skipping_ = false;
-    if (skipped || coded == 0) return DecodeResult::kNothing;
-    return finish(coded);
+    reset();
+    if (!fits) return DecodeResult::kOversize;
+    return skipped || coded == 0 ? DecodeResult::kNothing : finish(coded);
   }
 
   /// Forgets a half-received frame (a new connection).
@@ -126,6 +122,18 @@ class FrameDecoder {
   size_t size() const { return size_; }
 
  private:
+  // False: these are the first bytes that no frame has room for.
+  bool keep(const uint8_t* bytes, uint8_t size) {
+    if (skipping_) return true;
+    if (size > kMaxFrame - 1 - used_) {
+      skipping_ = true;
+      return false;
+    }
+    memcpy(buffer_ + used_, bytes, size);
+    used_ = static_cast<uint8_t>(used_ + size);
+    return true;
+  }
+
   // Decodes in place: the write index never passes the read index.
   DecodeResult finish(uint8_t coded) {
     const uint8_t* read = buffer_;
