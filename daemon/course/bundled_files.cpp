@@ -7,8 +7,10 @@
 #include <fstream>
 #include <optional>
 #include <system_error>
+#include <utility>
 
 #include "text/atomic_file.h"
+#include "text/encoding.h"
 #include "text/format.h"
 
 namespace tp100::course {
@@ -77,6 +79,7 @@ TextFile read_text_file(const std::string& path) {
   if (file.bad()) {
     throw UserError(path + ": cannot be read (" + std::strerror(errno) + "); check the disk");
   }
+  result.text = text::as_utf8(std::move(result.text));
   return result;
 }
 

@@ -17,8 +17,8 @@ struct TextFile {
 /// Folders of config/.
 enum class Bundled { kCourses, kRobots, kCameras };
 
-/// Reads a whole file of at most 64 MiB. Throws UserError naming the file and why it cannot be
-/// read.
+/// Reads a whole file of at most 64 MiB as UTF-8 (text::as_utf8). Throws UserError naming the file
+/// and why it cannot be read.
 TextFile read_text_file(const std::string& path);
 
 /// Folder of the bundled configuration: <prefix>/share/tp100 of an installed program, else config/

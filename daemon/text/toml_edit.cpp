@@ -12,8 +12,6 @@
 namespace tp100::text {
 namespace {
 
-constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
-
 /// The text of one file and what is to be changed in it.
 class Editor {
  public:
@@ -91,7 +89,7 @@ class Editor {
 
   /// The byte of a place; columns count characters.
   std::size_t offset(toml::source_position place) const {
-    std::size_t at = text_.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
+    std::size_t at = 0;
     for (toml::source_index line = 1; line < place.line; ++line) at = text_.find('\n', at) + 1;
     for (toml::source_index column = 1; column < place.column && at < text_.size(); ++column) {
       ++at;
@@ -106,7 +104,7 @@ class Editor {
     if (&table != &root_) last = table.source().end;
     for (const auto& [key, node] : table)
       if (!node.is_table() && !node.is_array_of_tables()) last = std::max(last, node.source().end);
-    if (!last) return text_.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
+    if (!last) return 0;
     const std::size_t end = text_.find('\n', offset(last));
     return end == text_.npos ? text_.size() : end + 1;
   }
