@@ -5,6 +5,7 @@
 #include <sstream>
 #include <utility>
 
+#include "text/toml_advice.h"
 #include "text/toml_depth.h"
 #include "toml++/toml.h"
 
@@ -142,9 +143,10 @@ struct TomlTable::State {
     const std::string& value = node.as_string()->get();
     if (std::find(choices.begin(), choices.end(), value) != choices.end()) return value;
     const std::string_view meant = nearest_name(value, choices);
-    throw UserError(at(file, node.source().begin) + full(key) + " is " + in_quotes(value) +
-                    (meant.empty() ? "" : "; did you mean " + in_quotes(meant) + "?") +
-                    " Allowed: " + names);
+    throw UserError(
+        at(file, node.source().begin) + full(key) + " is " + in_quotes(value) +
+        (meant.empty() ? "; allowed: " : "; did you mean " + in_quotes(meant) + "? Allowed: ") +
+        names);
   }
 
   static std::shared_ptr<State> child(const std::shared_ptr<State>& of_state, std::string_view key,
@@ -185,8 +187,10 @@ toml::table parse(const std::string& text, const std::string& file) {
   try {
     return toml::parse(text, file);
   } catch (const toml::parse_error& error) {
-    throw UserError(at(file, error.source().begin) +
-                    "not TOML: " + one_line(error.description(), 200));
+    const toml::source_position begin = error.source().begin;
+    throw UserError(at(file, begin) +
+                    "not TOML: " + toml_advice(text, begin.line, error.description()) + " (" +
+                    one_line(error.description(), 200) + ")");
   }
 }
 

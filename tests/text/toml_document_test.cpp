@@ -102,6 +102,45 @@ TEST(TomlDocument, RefusesTextThatIsNotTomlAtItsPlace) {
   EXPECT_THAT(error_of("\"\\u001b[31m\\n\" = 1", read_speed), HasSubstr("unknown key '?[31m?'"));
 }
 
+TEST(TomlDocument, TextThatIsNotTomlIsRefusedByWhatItSeemsToBe) {
+  using namespace std::string_literals;
+  for (const auto& [text, advice] : {
+           std::pair{"speed_mps=0,12"s, "not TOML: a decimal comma; write a decimal point"},
+           {"speed_mps = .5"s, "a number that TOML does not have; write 0.5"},
+           {"speed_mps = 0.1 m/s"s, "a unit behind the number"},
+           {"speed_mps ="s, "a key without a value"},
+           {"a = “x”"s, "typographic quotes; write \""},
+           {"a = −1"s, "a typographic minus; write -"},
+           {"a =\xc2\xa0"
+            "1"s,
+            "a space that does not break"},
+           {"a = True"s, "a word that TOML does not have; write true or false"},
+           {"a = 1-straight"s, "a text without quotes; write KEY"},
+           {"a = straight"s, "a text without quotes; write KEY"},
+           {"a = \"C:\\Users\""s, "a text with a \\; put it in '...'"},
+           {"a = \"x"s, "a text whose quote is not closed"},
+           {"// note"s, "a comment of another language; write #"},
+           {"; note"s, "a comment of another language; write #"},
+           {"a = 1\na = 2"s, "there twice; keep one"},
+           {"a = 1\n<<<<<<< HEAD\nb = 1\n=======\n>>>>>>> x\n"s, "a git conflict; keep one"},
+           {"<<<<<<< HEAD\na = 1\n=======\n>>>>>>> x\n"s, "a git conflict; keep one"},
+           {"{\"a\": 1}"s, "JSON; write TOML"},
+           {"\n [ {\"a\": 1}]"s, "JSON; write TOML"},
+           {"a: 1\nb:\n  - c"s, "YAML; write TOML"},
+           {"---\na: 1"s, "YAML; write TOML"},
+           {"<?xml version=\"1.0\"?><robot/>"s, "XML; write TOML"},
+           {"<gpx></gpx>"s, "a GPX track"},
+           {"<!DOCTYPE html><html>"s, "a web page; download the file itself"},
+           {"version https://git-lfs.github.com/spec/v1\n"s, "run git lfs pull"},
+           {"PK\x03\x04\0\0"s, "a ZIP archive; unpack it"},
+           {"\0\0\0\0"s, "only zero bytes"},
+           {"a\0=\0001\0"s, "save it as UTF-8"},
+           {"# f\xfcr\na = 1"s, "text in another encoding; save it as UTF-8"},
+           {"!"s, "write KEY = VALUE, [TABLE] or # COMMENT"},
+       })
+    EXPECT_THAT(error_of(text, read_speed), HasSubstr(advice)) << text;
+}
+
 TEST(TomlDocument, SurvivesDeepAndLargeFiles) {
   std::string dotted = "a", brackets = "a = ", tables;
   for (int i = 0; i < 100000; ++i) dotted += ".a";
@@ -200,11 +239,8 @@ TEST(TomlEdit, NewKeysStandBehindTheLastOnesOfTheirTable) {
             "[t]\nb = [\n 1,\n 2 ]\nd = 3\n[t.s]\n");
 }
 
-TEST(TomlEdit, KeepsCarriageReturnsAndTheByteOrderMark) {
-  EXPECT_EQ(edited("\xef\xbb\xbf"
-                   "a = 1\r\n[t]\r\nb = 2\r\n",
-                   {{"a", 3LL}, {"t.c", 4LL}}),
-            "\xef\xbb\xbf"
+TEST(TomlEdit, KeepsCarriageReturns) {
+  EXPECT_EQ(edited("a = 1\r\n[t]\r\nb = 2\r\n", {{"a", 3LL}, {"t.c", 4LL}}),
             "a = 3\r\n[t]\r\nb = 2\r\nc = 4\r\n");
 }
 
