@@ -16,7 +16,6 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -24,6 +23,7 @@
 #include "core/clock.h"
 #include "core/error.h"
 #include "course/bundled_files.h"
+#include "text/csv_reader.h"
 #include "text/format.h"
 
 namespace tp100::camera {
@@ -70,24 +70,20 @@ bool has_image_name(const fs::path& path) {
 }
 
 std::map<std::string, HostNs> read_times(const std::string& path) {
-  std::istringstream text(course::read_text_file(path).text);
+  const text::CsvTable table = text::parse_csv(
+      course::read_text_file(path).text, path,
+      {.required = {"file", "t_s"}, .by_time = false, .header = false, .texts = {"file"}});
   std::map<std::string, HostNs> times;
-  std::string row;
   double last_s = -kMaxTimeS;
-  for (int line = 1; std::getline(text, row); ++line) {
-    if (!row.empty() && row.back() == '\r') row.pop_back();
-    if (row.empty() || (line == 1 && row.starts_with("file,"))) continue;
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    const double t_s = table["t_s"][i];
     const auto fail = [&](const std::string& what) -> UserError {
-      return UserError(path + ":" + std::to_string(line) + ": " + what +
-                       "; a line is FILE,SECONDS");
+      return UserError(table.where(i) + ": " + what + "; a line is FILE,SECONDS");
     };
-    const std::size_t comma = row.rfind(',');
-    if (comma == std::string::npos) throw fail("no comma");
-    const auto t_s = text::number_in<double>(std::string_view(row).substr(comma + 1));
-    if (!t_s || !(std::abs(*t_s) < kMaxTimeS)) throw fail("no time");
-    if (!(*t_s > last_s)) throw fail("not later than the image before");
-    last_s = *t_s;
-    if (!times.emplace(row.substr(0, comma), from_s(*t_s)).second) throw fail("named twice");
+    if (!(std::abs(t_s) < kMaxTimeS)) throw fail("more than 1e7 s");
+    if (!(t_s > last_s)) throw fail("not later than the image before");
+    last_s = t_s;
+    if (!times.emplace(table.texts("file")[i], from_s(t_s)).second) throw fail("named twice");
   }
   return times;
 }

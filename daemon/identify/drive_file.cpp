@@ -150,7 +150,12 @@ void add_measured(std::string_view text, const std::string& file,
                   std::vector<RecordedDrive>& drives) {
   const std::vector<std::string_view> columns = {"distance_m", "ahead_m", "left_m", "turned_deg",
                                                  "slope_deg"};
-  const text::CsvTable table = text::parse_csv(text, file, {{"run"}, columns, columns});
+  const text::CsvTable table = text::parse_csv(text, file,
+                                               {.required = {"run"},
+                                                .optional = columns,
+                                                .gaps = columns,
+                                                .by_time = false,
+                                                .others = false});
   for (std::size_t i = 0; i < table.rows(); ++i) {
     const Row row(table, i);
     const double run = row.number("run", kMaxCounts);

@@ -4,6 +4,7 @@
 #include <initializer_list>
 
 #include "core/error.h"
+#include "core/upright.h"
 #include "ros2/message_types.h"
 #include "text/format.h"
 
@@ -12,7 +13,6 @@ namespace {
 
 // Faster than any robot, and larger than any room.
 constexpr double kMaxVelocity = 100.0, kMaxPlaceM = 100.0;
-constexpr double kQuaternionError = 0.01;
 constexpr std::int64_t kMaxStampNs = std::int64_t{1} << 62U;
 constexpr std::size_t kMaxShown = 64, kLongestName = 64;
 
@@ -52,16 +52,17 @@ std::optional<Pose> pose_of(const std_msgs::Header& header, const geometry_msgs:
   }
   const geometry_msgs::Point& at = pose.position;
   const geometry_msgs::Quaternion& q = pose.orientation;
-  const double norm = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
-  if (!finite({at.x, at.y, at.z, norm}) || std::abs(at.x) > kMaxPlaceM ||
-      std::abs(at.y) > kMaxPlaceM || std::abs(norm - 1.0) > kQuaternionError) {
-    why = "a pose that is not finite, farther than 100 m, or without a unit quaternion";
+  const std::optional<double> yaw_rad = upright_yaw({q.x, q.y, q.z, q.w});
+  if (!yaw_rad) {
+    why = "a pose whose quaternion x y z w has not length 1, or turns the robot over";
     return std::nullopt;
   }
-  return Pose{
-      .x_m = at.x,
-      .y_m = at.y,
-      .yaw_rad = std::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z))};
+  if (!finite({at.x, at.y, at.z, *yaw_rad}) || std::abs(at.x) > kMaxPlaceM ||
+      std::abs(at.y) > kMaxPlaceM) {
+    why = "a pose that is not finite, or farther than 100 m";
+    return std::nullopt;
+  }
+  return Pose{.x_m = at.x, .y_m = at.y, .yaw_rad = *yaw_rad};
 }
 
 }  // namespace

@@ -1,25 +1,57 @@
 #include "text/csv_reader.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <optional>
+#include <utility>
 
+#include "core/arithmetic.h"
+#include "text/format.h"
 #include "text/toml_document.h"
 
 namespace tp100::text {
 namespace {
 
+constexpr std::string_view kBlank = " \t\r\n";
+constexpr std::size_t kMaxShown = 40;
+
 std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+  while (true) {
+    const std::size_t first = std::min(text.find_first_not_of(kBlank), text.size());
+    text = text.substr(first, text.find_last_not_of(kBlank) + 1 - first);
+    // A space that does not break, which copies of web pages have.
+    if (text.starts_with("\xc2\xa0"))
+      text.remove_prefix(2);
+    else if (text.ends_with("\xc2\xa0"))
+      text.remove_suffix(2);
+    else
+      return text;
+  }
+}
+
+std::string lower(std::string_view text) {
+  std::string out(text);
+  for (char& c : out)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return out;
+}
+
+bool contains(const std::vector<std::string_view>& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// What programs write where there is no value.
+bool is_gap(std::string_view cell) {
+  constexpr std::array<std::string_view, 8> kGaps = {"",     "nan", "na", "n/a",
+                                                     "null", "-",   "--", "none"};
+  const std::string text = lower(cell);
+  return std::find(kGaps.begin(), kGaps.end(), text) != kGaps.end();
 }
 
 /// A number in the C locale, whatever the user's locale is.
 std::optional<double> number_of(std::string_view text) {
-  text = trimmed(text);
   if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
   double value = 0.0;
   const char* const end = text.data() + text.size();
@@ -37,14 +69,93 @@ std::optional<double> number_of(std::string_view text) {
   return value;
 }
 
+struct Unit {
+  std::string_view text, base;
+  double size;  // in the base
+};
+
+constexpr std::array<Unit, 36> kUnits = {{
+    {"m", "m", 1.0},
+    {"metre", "m", 1.0},
+    {"meter", "m", 1.0},
+    {"mm", "m", 1e-3},
+    {"cm", "m", 1e-2},
+    {"km", "m", 1e3},
+    {"in", "m", 0.0254},
+    {"inch", "m", 0.0254},
+    {"inches", "m", 0.0254},
+    {"ft", "m", 0.3048},
+    {"s", "s", 1.0},
+    {"sec", "s", 1.0},
+    {"ms", "s", 1e-3},
+    {"us", "s", 1e-6},
+    {"ns", "s", 1e-9},
+    {"rad", "rad", 1.0},
+    {"deg", "rad", kRadPerDeg},
+    {"degree", "rad", kRadPerDeg},
+    {"°", "rad", kRadPerDeg},
+    {"radps", "rad/s", 1.0},
+    {"rad/s", "rad/s", 1.0},
+    {"rad s^-1", "rad/s", 1.0},
+    {"degps", "rad/s", kRadPerDeg},
+    {"deg/s", "rad/s", kRadPerDeg},
+    {"dps", "rad/s", kRadPerDeg},
+    {"°/s", "rad/s", kRadPerDeg},
+    {"mps", "m/s", 1.0},
+    {"m/s", "m/s", 1.0},
+    {"m s^-1", "m/s", 1.0},
+    {"mmps", "m/s", 1e-3},
+    {"mm/s", "m/s", 1e-3},
+    {"cmps", "m/s", 1e-2},
+    {"cm/s", "m/s", 1e-2},
+    {"kmh", "m/s", 1.0 / 3.6},
+    {"km/h", "m/s", 1.0 / 3.6},
+    {"kph", "m/s", 1.0 / 3.6},
+}};
+
+const Unit* unit_named(std::string_view text) {
+  if (text.size() > 2 && text.ends_with('s') && !text.ends_with("ps") && !text.ends_with("/s"))
+    if (const Unit* one = unit_named(text.substr(0, text.size() - 1)); one != nullptr) return one;
+  const auto found =
+      std::find_if(kUnits.begin(), kUnits.end(), [&](const Unit& one) { return one.text == text; });
+  return found == kUnits.end() ? nullptr : &*found;
+}
+
+/// The name of a column, taken apart.
+struct ColumnName {
+  std::string stem;  // "gyro_z"
+  std::string unit;  // "rad/s"; empty: none
+};
+
+ColumnName name_in(std::string_view cell) {
+  std::string text = lower(trimmed(cell));
+  ColumnName name;
+  const std::size_t open = text.find_first_of("([");
+  if (open != std::string::npos && (text.ends_with(')') || text.ends_with(']'))) {
+    name.unit = trimmed(std::string_view(text).substr(open + 1, text.size() - open - 2));
+    text = trimmed(std::string_view(text).substr(0, open));
+  }
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == ' ' || c == '-'; }, '_');
+  const std::size_t last = text.rfind('_');
+  if (name.unit.empty() && last != std::string::npos && unit_named(text.substr(last + 1))) {
+    name.unit = text.substr(last + 1);
+    text.resize(last);
+  }
+  name.stem = text == "time" || text == "timestamp" ? "t" : text;
+  return name;
+}
+
 }  // namespace
 
-bool CsvTable::has(std::string_view column) const {
-  return columns_.find(column) != columns_.end();
-}
+bool CsvTable::has(std::string_view column) const { return columns_.contains(column); }
 
 const std::vector<double>& CsvTable::operator[](std::string_view column) const {
   return columns_.find(column)->second;
+}
+
+const std::vector<std::string>& CsvTable::texts(std::string_view column) const {
+  return texts_.find(column)->second;
 }
 
 std::string CsvTable::where(std::size_t row) const {
@@ -54,63 +165,135 @@ std::string CsvTable::where(std::size_t row) const {
 class CsvReader {
  public:
   CsvReader(std::string_view text, const std::string& file, const CsvColumns& columns)
-      : text_(text), wanted_(columns) {
+      : text_(text), wanted_(columns), names_(columns.required) {
     table_.file_ = file;
-    if (text_.starts_with("\xef\xbb\xbf")) text_.remove_prefix(3);
+    // Line ends of an old Macintosh, which spreadsheets still offer.
+    if (text.find('\n') == text.npos) std::replace(text_.begin(), text_.end(), '\r', '\n');
+    names_.insert(names_.end(), columns.optional.begin(), columns.optional.end());
   }
 
   CsvTable read() {
-    if (!next_row()) fail(1, "the file is empty; expected a header with " + required_names());
-    read_header();
-    while (next_row()) {
-      if (cells_.size() == 1 && trimmed(cells_[0]).empty() && only_blank_lines_follow()) break;
-      read_row();
-    }
+    read_head();
+    while (next_row()) read_row();
     if (table_.rows() == 0) fail(2, "no rows after the header");
     return std::move(table_);
   }
 
  private:
+  struct Column {
+    std::string name;              // as the file writes it
+    std::string_view wanted;       // empty: unused
+    double size = 1.0;             // of the file's unit
+    std::vector<double>* numbers;  // null: text, or unused
+  };
+
   [[noreturn]] void fail(std::size_t line, const std::string& what) const {
     throw UserError(table_.file_ + ":" + std::to_string(line) + ": " + what);
   }
 
-  std::string required_names() const {
-    std::string names;
-    for (const std::string_view name : wanted_.required)
-      names += (names.empty() ? "" : ",") + std::string(name);
-    return names;
+  static std::string list(const std::vector<std::string_view>& names) {
+    std::string text;
+    for (const std::string_view name : names) text += (text.empty() ? "" : ",") + std::string(name);
+    return text;
   }
 
-  bool only_blank_lines_follow() const {
-    return text_.find_first_not_of(" \t\r\n", at_) == std::string_view::npos;
+  /// The first of the possible separators in the first line that is no comment, outside of quotes.
+  char separator() const {
+    bool quoted = false;
+    std::string_view rest(text_), line;
+    do {
+      rest.remove_prefix(std::min(rest.find_first_not_of(kBlank), rest.size()));
+      line = rest.substr(0, rest.find('\n'));
+      rest.remove_prefix(line.size());
+    } while (line.starts_with('#') && !trimmed(rest).empty());
+    std::array<bool, 128> seen{};
+    for (const char c : trimmed(line)) {
+      quoted = quoted != (c == '"');
+      if (!quoted && c > 0) seen[static_cast<std::size_t>(c)] = true;
+    }
+    for (const char c : {';', '\t', ',', ' '})
+      if (seen[static_cast<std::size_t>(c)]) return c;
+    return ',';
   }
 
-  /// Splits the next row into cells. False at the end of the text.
+  void read_head() {
+    if (trimmed(text_).empty())
+      fail(1, "the file is empty; expected a header with " + list(wanted_.required));
+    separator_ = separator();
+    while (next_row()) {
+      // What Excel writes before the table, and the '#' before names in files for numpy.
+      if (cells_.front().starts_with("sep=")) continue;
+      if (!wanted_.header) {
+        if (is_comment()) continue;
+        const bool named = std::none_of(cells_.begin(), cells_.end(), [](const std::string& cell) {
+          return cell.find_first_of("+-.0123456789") == 0;
+        });
+        if (named && has_required()) return set_columns(cells_);
+        set_columns({wanted_.required.begin(), wanted_.required.end()});
+        if (!named) read_row();
+        return;
+      }
+      const bool marked = cells_.front().starts_with('#');
+      if (marked || cells_.front().starts_with('%')) cells_.front().erase(0, 1);
+      if (cells_.front().empty()) cells_.erase(cells_.begin());
+      if (marked && !has_required()) continue;
+      return set_columns(cells_);
+    }
+    fail(1, "no header; expected one with " + list(wanted_.required));
+  }
+
+  /// Unlike a row that begins with #N/A, as spreadsheets write it.
+  bool is_comment() const {
+    const std::string& first = cells_.front();
+    return first.starts_with('#') &&
+           (separator_ == ' ' || first.starts_with("# ") ||
+            std::all_of(cells_.begin() + 1, cells_.end(),
+                        [](const std::string& cell) { return cell.empty(); }));
+  }
+
+  bool has_required() const {
+    return std::all_of(
+        wanted_.required.begin(), wanted_.required.end(), [&](std::string_view name) {
+          return std::any_of(cells_.begin(), cells_.end(), [&](const std::string& cell) {
+            return name_in(cell).stem == name_in(name).stem;
+          });
+        });
+  }
+
+  /// Splits the next row that is not empty into cells. False at the end of the text.
   bool next_row() {
-    if (at_ >= text_.size()) return false;
-    cells_.clear();
-    line_ = next_line_;
-    do cells_.push_back(next_cell());
-    while (at_ < text_.size() && text_[at_++] == ',');
-    return true;
+    while (at_ < text_.size()) {
+      cells_.clear();
+      line_ = next_line_;
+      do cells_.emplace_back(trimmed(next_cell()));
+      while (at_ < text_.size() && text_[at_++] != '\n');
+      while (separator_ == ' ' && cells_.size() > 1 && cells_.back().empty()) cells_.pop_back();
+      if (std::any_of(cells_.begin(), cells_.end(), [](auto& cell) { return !cell.empty(); }))
+        return true;
+    }
+    return false;
   }
 
-  /// Stops at the separator, after skipping a carriage return before a line feed.
+  /// Stops at the separator or the line end.
   std::string next_cell() {
+    const auto more = [this](std::string_view any) {
+      return at_ < text_.size() && any.find(text_[at_]) != any.npos;
+    };
+    while (more(separator_ == '\t' ? " " : " \t")) ++at_;
     std::string cell;
-    if (at_ < text_.size() && text_[at_] == '"') {
-      cell = quoted();
-      if (at_ < text_.size() && text_[at_] != ',' && text_[at_] != '\r' && text_[at_] != '\n')
+    const bool quotes = more("\"");
+    if (quotes) cell = quoted();
+    for (; at_ < text_.size() && text_[at_] != separator_ && text_[at_] != '\n'; ++at_) {
+      if (quotes && kBlank.find(text_[at_]) == kBlank.npos)
         fail(line_, "characters after a closing quote");
+      if (separator_ == ' ' && text_[at_] == '\t') break;
+      if (!quotes) cell += text_[at_];
     }
-    while (at_ < text_.size() && text_[at_] != ',' && text_[at_] != '\n') cell += text_[at_++];
-    if (at_ >= text_.size() || text_[at_] == '\n') {
-      if (cell.ends_with('\r')) cell.pop_back();
-      ++next_line_;
-    } else if (at_ + 1 == text_.size()) {
-      fail(line_, "the last row is unfinished");
-    }
+    // Several spaces separate as one does.
+    while (separator_ == ' ' && at_ + 1 < text_.size() && more(" \t") &&
+           std::string_view(" \t\r").find(text_[at_ + 1]) != std::string_view::npos)
+      ++at_;
+    if (at_ >= text_.size() || text_[at_] == '\n') ++next_line_;
     return cell;
   }
 
@@ -127,47 +310,100 @@ class CsvReader {
     fail(line_, "a quote is never closed");
   }
 
-  void read_header() {
-    const auto wanted = [this](std::string_view name) {
-      return std::count(wanted_.required.begin(), wanted_.required.end(), name) +
-                 std::count(wanted_.optional.begin(), wanted_.optional.end(), name) >
-             0;
-    };
-    for (const std::string& cell : cells_) {
-      const std::string name(trimmed(cell));
-      if (wanted(name)) {
-        if (table_.has(name)) fail(1, "column '" + name + "' appears twice");
-        targets_.push_back(&table_.columns_[name]);
-        names_.push_back(name);
-        gap_allowed_.push_back(std::count(wanted_.gaps.begin(), wanted_.gaps.end(), name) > 0);
-      } else {
-        gap_allowed_.push_back(false);
-        targets_.push_back(nullptr);
-        names_.push_back(one_line(name));
-      }
-    }
+  void set_columns(std::vector<std::string> names) {
+    while (names.size() > 1 && names.back().empty()) names.pop_back();
+    for (const std::string& name : names) columns_.push_back({name, {}, 1.0, nullptr});
+    for (Column& column : columns_)
+      for (const std::string_view wanted : names_) find(column, wanted);
+    for (const Column& column : columns_)
+      if (column.wanted.empty() && !column.name.empty()) refuse_misspelt(column);
     for (const std::string_view name : wanted_.required)
-      if (!table_.has(name))
-        fail(1, "column '" + std::string(name) + "' is missing; expected a header with " +
-                    required_names());
+      if (!found(name))
+        fail(line_, "column '" + std::string(name) + "' is missing; expected a header with " +
+                        list(wanted_.required));
+  }
+
+  bool found(std::string_view name) const {
+    return std::any_of(columns_.begin(), columns_.end(),
+                       [&](const Column& column) { return column.wanted == name; });
+  }
+
+  void find(Column& column, std::string_view wanted) {
+    const ColumnName is = name_in(column.name), like = name_in(wanted);
+    const Unit *unit = unit_named(is.unit), *into = unit_named(like.unit);
+    const bool convertible = unit != nullptr && into != nullptr && unit->base == into->base;
+    if (column.name != wanted && (is.stem != like.stem || (is.unit != like.unit && !convertible)))
+      return;
+    if (found(wanted)) fail(line_, "column '" + std::string(wanted) + "' appears twice");
+    column.wanted = wanted;
+    if (convertible && unit->size != into->size) column.size = unit->size / into->size;
+    if (contains(wanted_.texts, wanted))
+      table_.texts_[std::string(wanted)];
+    else
+      column.numbers = &table_.columns_[std::string(wanted)];
+  }
+
+  void refuse_misspelt(const Column& column) const {
+    const ColumnName is = name_in(column.name);
+    const std::string head = "column '" + one_line(column.name, kMaxShown) + "' ";
+    std::vector<std::string_view> open;
+    for (const std::string_view name : names_) {
+      if (found(name)) continue;
+      open.push_back(name);
+      const ColumnName like = name_in(name);
+      if (is.stem != like.stem) continue;
+      if (is.unit.empty())
+        fail(line_, head + "has no unit; name it '" + std::string(name) + "' or '" + like.stem +
+                        " (" + like.unit + ")'");
+      fail(line_, head + "has a unit that does not fit; give it in " + like.unit);
+    }
+    const std::string meant = suggestion(lower(column.name), open);
+    if (!meant.empty() || !wanted_.others)
+      fail(line_,
+           head + "is unknown" + (meant.empty() ? "; columns may be " + list(names_) : meant));
+  }
+
+  double number_at(std::size_t i) {
+    std::string cell = cells_[i];
+    const std::string shown = columns_[i].name + " is '" + one_line(cell, kMaxShown) + "'";
+    // The minus of word processors.
+    if (cell.starts_with("\xe2\x88\x92")) cell.replace(0, 3, "-");
+    const std::size_t comma = cell.find(',');
+    if (const std::size_t mark = cell.find_first_of(".,"); mark != cell.npos) {
+      if (point_ == 0) {
+        point_ = cell[mark];
+        point_line_ = line_;
+      }
+      if (point_ != cell[mark] || (comma != cell.npos && cell.find_last_of(".,") != mark))
+        fail(line_, shown + ", but line " + std::to_string(point_line_) + " has a decimal " +
+                        (point_ == ',' ? "comma" : "point") +
+                        "; use one of them, and nothing between thousands");
+    }
+    if (comma != cell.npos) cell[comma] = '.';
+    const std::optional<double> value = number_of(cell);
+    if (!value) fail(line_, shown + ", expected a number");
+    if (!std::isfinite(*value)) fail(line_, shown + ", expected a finite number");
+    return *value * columns_[i].size;
   }
 
   void read_row() {
-    if (cells_.size() != targets_.size())
-      fail(line_, std::to_string(cells_.size()) + " values, but the header has " +
-                      std::to_string(targets_.size()) + " columns");
+    if (is_comment()) return;
+    while (cells_.size() > columns_.size() && cells_.back().empty()) cells_.pop_back();
+    if (cells_.size() != columns_.size())
+      fail(line_, std::to_string(cells_.size()) + " values in " + std::to_string(columns_.size()) +
+                      " columns" +
+                      (separator_ == ',' && cells_.size() > columns_.size()
+                           ? "; with decimal commas, separate the columns by ;"
+                           : ""));
     for (std::size_t i = 0; i < cells_.size(); ++i) {
-      if (targets_[i] == nullptr) continue;
-      if (gap_allowed_[i] && trimmed(cells_[i]).empty()) {
-        targets_[i]->push_back(std::nan(""));
-        continue;
+      const Column& column = columns_[i];
+      if (column.numbers == nullptr) {
+        if (!column.wanted.empty()) table_.texts_[std::string(column.wanted)].push_back(cells_[i]);
+      } else if (contains(wanted_.gaps, column.wanted) && is_gap(cells_[i])) {
+        column.numbers->push_back(std::nan(""));
+      } else {
+        column.numbers->push_back(number_at(i));
       }
-      const std::optional<double> value = number_of(cells_[i]);
-      if (!value)
-        fail(line_, names_[i] + " is '" + one_line(cells_[i], 40) + "', expected a number");
-      if (!std::isfinite(*value))
-        fail(line_, names_[i] + " is '" + one_line(cells_[i], 40) + "', expected a finite number");
-      targets_[i]->push_back(*value);
     }
     table_.lines_.push_back(line_);
     if (!wanted_.by_time) return;
@@ -178,15 +414,17 @@ class CsvReader {
                       ", not after the row before (" + number_text(times[times.size() - 2]) + ")");
   }
 
-  std::string_view text_;
+  std::string text_;
   const CsvColumns& wanted_;
+  std::vector<std::string_view> names_;  // that may be there
   CsvTable table_;
+  char separator_ = ',';
   std::size_t at_ = 0;
   std::size_t line_ = 1, next_line_ = 1;
+  char point_ = 0;  // in the first number with one
+  std::size_t point_line_ = 0;
   std::vector<std::string> cells_;
-  std::vector<std::vector<double>*> targets_;  // null: an unused column
-  std::vector<bool> gap_allowed_;
-  std::vector<std::string> names_;
+  std::vector<Column> columns_;
 };
 
 CsvTable parse_csv(std::string_view text, const std::string& file, const CsvColumns& columns) {

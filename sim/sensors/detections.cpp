@@ -1,13 +1,14 @@
 #include "sim/sensors/detections.h"
 
-#include <array>
 #include <cmath>
 #include <cstdint>
-#include <sstream>
+#include <optional>
 
 #include "core/error.h"
 #include "core/time.h"
+#include "core/upright.h"
 #include "course/bundled_files.h"
+#include "text/csv_reader.h"
 
 namespace tp100::sim {
 namespace {
@@ -18,33 +19,29 @@ constexpr double kMaxPlaceM = 1e3;
 }  // namespace
 
 std::vector<CameraSample> read_detections(const std::string& path) {
-  std::istringstream rows(course::read_text_file(path).text);
+  const text::CsvTable table = text::parse_csv(
+      course::read_text_file(path).text, path,
+      {.required = {"t_s", "tx_m", "ty_m", "tz_m", "qx", "qy", "qz", "qw"}, .header = false});
   std::vector<CameraSample> samples;
-  std::string row;
-  for (int line = 1; std::getline(rows, row); ++line) {
-    if (row.empty() || row.starts_with('#')) continue;
+  for (std::size_t i = 0; i < table.rows(); ++i) {
     const auto fail = [&](const std::string& what) {
-      return UserError(path + ":" + std::to_string(line) + ": " + what +
-                       "; tp100-camera --tum writes such files");
+      return UserError(table.where(i) + ": " + what + "; tp100-camera --tum writes such files");
     };
-    std::istringstream words(row);
-    std::array<double, 8> values{};  // t x y z qx qy qz qw
-    for (double& value : values)
-      if (!(words >> value) || !std::isfinite(value)) throw fail("fewer than 8 numbers");
-    const auto [t_s, x_m, y_m, z_m, qx, qy, qz, qw] = values;
-    if (std::abs(t_s) > kMaxTimeS || std::abs(x_m) > kMaxPlaceM || std::abs(y_m) > kMaxPlaceM)
-      throw fail("out of range");
-    CameraSample sample{
-        .x_m = x_m,
-        .y_m = y_m,
-        .yaw_rad = std::atan2(2.0 * (qw * qz + qx * qy), 1.0 - 2.0 * (qy * qy + qz * qz)),
-        .measured_ns = from_s(t_s),
-        .sequence = static_cast<std::uint32_t>(samples.size() + 1)};
-    if (!samples.empty() && sample.measured_ns <= samples.back().measured_ns)
-      throw fail("not later than the one before");
-    samples.push_back(sample);
+    const double t_s = table["t_s"][i], x_m = table["tx_m"][i], y_m = table["ty_m"][i];
+    if (std::abs(t_s) > kMaxTimeS)
+      throw fail("more than 1e7 s; give times from the start of the images");
+    if (std::abs(x_m) > kMaxPlaceM || std::abs(y_m) > kMaxPlaceM) throw fail("farther than 1000 m");
+    const std::optional<double> yaw_rad =
+        upright_yaw({table["qx"][i], table["qy"][i], table["qz"][i], table["qw"][i]});
+    if (!yaw_rad)
+      throw fail(
+          "the quaternion has not length 1, or turns the robot over; its order is qx qy qz qw");
+    samples.push_back({.x_m = x_m,
+                       .y_m = y_m,
+                       .yaw_rad = *yaw_rad,
+                       .measured_ns = from_s(t_s),
+                       .sequence = static_cast<std::uint32_t>(i + 1)});
   }
-  if (samples.empty()) throw UserError(path + ": no detection in it");
   return samples;
 }
 

@@ -87,8 +87,8 @@ TEST_F(Sources, BadTimesAreNamedByLine) {
     return problem(folder_.path().string());
   };
   EXPECT_THAT(error_of("a.png,1\nb.png,1\n"), HasSubstr("times.csv:2: not later"));
-  EXPECT_THAT(error_of("a.png,1\nb.png,nan\n"), HasSubstr("times.csv:2: no time"));
-  EXPECT_THAT(error_of("a.png,1\nb.png 2\n"), HasSubstr("times.csv:2: no comma"));
+  EXPECT_THAT(error_of("a.png,1\nb.png,nan\n"), HasSubstr("times.csv:2: t_s is 'nan'"));
+  EXPECT_THAT(error_of("a.png,1\nb.png 2\n"), HasSubstr("times.csv:2: 1 values in 2 columns"));
   EXPECT_THAT(error_of("a.png,1\na.png,2\n"), HasSubstr("times.csv:2: named twice"));
   EXPECT_THAT(error_of("a.png,1\n"), HasSubstr("no time for b.png"));
   EXPECT_THAT(error_of("a.png,1\nb.png,2\nc.png,3\n"), HasSubstr("c.png is not in the folder"));

@@ -159,11 +159,28 @@ TEST_F(Detections, AreSamplesAtTheTimesOfTheirImages) {
 }
 
 TEST_F(Detections, OfAnotherKindOfFileAreRefusedWithTheLine) {
-  EXPECT_THAT(problem("# nothing\n"), HasSubstr("no detection"));
-  EXPECT_THAT(problem("0.5 1 2 0 0 0 0\n"), HasSubstr("found.tum:1: fewer than 8 numbers"));
-  EXPECT_THAT(problem("0.5 nan 2 0 0 0 0 1\n"), HasSubstr("fewer than 8 numbers"));
-  EXPECT_THAT(problem("0.5 1e9 2 0 0 0 0 1\n"), HasSubstr("out of range"));
-  EXPECT_THAT(problem("1 0 0 0 0 0 0 1\n1 0 0 0 0 0 0 1\n"), HasSubstr(":2: not later"));
+  EXPECT_THAT(problem("# nothing\n"), HasSubstr("expected"));
+  EXPECT_THAT(problem("0.5 1 2 0 0 0 0\n"), HasSubstr("found.tum:1: 7 values in 8 columns"));
+  EXPECT_THAT(problem("0.5 nan 2 0 0 0 0 1\n"), HasSubstr("tx_m is 'nan'"));
+  EXPECT_THAT(problem("0.5 1e9 2 0 0 0 0 1\n"), HasSubstr("farther than 1000 m"));
+  EXPECT_THAT(problem("1.7e9 0 0 0 0 0 0 1\n"), HasSubstr("times from the start"));
+  EXPECT_THAT(problem("1 0 0 0 0 0 0 1\n1 0 0 0 0 0 0 1\n"), HasSubstr(":2: t_s is 1, not after"));
+}
+
+TEST_F(Detections, WithARotationThatIsNoneOrHasWFirstAreRefused) {
+  for (const char* rotation : {"0 0 0 0", "0 0 0 2", "1 0 0 0", "0.924 0 0 0.383"})
+    EXPECT_THAT(problem("0.5 1 2 0 " + std::string(rotation) + "\n"),
+                HasSubstr("found.tum:1: the quaternion has not length 1, or turns the robot over"))
+        << rotation;
+}
+
+TEST_F(Detections, OfOtherProgramsAreRead) {
+  for (const char* text :
+       {"\xef\xbb\xbf"
+        "0.5 1 2 0 0 0 0 1\r\n",
+        "0.5,1,2,0,0,0,0,1\n", "timestamp tx ty tz qx qy qz qw\n0.5 1 2 0 0 0 0 1\n",
+        "0,5;1,0;2,0;0;0;0;0;1\n", "#timestamp [s],tx,ty\n0.5\t1\t2\t0\t0\t0\t0\t1\n"})
+    EXPECT_EQ(read(text).at(0).y_m, 2.0) << text;
 }
 
 }  // namespace
