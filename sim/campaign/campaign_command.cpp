@@ -148,23 +148,26 @@ class TodoLines {
   std::vector<Range> line_;
 };
 
+/// The run, if its file is there and whole.
+std::optional<MergedRun> done_run(const CampaignFolder& folder, std::uint64_t index) {
+  std::optional<MergedRun> run = parse_run_file(folder.get(index));
+  return run && run->index == index ? std::move(run) : std::nullopt;
+}
+
 /// Prints the open runs, one range per line, as input for programs that distribute them.
 void print_todo(const CampaignFolder& folder, const std::vector<Range>& ranges,
                 std::uint64_t most) {
   TodoLines lines(most);
   for (const Range& range : ranges)
     for (std::uint64_t index = range.first; index <= range.second; ++index)
-      if (!folder.has(index)) lines.add(index);
+      if (!done_run(folder, index)) lines.add(index);
   lines.print();
 }
 
 Merged merge_folder(const CampaignFolder& folder, const CampaignSpec& spec) {
   std::vector<MergedRun> runs;
-  for (std::uint64_t index = 0; index < spec.runs; ++index) {
-    const std::string text = folder.get(index);
-    if (!text.empty())
-      runs.push_back(parse_run_file(text, folder.path() + ", run " + std::to_string(index)));
-  }
+  for (std::uint64_t index = 0; index < spec.runs; ++index)
+    if (std::optional<MergedRun> run = done_run(folder, index)) runs.push_back(std::move(*run));
   return merge(spec, std::move(runs));
 }
 
@@ -225,7 +228,7 @@ struct Tally {
 
 void take(const CampaignFolder& folder, const CampaignSpec& spec, std::uint64_t index,
           const std::string& record, Tally& tally) {
-  if (folder.has(index) && record.empty()) {
+  if (record.empty() && done_run(folder, index)) {
     ++tally.done_before;
     return;
   }

@@ -210,14 +210,12 @@ std::string CampaignFolder::run_path(std::uint64_t index) const {
   return path_ + text::format("/runs/%06" PRIu64 ".json", index);
 }
 
-bool CampaignFolder::has(std::uint64_t index) const { return fs::exists(run_path(index)); }
-
 void CampaignFolder::put(std::uint64_t index, const std::string& json) const {
   text::write_file(run_path(index), json);
 }
 
 std::string CampaignFolder::get(std::uint64_t index) const {
-  return has(index) ? course::read_text_file(run_path(index)).text : std::string();
+  return fs::exists(run_path(index)) ? course::read_text_file(run_path(index)).text : std::string();
 }
 
 }  // namespace tp100::sim

@@ -42,10 +42,9 @@ class CampaignFolder {
   std::string spec_path() const { return path_ + "/spec.toml"; }
   /// Throws UserError that names the differences from the origin of this folder's runs.
   void require(const Origin& origin) const;
-  bool has(std::uint64_t index) const;
   /// Throws UserError.
   void put(std::uint64_t index, const std::string& json) const;
-  /// The text of a run's file; empty if the run is not done. Throws UserError.
+  /// The text of a run's file, as it is; empty: there is none. Throws UserError.
   std::string get(std::uint64_t index) const;
 
  private:

@@ -172,7 +172,7 @@ std::vector<std::pair<std::string, std::size_t>> Merged::causes() const {
   return sorted;
 }
 
-MergedRun parse_run_file(const std::string& text, const std::string& file) {
+std::optional<MergedRun> parse_run_file(const std::string& text) {
   MergedRun run;
   try {
     const Json json = Json::parse(text);
@@ -191,7 +191,7 @@ MergedRun parse_run_file(const std::string& text, const std::string& file) {
       run.figures.erase("seed");
     }
   } catch (const Json::exception&) {
-    throw UserError(file + ": not the file of a run; delete it and run the campaign again");
+    return std::nullopt;
   }
   return run;
 }

@@ -58,8 +58,8 @@ struct Merged {
   std::vector<std::pair<std::string, std::size_t>> causes() const;
 };
 
-/// Parses a run's file. Throws UserError naming `file` if it is not one.
-MergedRun parse_run_file(const std::string& text, const std::string& file);
+/// Parses a run's file; nothing: it is none, or not whole, as after a loss of power. Pure.
+std::optional<MergedRun> parse_run_file(const std::string& text);
 
 /// Combines `runs`, ordered by index, at most as many as the spec has. Pure.
 Merged merge(const CampaignSpec& spec, std::vector<MergedRun> runs);

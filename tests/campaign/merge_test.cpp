@@ -12,7 +12,6 @@
 
 #include "sim/campaign/shown_figures.h"
 #include "sim/campaign/summary.h"
-#include "support/refusal.h"
 
 namespace tp100::sim {
 namespace {
@@ -47,7 +46,7 @@ std::string failed_file_of(int index, const std::string& cause) {
 
 std::vector<MergedRun> runs_of(std::initializer_list<int> indices) {
   std::vector<MergedRun> runs;
-  for (const int index : indices) runs.push_back(parse_run_file(file_of(index), "file"));
+  for (const int index : indices) runs.push_back(*parse_run_file(file_of(index)));
   return runs;
 }
 
@@ -58,7 +57,7 @@ const MergedFigure& figure(const Merged& merged, const std::string& name) {
 }
 
 TEST(Merge, TakesEveryFigureButThoseOfTheMachine) {
-  const MergedRun run = parse_run_file(file_of(4), "file");
+  const MergedRun run = *parse_run_file(file_of(4));
   EXPECT_EQ(run.index, 4u);
   EXPECT_EQ(run.seed, 5u);
   EXPECT_EQ(run.figures.size(), 3u);
@@ -90,8 +89,8 @@ TEST(Merge, NamesTheWorstRunsFirst) {
 
 TEST(Merge, ARefusedRunIsNoRunThatFailed) {
   std::vector<MergedRun> runs = runs_of({0, 1});
-  runs.push_back(parse_run_file(
-      R"({"index":2,"seed":3,"sampled":{"robot":"a"},"refused":"robot.toml: too heavy"})", "file"));
+  runs.push_back(*parse_run_file(
+      R"({"index":2,"seed":3,"sampled":{"robot":"a"},"refused":"robot.toml: too heavy"})"));
   const Merged merged = merge(spec(), std::move(runs));
   EXPECT_EQ(merged.driven, 2u);
   const Json json = Json::parse(merged_json(merged));
@@ -104,7 +103,7 @@ TEST(Merge, ARefusedRunIsNoRunThatFailed) {
 TEST(Merge, NamesEveryFailedRunItsCauseAndWhatWasSampled) {
   std::vector<MergedRun> runs = runs_of({0, 1});
   for (const int index : {2, 3, 4})
-    runs.push_back(parse_run_file(failed_file_of(index, index == 3 ? "tilt" : "cross_track"), ""));
+    runs.push_back(*parse_run_file(failed_file_of(index, index == 3 ? "tilt" : "cross_track")));
   const Merged merged = merge(spec(), std::move(runs));
   EXPECT_EQ(merged.driven, 5u);
   EXPECT_EQ(merged.completed, 2u);
@@ -130,12 +129,14 @@ TEST(Merge, WritesOneRowARun) {
             "0,1,1,,\"a, \"\"b\"\"\",0.0,a,0.5,0.0,inf\n");
 }
 
-TEST(Merge, WhatIsNoRunsFileIsAnErrorThatNamesIt) {
-  for (const char* text :
-       {"", "{}", "[1]", R"({"index":"x"})", R"({"index":1,"seed":1,"sampled":[]})"})
-    EXPECT_THAT(test::refusal([&] { parse_run_file(text, "runs/000001.json"); }),
-                HasSubstr("runs/000001.json: not the file of a run"))
-        << text;
+TEST(Merge, AFileOfARunThatIsNotWholeIsNone) {
+  const std::string whole = file_of(4);
+  for (std::size_t size = 0; size < whole.size() - 1; ++size)
+    EXPECT_FALSE(parse_run_file(whole.substr(0, size))) << "cut off after " << size;
+  for (const std::string& text :
+       {std::string(), std::string(4000, '\0'), std::string("{}"), std::string("[1]"),
+        std::string(R"({"index":1,"seed":1,"sampled":[]})")})
+    EXPECT_FALSE(parse_run_file(text)) << text;
 }
 
 TEST(MergePage, BeginsWithVerdictAndFactsAndEndsWithTheSpecification) {
@@ -155,7 +156,7 @@ TEST(MergePage, BeginsWithVerdictAndFactsAndEndsWithTheSpecification) {
 
 TEST(MergePage, ShowsFailedRunsAheadOfTheWorstAndHowToDriveThemAgain) {
   std::vector<MergedRun> runs = runs_of({0, 1});
-  runs.push_back(parse_run_file(failed_file_of(2, "<cross_track>"), ""));
+  runs.push_back(*parse_run_file(failed_file_of(2, "<cross_track>")));
   runs.push_back(runs_of({5})[0]);
   const std::string page = merge_page(merge(spec(), std::move(runs)), "x");
   EXPECT_THAT(page, HasSubstr("&lt;cross_track&gt;"));
@@ -166,7 +167,7 @@ TEST(MergePage, ShowsFailedRunsAheadOfTheWorstAndHowToDriveThemAgain) {
                                 std::string(index) + " --record again"));
   std::vector<MergedRun> many;
   for (int index = 0; index < 2000; ++index)
-    many.push_back(parse_run_file(failed_file_of(index, "tilt"), ""));
+    many.push_back(*parse_run_file(failed_file_of(index, "tilt")));
   EXPECT_THAT(merge_page(merge(spec(), std::move(many)), "x"),
               HasSubstr("The first 500 of 2000 failed runs; merged.json lists all"));
 }
