@@ -25,6 +25,14 @@ using record::McapChannel;
 
 constexpr std::size_t kLargestChunk = std::size_t{4} << 20;
 
+struct Counter : record::McapHandler {
+  bool message(const record::McapMessage&) override {
+    ++messages;
+    return true;
+  }
+  std::uint64_t messages = 0;
+};
+
 /// Copies what it receives.
 class Copier : public record::McapHandler {
  public:
@@ -39,7 +47,6 @@ class Copier : public record::McapHandler {
     writer_.message(channels_.at(message.channel->id), message.log_ns, message.data);
     // Other programs may write messages without chunks.
     if (writer_.open_bytes() > kLargestChunk) writer_.end_chunk();
-    ++messages;
     return true;
   }
   bool chunk_end() override {
@@ -56,8 +63,6 @@ class Copier : public record::McapHandler {
     writer_.add_metadata(name, {entries.begin(), entries.end()});
     return true;
   }
-
-  std::uint64_t messages = 0;
 
  private:
   std::uint16_t schema_of(const McapChannel& channel) {
@@ -83,16 +88,20 @@ std::string beside(const std::string& path) {
 int run_recover(const RecoverOptions& options) {
   const std::string in = record::recording_file(options.in);
   const record::McapReader reader(in);
-  record::McapHandler nobody;
-  if (reader.stream(nobody).whole) {
+  Counter there;
+  const record::McapEnd before = reader.stream(there, record::McapCheck::kIndexes);
+  if (before.whole) {
     std::printf("%s: not damaged, nothing to recover\n", in.c_str());
     return 0;
   }
+  if (there.messages == 0)
+    throw UserError(in + ": " + before.problem +
+                    "; no message is whole, so nothing can be saved; delete it");
   const std::string out = options.out.empty() ? beside(in) : options.out;
   record::RecordingFile file(out);
   record::McapWriter writer(file, "tp100d recover", record::McapCompression::kZstd);
   Copier copier(writer);
-  const record::McapEnd end = reader.stream(copier);
+  reader.stream(copier);
   writer.finish();
   if (file.error() != 0) {
     std::error_code ignored;
@@ -100,11 +109,11 @@ int run_recover(const RecoverOptions& options) {
     throw UserError(out + ": cannot be written (" + std::strerror(file.error()) +
                     "); check free space, or give another --out");
   }
-  std::printf("%s: %s; %llu messages saved in %s\n", in.c_str(), end.problem.c_str(),
-              static_cast<unsigned long long>(copier.messages), out.c_str());
-  if (end.corrupted > 0)
+  std::printf("%s: %s; %llu messages saved in %s\n", in.c_str(), before.problem.c_str(),
+              static_cast<unsigned long long>(there.messages), out.c_str());
+  if (before.corrupted > 0)
     std::printf("%llu corrupted parts were skipped\n",
-                static_cast<unsigned long long>(end.corrupted));
+                static_cast<unsigned long long>(before.corrupted));
   return 0;
 }
 

@@ -119,12 +119,97 @@ McapMessage message_of(Span content, const Directory& directory) {
   return message;
 }
 
+/// Compares the indexes of a file and the sum of its data with what is in it. Each function throws
+/// CorruptFile.
+class IndexCheck {
+ public:
+  /// A record at a position of the file, in order. `unpacked`: the content of a chunk.
+  void record(McapOp op, std::uint64_t at, Span head, Span content, Span unpacked) {
+    if (op == McapOp::kDataEnd) return data_end(ByteReader(content));
+    if (!summary_) {
+      crc_.process_bytes(head.data(), head.size());
+      crc_.process_bytes(content.data(), content.size());
+    }
+    ByteReader in(content);
+    if (op == McapOp::kChunk) {
+      chunks_[at] = head.size() + content.size();
+      take_messages(unpacked);
+    } else if (op == McapOp::kMessageIndex) {
+      message_index(in);
+    } else if (op == McapOp::kChunkIndex) {
+      in.bytes(16);
+      const auto start = in.number<std::uint64_t>();
+      const auto found = chunks_.find(start);
+      if (found == chunks_.end() || found->second != in.number<std::uint64_t>())
+        throw CorruptFile{"an index of chunks points to none"};
+      ++indexed_;
+    }
+  }
+  void end() const {
+    if (!summary_) throw CorruptFile{"the end of the data is missing"};
+    if (indexed_ > 0 && indexed_ != chunks_.size())
+      throw CorruptFile{std::to_string(chunks_.size() - indexed_) + " chunks have no index"};
+  }
+
+ private:
+  struct Message {
+    std::uint16_t channel = 0;
+    std::uint64_t log_ns = 0;
+  };
+
+  void take_messages(Span unpacked) {
+    messages_.clear();
+    RecordList records(unpacked);
+    while (records.next()) {
+      if (records.op != McapOp::kMessage) continue;
+      ByteReader in(records.content);
+      const auto channel = in.number<std::uint16_t>();
+      in.number<std::uint32_t>();
+      messages_[static_cast<std::uint64_t>(records.content.data() - unpacked.data()) -
+                kMcapRecordHead] = {channel, in.number<std::uint64_t>()};
+    }
+  }
+
+  void message_index(ByteReader in) {
+    const auto channel = in.number<std::uint16_t>();
+    ByteReader entries(in.bytes(in.number<std::uint32_t>()));
+    while (in.ok() && entries.left() > 0) {
+      const auto log_ns = entries.number<std::uint64_t>();
+      const auto found = messages_.find(entries.number<std::uint64_t>());
+      if (found == messages_.end() || found->second.channel != channel ||
+          found->second.log_ns != log_ns)
+        throw CorruptFile{"an index of messages is wrong"};
+    }
+  }
+
+  void data_end(ByteReader in) {
+    summary_ = true;
+    const auto sum = in.number<std::uint32_t>();
+    if (sum != 0 && sum != crc_.checksum()) throw CorruptFile{"the CRC of the data is wrong"};
+  }
+
+  boost::crc_32_type crc_ = [] {
+    boost::crc_32_type crc;
+    crc.process_bytes(kMcapMagic.data(), kMcapMagic.size());
+    return crc;
+  }();
+  bool summary_ = false;
+  std::size_t indexed_ = 0;
+  std::map<std::uint64_t, std::uint64_t> chunks_;  // length of the record by its position
+  std::map<std::uint64_t, Message> messages_;      // of the last chunk, by position in it
+};
+
+// Of a header in a ZIP archive (APPNOTE.TXT of PKWARE, 4.3.7).
+constexpr std::uint32_t kZipFile = 0x04034b50;
+constexpr std::size_t kZipHead = 30;
+
 }  // namespace
 
 struct McapReader::State {
   explicit State(const std::string& p) : path(p) {}
 
   void open();
+  void find_in_archive();
   Span read(std::uint64_t offset, std::uint64_t size, Bytes& buffer) const;
   bool find_summary() const;
   bool hand_on(McapOp op, Span content, Directory& known, McapHandler& handler,
@@ -132,6 +217,7 @@ struct McapReader::State {
 
   std::string path;
   Descriptor file;
+  std::uint64_t begin = 0;  // in the file that contains it
   std::uint64_t size = 0;
   bool has_summary = false;
 };
@@ -145,10 +231,41 @@ void McapReader::State::open() {
   if (!S_ISREG(status.st_mode)) throw UserError(path + ": not a file; give a recording");
   mark_in_use(file.get());
   size = static_cast<std::uint64_t>(status.st_size);
+  find_in_archive();
   Bytes buffer;
   if (size < kMcapMagic.size() ||
       !std::ranges::equal(read(0, kMcapMagic.size(), buffer), kMcapMagic))
-    throw UserError(path + ": not a recording (no MCAP file)");
+    throw UserError(path + ": not a recording (" +
+                    (size == 0 ? "nothing was written before the end" : "no MCAP file") + ")");
+}
+
+// If the file is an archive, goes on with the recording in it.
+void McapReader::State::find_in_archive() {
+  Bytes buffer;
+  const std::uint64_t all = size;
+  for (std::uint64_t at = 0; at + kZipHead <= all;) {
+    ByteReader in(read(at, kZipHead, buffer));
+    if (in.number<std::uint32_t>() != kZipFile) break;
+    in.number<std::uint32_t>();
+    const bool stored = in.number<std::uint16_t>() == 0;
+    in.bytes(8);
+    const std::uint64_t length = in.number<std::uint32_t>();
+    in.number<std::uint32_t>();
+    const std::uint64_t name_size = in.number<std::uint16_t>(), more = in.number<std::uint16_t>();
+    const std::uint64_t content = at + kZipHead + name_size + more;
+    if (content > all || length > all - content) break;
+    const std::string name = text_of(read(at + kZipHead, name_size, buffer));
+    if (name.ends_with(".mcap") && stored && length > 0) {
+      begin = content;
+      size = length;
+      return;
+    }
+    at = content + length;
+    if (at + kZipHead > all || !stored || name.ends_with(".mcap")) break;
+  }
+  if (all >= 4 && ByteReader(read(0, 4, buffer)).number<std::uint32_t>() == kZipFile)
+    throw UserError(path +
+                    ": an archive without a recording, or one that is compressed; unpack it");
 }
 
 // `size` bytes at `offset`, both within the file.
@@ -156,7 +273,7 @@ Span McapReader::State::read(std::uint64_t offset, std::uint64_t bytes, Bytes& b
   buffer.resize(static_cast<std::size_t>(bytes));
   std::size_t done = 0;
   const int error = move_all(buffer.size(), done, [&](std::size_t at, std::size_t left) {
-    return ::pread(file.get(), buffer.data() + at, left, static_cast<off_t>(offset + at));
+    return ::pread(file.get(), buffer.data() + at, left, static_cast<off_t>(begin + offset + at));
   });
   if (error != 0)
     throw UserError(path + ": cannot be read (" + std::strerror(error) + "), or became shorter");
@@ -256,14 +373,24 @@ McapReader::McapReader(const std::string& path) : state_(std::make_unique<State>
 
 McapReader::~McapReader() = default;
 
-McapEnd McapReader::stream(McapHandler& handler) const {
+McapEnd McapReader::stream(McapHandler& handler, McapCheck check) const {
   McapEnd end;
   const std::uint64_t size = state_->size;
   Directory known;
   Bytes head, content, unpacked;
+  IndexCheck indexes;
   std::uint64_t at = kMcapMagic.size();
   const auto problem = [&](const std::string& what) {
     if (end.problem.empty()) end.problem = what + " at byte " + std::to_string(at);
+  };
+  // A wrong index costs nothing that is in the file.
+  const auto verify = [&](auto look) {
+    if (check == McapCheck::kContent) return;
+    try {
+      look();
+    } catch (const CorruptFile& wrong) {
+      problem(wrong.what);
+    }
   };
   for (;;) {
     if (size - at < kMcapRecordHead) {
@@ -278,6 +405,7 @@ McapEnd McapReader::stream(McapHandler& handler) const {
       return end;
     }
     if (op == McapOp::kFooter) {
+      verify([&] { indexes.end(); });
       const std::uint64_t tail = at + kMcapRecordHead + length;
       end.whole = state_->has_summary && size - tail == kMcapMagic.size() && end.problem.empty();
       if (!end.whole) problem("the end of the file is invalid");
@@ -290,6 +418,7 @@ McapEnd McapReader::stream(McapHandler& handler) const {
     try {
       const Span bytes = state_->read(at + kMcapRecordHead, length, content);
       if (!state_->hand_on(op, bytes, known, handler, unpacked)) return end;
+      verify([&] { indexes.record(op, at, head, bytes, unpacked); });
     } catch (const CorruptFile& corruption) {
       ++end.corrupted;
       problem(corruption.what);

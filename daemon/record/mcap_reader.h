@@ -59,18 +59,23 @@ struct McapEnd {
   std::string problem;          ///< the first error, with its position
 };
 
+/// What stream() verifies: the content that it passes on, or also the indexes and the sum of the
+/// whole file, on which other readers rely.
+enum class McapCheck : bool { kContent, kIndexes };
+
 class McapReader {
  public:
   /// Limit of a record and of an unpacked chunk; our own have one MiB.
   static constexpr std::uint64_t kMaxSize = std::uint64_t{64} << 20;
 
-  /// Opens the file. Throws UserError: missing, not readable, or not an MCAP file.
+  /// Opens the file, or the one in an archive of a run as viewers load it (RUN/run.mcap, stored in
+  /// a ZIP). Throws UserError: missing, not readable, or not an MCAP file.
   explicit McapReader(const std::string& path);
   ~McapReader();
 
   /// Reads everything from beginning to end. Skips and counts chunks and attachments with a wrong
   /// CRC or invalid content; stops where the next record cannot be found.
-  McapEnd stream(McapHandler& handler) const;
+  McapEnd stream(McapHandler& handler, McapCheck check = McapCheck::kContent) const;
 
   /// Whether the file has a valid summary.
   bool indexed() const;

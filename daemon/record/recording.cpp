@@ -132,7 +132,10 @@ bool is_recording(const std::string& path) {
   std::array<char, kMcapMagic.size()> magic{};
   std::ifstream file(recording_file(path), std::ios::binary);
   file.read(magic.data(), magic.size());
-  return file && std::memcmp(magic.data(), kMcapMagic.data(), magic.size()) == 0;
+  const auto begins = [&](const void* with, std::size_t size) {
+    return std::memcmp(magic.data(), with, size) == 0;
+  };
+  return file && (begins(kMcapMagic.data(), magic.size()) || begins("PK\x03\x04", 4));
 }
 
 struct Recording::State {

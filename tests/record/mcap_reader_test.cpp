@@ -109,6 +109,37 @@ TEST_P(McapFile, CutOffAnywhereItGivesItsWholeChunks) {
   EXPECT_THROW(McapReader{path_}, UserError);
 }
 
+TEST_P(McapFile, ACheckOfTheIndexesNoticesAnyWrongByte) {
+  write();
+  McapHandler nobody;
+  const std::string whole = test::read_bytes(path_);
+  ASSERT_EQ(McapReader(path_).stream(nobody, McapCheck::kIndexes).problem, "");
+  for (std::size_t at = 8; at < whole.size(); at += 1 + at % 7) {
+    std::string bytes = whole;
+    bytes[at] = static_cast<char>(bytes[at] ^ 0x15);
+    test::write_bytes(path_, bytes);
+    ASSERT_FALSE(McapReader(path_).stream(nobody, McapCheck::kIndexes).whole) << "byte " << at;
+  }
+}
+
+TEST_P(McapFile, AnIndexThatPointsElsewhereIsFoundWithoutASumOfTheData) {
+  write();
+  McapHandler nobody;
+  std::string bytes = test::read_bytes(path_);
+  const std::string data_end("\x0f\x04\0\0\0\0\0\0\0", 9);
+  bytes.replace(bytes.rfind(data_end) + data_end.size(), 4, 4, '\0');
+  test::write_bytes(path_, bytes);
+  EXPECT_TRUE(McapReader(path_).stream(nobody, McapCheck::kIndexes).whole);
+  // The last byte before the end of the data belongs to the offset of a message.
+  bytes[bytes.rfind(data_end) - 8] ^= 1;
+  test::write_bytes(path_, bytes);
+  const McapEnd end = McapReader(path_).stream(nobody, McapCheck::kIndexes);
+  EXPECT_FALSE(end.whole);
+  EXPECT_THAT(end.problem, HasSubstr("an index of messages is wrong at byte"));
+  EXPECT_EQ(end.corrupted, 0u) << "no message is lost";
+  EXPECT_TRUE(McapReader(path_).stream(nobody).whole);
+}
+
 TEST_P(McapFile, AWrongBitInAChunkCostsThatChunkAlone) {
   write();
   std::string bytes = test::read_bytes(path_);

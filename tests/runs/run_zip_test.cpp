@@ -12,6 +12,10 @@
 #include <string>
 
 #include "../support/temporary_folder.h"
+#include "core/bytes.h"
+#include "record/mcap_reader.h"
+#include "record/mcap_writer.h"
+#include "record/recording.h"
 #include "support/refusal.h"
 
 namespace tp100::runs {
@@ -75,6 +79,33 @@ class RunZipTest : public ::testing::Test {
   std::map<std::string, std::string> written_;
   std::mt19937 random_{5};
 };
+
+TEST_F(RunZipTest, TheRecordingInItIsReadAsItIs) {
+  {
+    record::RecordingFile file(runs_ + "/a/run.mcap");
+    record::McapWriter writer(file, "test", record::McapCompression::kZstd);
+    writer.add_metadata("tp100", {{"seed", "7"}});
+    writer.message(writer.add_channel(0, "/a", "json"), 1, bytes_of("{}"));
+    writer.finish();
+  }
+  write_random("clip.bin", 70'000);
+  const std::string archive = folder_.file("a (1).zip");
+  RunZip zip(runs_, "a");
+  test::write_bytes(archive, all_of(zip));
+  record::McapHandler nobody;
+  EXPECT_TRUE(record::McapReader(archive).stream(nobody, record::McapCheck::kIndexes).whole);
+  EXPECT_EQ(record::Recording(archive).fact("seed"), "7");
+  EXPECT_TRUE(record::is_recording(archive));
+  const auto python = [&](const std::string& code) {
+    return std::system(("cd " + folder_.file("") + " && python3 -I -c '" + code + "'").c_str());
+  };
+  ASSERT_EQ(python("import zipfile; z = zipfile.ZipFile(\"b.zip\", \"w\", zipfile.ZIP_DEFLATED); "
+                   "z.write(\"runs/a/run.mcap\")"),
+            0);
+  EXPECT_THAT(
+      test::refusal([&] { record::McapReader{folder_.file("b.zip")}; }),
+      HasSubstr("b.zip: an archive without a recording, or one that is compressed; unpack"));
+}
 
 TEST_F(RunZipTest, AnotherProgramUnpacksEveryFileAsItWas) {
   for (const std::size_t bytes : {0U, 1U, 1023U, 1024U, 65'535U, 65'536U, 65'537U, 300'000U})
