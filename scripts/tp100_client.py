@@ -149,7 +149,7 @@ class Robot:
         return result
 
     def start(self, where="start", patience_s=2.5, seen=None):
-        """Starts the course, from its "start" or from "here", where the last run ended; returns once the run is under
+        """Starts the course, from its "start" or from "here", the pose of state(); returns once the run is under
         way. The robot moves: the caller must ask a person first. `seen`: the state() that the person saw, at most 3 s
         old; without it, the present one. A STOP since then refuses the start. `patience_s`: longest wait for the robot
         to come to rest, and for the run to begin."""

@@ -194,6 +194,10 @@ double Perception::encoder_yaw_rate_radps() const {
       .yaw_rate_radps;
 }
 
+bool Perception::camera_sees() const {
+  return filter_.camera_age_s(sample_.measured_ns) < kCameraNowS;
+}
+
 bool Perception::on_obstacle() const {
   if (parameters_.setup != Setup::kTerrain) return false;
   const TerrainContact under = terrain_contacts_.terrain_contact();
@@ -242,7 +246,7 @@ void Perception::update_traction(bool running) {
   traction_estimator_.update({.dt_s = interval_.dt_s,
                               .distance_m = distance_m(),
                               .fused = filter_.pose(),
-                              .camera = filter_.camera_age_s(sample_.measured_ns) < kCameraNowS,
+                              .camera = camera_sees(),
                               .climbing = terrain_contacts_.terrain_contact().climbing,
                               .mapped_pitch_rad = terrain_contacts_.mapped_pitch_rad(),
                               .measured_pitch_rad = attitude_.pitch_rad()});

@@ -146,6 +146,8 @@ class Perception {
   bool immobilised() const { return traction_estimator_.state() == Traction::kImmobilised; }
   /// A camera sample was used since the samples were last interrupted.
   bool camera_known() const { return filter_.camera_known(); }
+  /// ... and the last one is not old.
+  bool camera_sees() const;
   /// How often the camera contradicted the filter so much that the filter was reset.
   std::uint32_t contradictions() const { return filter_.recoveries(); }
 

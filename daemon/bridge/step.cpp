@@ -1,6 +1,8 @@
 #include "bridge/step.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -16,8 +18,22 @@
 #include "core/arithmetic.h"
 #include "core/limits.h"
 #include "core/sample.h"
+#include "core/start_rule.h"
 
 namespace tp100::bridge {
+namespace {
+
+// What is left of the path where a run may go on: a run ends within this distance of its end.
+constexpr double kLeastLeftM = 0.02;
+// Of two parts of a path beside the robot, it stands on the one whose direction it has: a
+// difference of one radian counts as much as this distance.
+constexpr double kTurnedMPerRad = 0.05;
+
+bool same_place(const Pose& one, const Pose& other) {
+  return one.x_m == other.x_m && one.y_m == other.y_m && one.yaw_rad == other.yaw_rad;
+}
+
+}  // namespace
 
 struct Step::State {
   State(const Parameters& p, std::shared_ptr<const course::Course> c)
@@ -30,6 +46,7 @@ struct Step::State {
         hand_drive(course == nullptr ? std::nullopt : std::optional(course->fence)) {
     if (course != nullptr) {
       path.emplace(*course);
+      perception.begin(course->start, 0);
       tracker.emplace(p.control, *path, drive_of(p, course->speed_mps));
     }
     monitor.emplace(p.control, fence_of(course.get()),
@@ -39,11 +56,13 @@ struct Step::State {
 
   void resume(const CarriedState& carried);
   void take_changes(std::span<const ParameterChange> changes);
-  // Whether a start was refused because there is no course.
-  bool take_requests(std::span<const OperatorRequest> requests);
+  // Why a start was refused at once.
+  StartRefusal take_requests(std::span<const OperatorRequest> requests);
   void take_world(std::span<const WorldSample> received, double dt_s);
   FaultMask aborts(const StepInputs& in, HostNs now, double dt_s);
   StartRefusal refusal(const StepInputs& in, HostNs now) const;
+  std::optional<double> onward_m() const;
+  StartPlaces places(const std::optional<double>& onward) const;
   void begin(HostNs now);
   void steer(HostNs now, double dt_s);
   void aim(double desired_yaw_rad, double yaw_rate_radps, double speed_mps);
@@ -67,7 +86,8 @@ struct Step::State {
 
   control::Target target{};
   bool at_fence = false;
-  bool goes_on = false;  // the run that is about to begin continues the last one
+  bool moved = false;            // see PlaceFacts
+  std::optional<double> from_m;  // where on the path the run that is about to begin goes on
   HostNs last_step_ns = 0, run_began_ns = 0;
   std::uint32_t session_number = 0;
   Outputs out{};
@@ -100,6 +120,7 @@ CarriedState Step::carried() const {
   carried.parameters = live_values(s.parameters);
   carried.cross_track_m = s.target.cross_track_m;
   carried.progress_m = s.target.progress_m;
+  carried.moved = s.moved;
   s.perception.carry(carried);
   return carried;
 }
@@ -114,6 +135,8 @@ CarriedState Step::restart_state(const std::optional<Pose>& at, HostNs now) cons
   CarriedState state = carried();
   if (state.run_state == RunState::kFinished) state.run_state = RunState::kIdle;
   state.cross_track_m = state.progress_m = 0.0;
+  // To place it at the start is to say that it stands there.
+  if (at) state.moved = state_->course == nullptr || !same_place(*at, state_->course->start);
   state_->perception.level(at, now, state);
   return state;
 }
@@ -127,6 +150,7 @@ void Step::State::resume(const CarriedState& carried) {
   target = {};
   target.cross_track_m = carried.cross_track_m;
   target.progress_m = carried.progress_m;
+  moved = carried.moved;
   perception.resume(carried);
   witnesses.begin();
   take_changes({carried.parameters.begin(), carried.parameters.end()});
@@ -140,23 +164,22 @@ void Step::State::take_changes(std::span<const ParameterChange> changes) {
   if (tracker) tracker->retune(parameters.control);
 }
 
-bool Step::State::take_requests(std::span<const OperatorRequest> requests) {
-  bool no_course = false;
+StartRefusal Step::State::take_requests(std::span<const OperatorRequest> requests) {
+  StartRefusal refused = StartRefusal::kNone;
   for (const OperatorRequest request : requests) {
     switch (request) {
       case OperatorRequest::kStart:
-        no_course = !path;
-        goes_on = false;
-        if (path) arming.start();
-        break;
-      case OperatorRequest::kContinue:
-        if (!path || !may_continue(arming.state(), target.progress_m, path->length_m())) break;
-        goes_on = true;
+      case OperatorRequest::kStartPlaced:
+      case OperatorRequest::kContinue: {
+        if (under_way(arming.state())) break;
+        const std::optional<double> onward = onward_m();
+        refused = path ? refusal_of(places(onward), request) : StartRefusal::kNoCourse;
+        if (refused != StartRefusal::kNone) break;
+        from_m = request == OperatorRequest::kContinue ? onward : std::nullopt;
         arming.start();
         break;
+      }
       case OperatorRequest::kDrive:
-        // A completed run cannot be continued.
-        if (arming.state() == RunState::kFinished) target.progress_m = 0.0;
         arming.drive();
         break;
       case OperatorRequest::kHold:
@@ -173,7 +196,47 @@ bool Step::State::take_requests(std::span<const OperatorRequest> requests) {
         break;
     }
   }
-  return no_course;
+  return refused;
+}
+
+// From where the last run ended, as long as the robot is near it; otherwise from the nearest part
+// of the path.
+std::optional<double> Step::State::onward_m() const {
+  if (!path) return std::nullopt;
+  const Pose pose = perception.world_pose();
+  const double reach_m = parameters.control.max_cross_track_m;
+  const double last_m = path->length_m() - kLeastLeftM;
+  const auto off_m = [&](const course::PathPoint& point) {
+    return magnitude(pose.x_m - point.x_m, pose.y_m - point.y_m);
+  };
+  const double ended_m = target.progress_m;
+  if (ended_m > 0.0 && ended_m < last_m && off_m(path->at(ended_m)) <= reach_m) return ended_m;
+  std::optional<double> best_m;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < path->segments().size(); ++i) {
+    const course::PathSegment& segment = path->segments()[i];
+    const course::PathPoint point =
+        path->at(i, path->project(i, pose.x_m, pose.y_m, segment.length_m / 2.0));
+    const double turned_rad = std::abs(wrap_angle(pose.yaw_rad - point.yaw_rad));
+    const double cost = off_m(point) + kTurnedMPerRad * turned_rad;
+    if (off_m(point) > reach_m || cost >= least) continue;
+    least = cost;
+    best_m = point.s_m;
+  }
+  if (best_m && *best_m > last_m) best_m.reset();
+  return best_m;
+}
+
+StartPlaces Step::State::places(const std::optional<double>& onward) const {
+  if (!path) return {};
+  PlaceFacts facts{.start = course->start,
+                   .shown = perception.world_pose(),
+                   .seen_now = perception.camera_sees(),
+                   .moved = moved || perception.contradictions() > 0,
+                   .on_path = onward.has_value()};
+  if (perception.camera_known())
+    facts.seen = perception.to_world().of(perception.estimate(PoseSource::kFused).pose);
+  return start_places(facts);
 }
 
 void Step::State::take_world(std::span<const WorldSample> received, double dt_s) {
@@ -210,7 +273,8 @@ StartRefusal Step::State::refusal(const StepInputs& in, HostNs now) const {
 
 void Step::State::begin(HostNs now) {
   const bool by_hand = arming.state() == RunState::kDriving;
-  if (by_hand || goes_on) {
+  moved = by_hand || (from_m && moved);
+  if (by_hand || from_m) {
     perception.continue_run();
     witnesses.continue_run();
   } else {
@@ -219,7 +283,8 @@ void Step::State::begin(HostNs now) {
     tracker->restart();
   }
   if (by_hand) hand_drive.restart(now);
-  if (!by_hand && goes_on) tracker->resume(target.progress_m, perception.world_pose().yaw_rad);
+  if (by_hand) target.progress_m = 0.0;
+  if (!by_hand && from_m) tracker->resume(*from_m, perception.world_pose().yaw_rad);
   external.restart(now);
   disturbance.restart(perception.contradictions());
   monitor->restart();
@@ -271,11 +336,6 @@ void Step::State::drive_by_hand(HostNs now, double dt_s) {
                         parameters.control, now, std::min(dt_s, kLongestSeenS));
   aim(wanted.desired_yaw_rad, wanted.yaw_rate_radps, wanted.speed_mps);
   at_fence = wanted.at_fence;
-  // After the robot was driven away from where its run ended, the run cannot be continued.
-  if (!path || target.progress_m <= 0.0) return;
-  const course::PathPoint point = path->at(target.progress_m);
-  if (magnitude(pose.x_m - point.x_m, pose.y_m - point.y_m) > parameters.control.max_cross_track_m)
-    target.progress_m = 0.0;
 }
 
 void Step::State::steer(HostNs now, double dt_s) {
@@ -339,6 +399,13 @@ void Step::State::publish(StartRefusal refusal, HostNs now) {
                            : under_way(snapshot.run_state)          ? StartRefusal::kUnderWay
                                                                     : refusal;
   snapshot.start_refusal = course == nullptr ? StartRefusal::kNoCourse : snapshot.drive_refusal;
+  snapshot.start_places = {};
+  snapshot.onward_m = 0.0;
+  if (!under_way(snapshot.run_state)) {
+    const std::optional<double> onward = onward_m();
+    snapshot.start_places = places(onward);
+    snapshot.onward_m = onward.value_or(0.0);
+  }
   snapshot.at_fence = at_fence;
   snapshot.pause_left_s = snapshot.run_state == RunState::kRunning ? pause.left_s() : 0.0;
   snapshot.faults = (perception.has_sample() ? perception.sample().faults : 0) | arming.faults();
@@ -362,7 +429,7 @@ const Outputs& Step::operator()(const StepInputs& in, HostNs now) {
   for (const Sample& sample : in.samples) s.perception.take(sample, armed(s.arming.state()));
   for (const CameraSample& sample : in.camera) s.perception.take(sample);
   s.take_changes(in.changes);
-  const bool no_course = s.take_requests(in.requests);
+  const StartRefusal refused = s.take_requests(in.requests);
   if (s.pause.update(dt_s) && s.arming.state() == RunState::kRunning) s.arming.hold();
   // After the operator's requests, so that a start does not override a world that requests a stop.
   if (s.external.take_stop(under_way(s.arming.state()))) s.arming.stop();
@@ -382,7 +449,7 @@ const Outputs& Step::operator()(const StepInputs& in, HostNs now) {
        .done = s.arming.state() == RunState::kDriving ? s.hand_drive.silent(now)
                                                       : armed(s.arming.state()) && s.target.done},
       dt_s);
-  s.out.refused = no_course ? StartRefusal::kNoCourse : s.arming.refused();
+  s.out.refused = refused != StartRefusal::kNone ? refused : s.arming.refused();
   s.out.waits_for = refusal;
   s.out.disarming = s.arming.disarming();
   if (s.arming.just_began()) s.begin(now);

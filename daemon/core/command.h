@@ -38,23 +38,25 @@ enum class RequestAnswer : std::uint8_t {
 
 /// An operator's request to the bridge (by keyboard, page, --go or signal).
 enum class OperatorRequest : std::uint8_t {
-  kStart,     ///< arm and begin the course; the robot stands at its start
-  kHold,      ///< disarm, keep the session
-  kStop,      ///< latch STOP on the robot; only kStart, kContinue and kDrive clear it
-  kContinue,  ///< as kStart, but from where the last run ended: see may_continue()
-  kDrive,     ///< arm for driving by hand; the estimated poses continue
-  kPause,     ///< slow down on the course to a standstill; the robot stays armed
-  kResume,    ///< drive on after a pause
+  kStart,        ///< arm and begin the course, at whose start the robot is known to stand
+  kHold,         ///< disarm, keep the session
+  kStop,         ///< latch STOP on the robot; only a start or kDrive clears it
+  kContinue,     ///< as kStart, but from where the robot is estimated to be
+  kDrive,        ///< arm for driving by hand; the estimated poses continue
+  kPause,        ///< slow down on the course to a standstill; the robot stays armed
+  kResume,       ///< drive on after a pause
+  kStartPlaced,  ///< as kStart; a person says that the robot stands at the start
 };
 
 /// Whether the request can make motors turn, and so needs a person's consent (core/consent.h).
 constexpr bool moves(OperatorRequest request) {
   return request == OperatorRequest::kStart || request == OperatorRequest::kContinue ||
-         request == OperatorRequest::kDrive || request == OperatorRequest::kResume;
+         request == OperatorRequest::kDrive || request == OperatorRequest::kResume ||
+         request == OperatorRequest::kStartPlaced;
 }
 
 /// Names as in the events of a run.
-inline constexpr std::array<EnumName<OperatorRequest>, 7> kOperatorRequestNames = {{
+inline constexpr std::array<EnumName<OperatorRequest>, 8> kOperatorRequestNames = {{
     {OperatorRequest::kStart, "start"},
     {OperatorRequest::kHold, "hold"},
     {OperatorRequest::kStop, "STOP"},
@@ -62,6 +64,7 @@ inline constexpr std::array<EnumName<OperatorRequest>, 7> kOperatorRequestNames 
     {OperatorRequest::kDrive, "drive by hand"},
     {OperatorRequest::kPause, "pause"},
     {OperatorRequest::kResume, "resume"},
+    {OperatorRequest::kStartPlaced, "start, placed"},
 }};
 constexpr const char* to_string(OperatorRequest request) {
   return name_in(kOperatorRequestNames, request);

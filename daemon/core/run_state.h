@@ -38,27 +38,23 @@ constexpr bool armed(RunState state) {
 /// Armed or about to be: nothing else can begin.
 constexpr bool under_way(RunState state) { return state == RunState::kArming || armed(state); }
 
-/// Whether the last run ended before the end of its course, so that it can be continued from the
-/// robot's estimated pose. `progress_m`, `length_m`: along the course.
-constexpr bool may_continue(RunState state, double progress_m, double length_m) {
-  return (state == RunState::kIdle || state == RunState::kAborted) && progress_m > 0.0 &&
-         progress_m < length_m;
-}
-
 /// The first reason that refuses a start of the course, or driving by hand.
 enum class StartRefusal : std::uint8_t {
   kNone,
   kNoCourse,
-  kUnderWay,      ///< a run is arming or running
-  kNoSession,     ///< no robot, or the handshake is not over
-  kNoSample,      ///< no fresh sample
-  kMotorsOn,      ///< the robot is armed or has a duty without a request
-  kUnknownFault,  ///< the robot reports a fault that this version does not know
-  kTilted,        ///< by more than control.max_tilt_deg
-  kNoImu,         ///< the yaw needs the gyro, and the IMU delivers no values
-  kNotStill,      ///< the gyro's bias is not known: it has not been at rest yet
-  kNoWorld,       ///< the external world has not answered in time
-  kDriven,        ///< the robot is driven by hand
+  kUnderWay,       ///< a run is arming or running
+  kNoSession,      ///< no robot, or the handshake is not over
+  kNoSample,       ///< no fresh sample
+  kMotorsOn,       ///< the robot is armed or has a duty without a request
+  kUnknownFault,   ///< the robot reports a fault that this version does not know
+  kTilted,         ///< by more than control.max_tilt_deg
+  kNoImu,          ///< the yaw needs the gyro, and the IMU delivers no values
+  kNotStill,       ///< the gyro's bias is not known: it has not been at rest yet
+  kNoWorld,        ///< the external world has not answered in time
+  kDriven,         ///< the robot is driven by hand
+  kWhere,          ///< it may be elsewhere than at the start, and the start does not say where
+  kSeenElsewhere,  ///< a camera sees it elsewhere than at the start
+  kOffPath,        ///< from where it is, there is no path to continue on
 };
 
 /// The reason and what to do, in one line; empty for kNone.
@@ -88,8 +84,28 @@ constexpr std::string_view to_string(StartRefusal refusal) {
       return "the external world does not answer; start its program";
     case StartRefusal::kDriven:
       return "the robot is driven by hand; release it first";
+    case StartRefusal::kWhere:
+      return "the robot may be elsewhere than at the course's start; say where it stands: "
+             "\"start\" "
+             "once it is put back there, or \"here\" to continue from the pose that is shown";
+    case StartRefusal::kSeenElsewhere:
+      return "the overhead camera sees the robot elsewhere than at the course's start; put it "
+             "there, or say \"here\" to continue from where it is";
+    case StartRefusal::kOffPath:
+      return "the robot is beside the path or at its end, so the course cannot continue from here; "
+             "put it back at the start, or drive it by hand onto the path";
   }
   return "unknown";
 }
+
+/// Why a start is refused for where the robot stands, by what the start says of that.
+struct alignas(4) StartPlaces {
+  StartRefusal unsaid = StartRefusal::kNone;  ///< nothing: then a run begins at the start
+  StartRefusal placed = StartRefusal::kNone;  ///< "it stands at the course's start"
+  StartRefusal here = StartRefusal::kNone;    ///< "where it is estimated to be"
+
+  /// Somebody has to say where the robot stands.
+  constexpr bool asks() const { return unsaid != StartRefusal::kNone; }
+};
 
 }  // namespace tp100

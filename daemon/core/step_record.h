@@ -66,6 +66,7 @@ struct CarriedState {
   BoundedList<ParameterChange, kLiveParameters> parameters{};
   double cross_track_m = 0.0;  ///< where the last run ended
   double progress_m = 0.0;
+  bool moved = false;       ///< see PlaceFacts in core/start_rule.h
   Sample sample{};          ///< the newest
   bool has_sample = false;  ///< it is of this session
   bool continues = false;   ///< the next sample ends an interval that begins with it
@@ -118,7 +119,9 @@ struct Snapshot {
   RunState run_state = RunState::kIdle;
   StartRefusal start_refusal = StartRefusal::kNone;  ///< reason that refuses a start now
   StartRefusal drive_refusal = StartRefusal::kNone;  ///< ... and driving by hand
-  bool at_fence = false;                             ///< the fence limits the speed by hand
+  StartPlaces start_places{};                        ///< ... for where the robot stands
+  double onward_m = 0.0;  ///< along the path, where a run from here would go on; 0: nowhere, too
+  bool at_fence = false;  ///< the fence limits the speed by hand
   double pause_left_s = 0.0;  ///< the run is paused, and ends after this time; 0: it is not
   FaultMask faults = 0;       ///< robot's and daemon's
 };

@@ -51,7 +51,10 @@ Result<> LiveControls::may_move(const Consent& consent, HostNs now) const {
 Result<> LiveControls::move(OperatorRequest request, const Consent& consent, HostNs now) {
   const std::lock_guard lock(mutex_);
   const Result<> may = may_move(consent, now);
-  return may ? unless_busy(cycle_.request(request, consent)) : may;
+  if (!may) return may;
+  const StartRefusal where = refusal_of(cycle_.start_places(), request);
+  if (where != StartRefusal::kNone) return Refusal{std::string(to_string(where))};
+  return unless_busy(cycle_.request(request, consent));
 }
 
 Result<> LiveControls::hold() {

@@ -60,6 +60,7 @@ class LiveControls : public server::Controls {
   messages::PortFigures port() override;
   messages::RecordingFigures recording() override;
   StartConsent start_consent() override;  // any thread
+  StartPlaces start_places() override { return cycle_.start_places(); }
 
   // The main thread:
   /// Reports the session with the robot on the port in use, or the last one.

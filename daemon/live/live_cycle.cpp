@@ -57,6 +57,8 @@ void LiveCycle::wrote(HostNs) {
 }
 
 void LiveCycle::after_write(HostNs now) {
+  // Before anybody can read the record.
+  shown_places_.store(cycle_.outputs().snapshot.start_places, std::memory_order_release);
   time_sample(now);
   if (!record(records_)) lost_records_.fetch_add(1, std::memory_order_relaxed);
   pass_events();
@@ -69,7 +71,9 @@ void LiveCycle::pass_run_state(HostNs now) {
   const bool changed = snapshot.run_state != run_state_;
   const FaultMask more = snapshot.faults & ~kRobotFaults & ~faults_;
   faults_ = snapshot.faults & ~kRobotFaults;
-  if (!changed && (more == 0 || run_state_ != RunState::kAborted)) return;
+  const StartRefusal refused = cycle_.outputs().refused;
+  const bool more_faults = more != 0 && run_state_ == RunState::kAborted;
+  if (!changed && !more_faults && refused == StartRefusal::kNone) return;
   if (changed) {
     consents_.set_ran();
     shown_run_state_.store(snapshot.run_state, std::memory_order_release);
@@ -78,7 +82,7 @@ void LiveCycle::pass_run_state(HostNs now) {
                  .from = std::exchange(run_state_, snapshot.run_state),
                  .to = snapshot.run_state,
                  .faults = changed ? snapshot.faults : more,
-                 .refused = cycle_.outputs().refused,
+                 .refused = refused,
                  .place = snapshot.world,
                  .progress_m = snapshot.progress_m});
 }

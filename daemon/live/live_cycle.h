@@ -99,6 +99,8 @@ class LiveCycle : public loop::LoopClient {
   void give_up_port() { give_up_port_.store(true, std::memory_order_release); }
   /// The run state as of the last step. Any thread.
   RunState run_state() const { return shown_run_state_.load(std::memory_order_acquire); }
+  /// ... and why a start is refused for where the robot stands.
+  StartPlaces start_places() const { return shown_places_.load(std::memory_order_acquire); }
   /// Passes a change to the loop, which makes it when the robot stands still, unless a run begins
   /// first. The loop owns it until setup_done() returns it; only then pass the next one.
   void offer_setup(SetupRequest& request) {
@@ -184,6 +186,8 @@ class LiveCycle : public loop::LoopClient {
   std::atomic<std::uint64_t> lost_records_{0};
   RunState run_state_ = RunState::kIdle;
   std::atomic<RunState> shown_run_state_{RunState::kIdle};
+  std::atomic<StartPlaces> shown_places_{StartPlaces{}};
+  static_assert(std::atomic<StartPlaces>::is_always_lock_free);
   FaultMask faults_ = 0;  // those that only the daemon latches, as last reported
   HostNs next_status_ns_ = 0;
   bool leave_silent_port_;

@@ -101,8 +101,8 @@ std::vector<Event> describe_run(const RunChange& event) {
                               "%.3f m along the course",
                               event.place.x_m, event.place.y_m, event.place.yaw_rad * kDegPerRad,
                               event.progress_m),
-         .fix = "to start again, put it back at the course's start, or continue from there on "
-                "the page"});
+         .fix = "to start again, put it back at the course's start, or continue from there: the "
+                "start asks which"});
   if (event.to != RunState::kAborted) return out;
   each_fault(event.faults,
              [&](Fault fault) { out.push_back(messages::fault_event(event.at_ns, fault)); });

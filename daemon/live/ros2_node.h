@@ -99,6 +99,7 @@ class Ros2Requests {
     std::uint32_t number = 0;  ///< of the choice
     ros2::Input input{};
     server::SetupChoice choice;
+    OperatorRequest request = OperatorRequest::kStart;
     Consent consent{};
     HostNs asked_ns = 0;
     bool chosen = false;  ///< the course is in force
@@ -116,7 +117,8 @@ class Ros2Requests {
   void drive(const ros2::Received& received, bool wanted, HostNs now);
   void velocity(const ros2::Received& received, HostNs now);
   void place(const ros2::Received& received, const Pose& at, HostNs now);
-  void start(const ros2::Received& received, const server::SetupChoice& choice, HostNs now);
+  void start(const ros2::Received& received, const server::SetupChoice& choice,
+             OperatorRequest request, HostNs now);
   void advance(Start& start, const Snapshot& snapshot, HostNs now);
   std::string why_not(const Start& start, const Snapshot& snapshot) const;
   void stop(HostNs now);

@@ -135,11 +135,12 @@ void Ros2Requests::take(const ros2::Received& received, HostNs now) {
       break;
     case Input::kGoal:
       if (const auto to = ros2::read_pose(received, why))
-        return start(received, {.goal = course::Goal{.from = at_, .to = *to}}, now);
+        return start(received, {.goal = course::Goal{.from = at_, .to = *to}},
+                     OperatorRequest::kContinue, now);
       break;
     case Input::kCourse:
-      if (const auto name = ros2::read_course(received, why))
-        return start(received, {.course = *name}, now);
+      if (const auto course = ros2::read_course(received, why))
+        return start(received, {.course = course->name}, course->request, now);
       break;
     case Input::kStop:
       // Whatever the message contains.
@@ -227,7 +228,7 @@ void Ros2Requests::place(const ros2::Received& received, const Pose& at, HostNs 
 
 // As a person does on the page: chooses the course, and then starts.
 void Ros2Requests::start(const ros2::Received& received, const server::SetupChoice& choice,
-                         HostNs now) {
+                         OperatorRequest request, HostNs now) {
   HostNs& silent_until_ns = silent_until_ns_.at(static_cast<std::size_t>(received.input));
   if (now < std::exchange(silent_until_ns, now + kSilenceNs))
     return note(kRepeated, now,
@@ -245,6 +246,7 @@ void Ros2Requests::start(const ros2::Received& received, const server::SetupChoi
   start_ = {.number = number,
             .input = received.input,
             .choice = choice,
+            .request = request,
             .consent = consent_of(received, now),
             .asked_ns = now};
   controls_.choose(choice,
@@ -268,7 +270,7 @@ void Ros2Requests::advance(Start& start, const Snapshot& snapshot, HostNs now) {
     why = start.chosen ? why_not(start, snapshot) : "its course took too long to load";
   // The course is its own choice, and every other request since has ended it.
   start.consent.seen_ns = now;
-  if (why.empty()) why = controls_.move(OperatorRequest::kStart, start.consent, now).why();
+  if (why.empty()) why = controls_.move(start.request, start.consent, now).why();
   const ros2::Input input = std::exchange(start_, std::nullopt)->input;
   if (!why.empty()) return refuse(input, now, of_goal(why));
   reply(now, "ROS 2 " + name_of(input) + " starts the robot");

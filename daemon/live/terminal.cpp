@@ -18,7 +18,6 @@
 #include <utility>
 
 #include "core/clock.h"
-#include "core/start_rule.h"
 
 namespace tp100::live {
 namespace {
@@ -161,9 +160,15 @@ void Terminal::ask(HostNs now) {
   seen_ns_ = now;
   stops_seen_ = reach_.controls.stop_count();
   const std::string what = "to start course " + reach_.course();
-  reach_.say(word ? "ready; type go and press Enter " + what + "; Enter alone is STOP"
-                  : "ready; press Enter " + what,
-             false);
+  const bool asks = reach_.controls.start_places().asks();
+  reach_.say(
+      asks ? "ready; the robot may be elsewhere than at the course's start: to start course " +
+                 reach_.course() + " type \"" + std::string(kStartPlacedWords) +
+                 "\" once it is put back there, or \"" + std::string(kStartHereWords) +
+                 "\" to continue from the pose that is shown"
+      : word ? "ready; type go and press Enter " + what + "; Enter alone is STOP"
+             : "ready; press Enter " + what,
+      false);
   if (typed_ahead && word) press_stop("Enter was pressed before the question: STOP", now);
 }
 
@@ -181,12 +186,15 @@ void Terminal::take(const std::string& line, HostNs now) {
   } else if (session_ != SessionState::kReady) {
     reach_.say("no robot is connected yet; nothing is started", false);
   } else {
-    start(line != kStartWord, now);
+    start(meaning, line.empty(), now);
   }
 }
 
-void Terminal::start(bool first_only, HostNs now) {
-  const Result<> started = reach_.controls.move(OperatorRequest::kStart,
+void Terminal::start(LineMeaning meaning, bool first_only, HostNs now) {
+  const auto what = meaning == LineMeaning::kStartPlaced ? OperatorRequest::kStartPlaced
+                    : meaning == LineMeaning::kStartHere ? OperatorRequest::kContinue
+                                                         : OperatorRequest::kStart;
+  const Result<> started = reach_.controls.move(what,
                                                 {.by = {Door::kTerminal},
                                                  .acted_ns = now,
                                                  .seen_ns = seen_ns_,

@@ -9,6 +9,7 @@
 
 #include "core/link_state.h"
 #include "core/run_state.h"
+#include "core/start_rule.h"
 #include "core/time.h"
 #include "server/controls.h"
 
@@ -46,7 +47,7 @@ class Terminal {
 
  private:
   class Input;
-  void start(bool first_only, HostNs now);
+  void start(LineMeaning meaning, bool first_only, HostNs now);
   void press_stop(const std::string& message, HostNs now);
   bool under_way() const { return tp100::under_way(run_); }
 

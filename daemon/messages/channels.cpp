@@ -238,7 +238,9 @@ StateFigures full_state() {
   state.robot = RobotState::kArmed;
   state.run_s = 0.5;
   state.length_m = 0.5;
-  state.pose = state.continue_from = Pose{};
+  state.pose = Pose{};
+  state.start_places.unsaid = StartRefusal::kWhere;
+  state.onward_m = 0.5;
   state.battery_v = 7.5;
   state.pause_left_s = 0.5;
   state.driver = {.by = "viewer 3", .asked_by = "viewer 4"};

@@ -136,8 +136,8 @@ struct StateFigures {
   std::optional<double> length_m;
   std::optional<double> battery_v;
   std::optional<Pose> pose;  ///< the steering pose in the world; nothing before the first step
-  /// Where the robot is estimated to be, if the last run ended before the end of its course.
-  std::optional<Pose> continue_from;
+  StartPlaces start_places{};
+  double onward_m = 0.0;  ///< as in the snapshot
   bool can_start = false, can_record = false;
   std::string why_not_start;
   std::string why_not_drive;

@@ -124,7 +124,13 @@ std::string state_message(HostNs now, const PublishClock& clock, const StateFigu
           .field("record", state.can_record);
     });
     if (state.pause_left_s > 0.0) json.field("pause_left_s", state.pause_left_s);
-    write_place(json, "continue_from", state.continue_from);
+    if (state.start_places.asks())
+      json.object("continue_from", [&] {
+        json.floor_pose(*state.pose)
+            .field("progress_m", state.onward_m)
+            .field("why_not_placed", to_string(state.start_places.placed))
+            .field("why_not_here", to_string(state.start_places.here));
+      });
     json.field("why_not_start", state.why_not_start)
         .field("why_not_drive", state.why_not_drive)
         .field("confirm_start", state.confirm_start)

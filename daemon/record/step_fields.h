@@ -16,7 +16,7 @@ constexpr auto last_of(Traction) { return kTractionNames.back().value; }
 constexpr auto last_of(Slope) { return kSlopeNames.back().value; }
 constexpr auto last_of(PoseSource) { return kPoseSources.back(); }
 constexpr auto last_of(RunState) { return kRunStateNames.back().value; }
-constexpr auto last_of(StartRefusal) { return StartRefusal::kDriven; }
+constexpr auto last_of(StartRefusal) { return StartRefusal::kOffPath; }
 constexpr auto last_of(OperatorRequest) { return kOperatorRequestNames.back().value; }
 constexpr auto last_of(SessionState) { return kSessionStateNames.back().value; }
 constexpr auto last_of(RequestAnswer) { return RequestAnswer::kFailed; }
@@ -36,6 +36,7 @@ TP100_FIELDS(Command, answers, answered_us, pose, desired_yaw_rad, yaw_rate_radp
 TP100_FIELDS(PlanarCovariance, xx, xy, x_yaw, yy, y_yaw, yaw_yaw)
 TP100_FIELDS(FilterFigures, slip_left, slip_right, gyro_bias_radps, nis, nis_mean, nis_count,
              camera_age_us, camera_used, camera_rejected, recoveries)
+TP100_FIELDS(StartPlaces, unsaid, placed, here)
 TP100_FIELDS(TerrainContact, pitch_source, obstacle, climbing, slope_rad, slip_offset, traction)
 TP100_FIELDS(CarriedEstimate, mean, covariance, slip_walk)
 TP100_FIELDS(CarriedModelCovariance, errors, slip_density_m, seen_m)
@@ -51,7 +52,8 @@ void visit_fields(Visitor& visit, T& snapshot) {
          terrain_contact, left_mps, right_mps, slip_left, slip_right, gyro_bias_radps, imu_roll_rad,
          imu_pitch_rad, imu_slope, imu_obstacle, command, commanded_left_mps, commanded_right_mps,
          cross_track_m, heading_error_rad, progress_m, recovering, steering, run_state,
-         start_refusal, drive_refusal, at_fence, pause_left_s, faults] = snapshot;
+         start_refusal, drive_refusal, start_places, onward_m, at_fence, pause_left_s, faults] =
+      snapshot;
   TP100_VISIT(visit, now_ns, sample, has_sample, age_us);
   for (const PoseSource source : kPoseSources) {
     visit(to_string(source), estimates[source].pose);
@@ -62,19 +64,19 @@ void visit_fields(Visitor& visit, T& snapshot) {
               slip_left, slip_right, gyro_bias_radps, imu_roll_rad, imu_pitch_rad, imu_slope,
               imu_obstacle, command, commanded_left_mps, commanded_right_mps, cross_track_m,
               heading_error_rad, progress_m, recovering, steering, run_state, start_refusal,
-              drive_refusal, at_fence, pause_left_s, faults);
+              drive_refusal, start_places, onward_m, at_fence, pause_left_s, faults);
 }
 
 template <class Visitor, MaybeConst<CarriedState> T>
 void visit_fields(Visitor& visit, T& carried) {
-  auto& [session_number, run_state, faults, parameters, cross_track_m, progress_m, sample,
+  auto& [session_number, run_state, faults, parameters, cross_track_m, progress_m, moved, sample,
          has_sample, continues, model, model_covariance, odometry, virtual_x_m, virtual_y_m,
          virtual_turn_rad, filter, attitude, gyro_bias_radps, gyro_bias_known] = carried;
   TP100_VISIT(visit, session_number);
   visit("run_state", run_state, RunState::kAborted);
-  TP100_VISIT(visit, faults, parameters, cross_track_m, progress_m, sample, has_sample, continues,
-              model, model_covariance, odometry, virtual_x_m, virtual_y_m, virtual_turn_rad, filter,
-              attitude, gyro_bias_radps, gyro_bias_known);
+  TP100_VISIT(visit, faults, parameters, cross_track_m, progress_m, moved, sample, has_sample,
+              continues, model, model_covariance, odometry, virtual_x_m, virtual_y_m,
+              virtual_turn_rad, filter, attitude, gyro_bias_radps, gyro_bias_known);
 }
 
 /// The step's inputs, including its time and number.

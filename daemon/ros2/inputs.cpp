@@ -111,10 +111,18 @@ std::optional<Pose> read_pose(const Received& received, std::string& why) {
   return std::nullopt;
 }
 
-std::optional<std::string> read_course(const Received& received, std::string& why) {
+std::optional<CourseStart> read_course(const Received& received, std::string& why) {
   const auto message = message_of<std_msgs::String>(received, why);
   if (!message) return std::nullopt;
-  if (!message->data.empty() && message->data.size() <= kLongestName) return message->data;
+  CourseStart start{.name = message->data};
+  for (const auto& [where, request] : {std::pair("/start", OperatorRequest::kStartPlaced),
+                                       std::pair("/here", OperatorRequest::kContinue)}) {
+    if (!start.name.ends_with(where)) continue;
+    start.name.erase(start.name.size() - std::string_view(where).size());
+    start.request = request;
+    break;
+  }
+  if (!start.name.empty() && start.name.size() <= kLongestName) return start;
   why = "the name of a course has 1 to 64 characters";
   return std::nullopt;
 }

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/bytes.h"
+#include "core/command.h"
 #include "core/pose.h"
 #include "core/time.h"
 #include "ros2/topics.h"
@@ -62,8 +63,13 @@ std::optional<VelocityRequest> read_velocity(const Received& received, std::stri
 std::optional<bool> read_drive(const Received& received, std::string& why);
 /// For kInitialPose and kGoal: x, y and yaw in `map`.
 std::optional<Pose> read_pose(const Received& received, std::string& why);
-/// For kCourse.
-std::optional<std::string> read_course(const Received& received, std::string& why);
+/// A course to start, and where the robot stands; see StartPlaces.
+struct CourseStart {
+  std::string name;
+  OperatorRequest request = OperatorRequest::kStart;
+};
+/// For kCourse: "NAME", "NAME/start" or "NAME/here".
+std::optional<CourseStart> read_course(const Received& received, std::string& why);
 
 /// Limit of the age of a message that starts the robot: the error of its writer's clock and the
 /// delay.

@@ -26,14 +26,15 @@ struct Motion {
   }
 
   Text start(const Request& request) const {
-    const std::string from = request.arguments.text("from").value_or("start");
-    if (from != "start" && from != "here")
+    const std::string from = request.arguments.text("from").value_or("");
+    const auto what = from == "start"  ? OperatorRequest::kStartPlaced
+                      : from == "here" ? OperatorRequest::kContinue
+                                       : OperatorRequest::kStart;
+    if (!from.empty() && what == OperatorRequest::kStart)
       return Refusal{
-          "from must be \"start\" (of the course) or \"here\" (where the last run ended)"};
+          "from must be \"start\" (the robot stands at the course's start) or \"here\" (continue "
+          "from the pose that is shown); it may be left out where both are the same"};
     if (!request.state.can_start) return Refusal{request.state.why_not_start};
-    if (from == "here" && !request.state.continue_from)
-      return Refusal{"no run ended before the end of its course; start from the course's start"};
-    const auto what = from == "here" ? OperatorRequest::kContinue : OperatorRequest::kStart;
     return accepted(controls.move(what, request.consent, request.now));
   }
 

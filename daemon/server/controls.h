@@ -36,8 +36,8 @@ class Controls {
  public:
   virtual ~Controls() = default;
 
-  /// Sets the robot in motion: kStart, kContinue or kResume. The consent is judged now and again by
-  /// the loop.
+  /// Sets the robot in motion: kStart, kStartPlaced, kContinue or kResume. The consent is judged
+  /// now and again by the loop.
   virtual Result<> move(OperatorRequest request, const Consent& consent, HostNs now) = 0;
   virtual Result<> hold() = 0;
   /// Pauses a run on the course; a paused one stays paused.
@@ -76,6 +76,8 @@ class Controls {
   virtual messages::RecordingFigures recording() = 0;
   /// The consent that a start requires now.
   virtual StartConsent start_consent() = 0;
+  /// Why a start is refused for where the robot stands, by what it says of that.
+  virtual StartPlaces start_places() = 0;
 };
 
 /// The services of motion: runs, driving by hand, and where the robot is; all but STOP. `controls`

@@ -34,7 +34,9 @@ std::string key_of(const StateFigures& state) {
            state.robot ? static_cast<unsigned>(*state.robot) : 99U,
            static_cast<unsigned>(state.stop.status), state.stop.latched, state.stop.count,
            state.can_record, state.motors_on, state.confirm_start, state.driver.fresh,
-           state.pause_left_s > 0.0})
+           state.pause_left_s > 0.0, static_cast<unsigned>(state.start_places.unsaid),
+           static_cast<unsigned>(state.start_places.placed),
+           static_cast<unsigned>(state.start_places.here)})
     key += std::to_string(part) + ' ';
   return key + state.why_not_start + '\n' + state.why_not_drive + '\n' + state.driver.by + '\n' +
          state.driver.asked_by;
@@ -150,7 +152,7 @@ void Publisher::exchange(messages::RunContext run_context, const messages::Share
   path_history_.clear();
   publish_setup(setup, now);
   state_.progress_m = 0.0;
-  state_.continue_from.reset();
+  state_.start_places = {};
   publish_state(now, true);
 }
 
@@ -189,9 +191,8 @@ void Publisher::update_state(const StepRecord& record) {
   state_.pose = snapshot.world;
   state_.pause_left_s = snapshot.pause_left_s;
   state_.progress_m = snapshot.progress_m;
-  state_.continue_from = may_continue(state_.run, state_.progress_m, state_.length_m.value_or(0.0))
-                             ? std::optional(snapshot.world)
-                             : std::nullopt;
+  state_.start_places = snapshot.start_places;
+  state_.onward_m = snapshot.onward_m;
   state_.faults = snapshot.faults;
   state_.robot_faults = snapshot.has_sample ? snapshot.sample.faults : 0;
   state_.motors_on = snapshot.has_sample && motors_on(snapshot.sample);

@@ -323,7 +323,7 @@ report::RunResult Lockstep::run() {
     // Like the daemon, not before a robot is ready.
     if (!started && cycle_.session().state() == SessionState::kReady) {
       started = true;
-      cycle_.request(OperatorRequest::kStart);
+      cycle_.request(OperatorRequest::kStartPlaced);
     }
     turn();
     if (steps_ == steps) continue;

@@ -66,7 +66,7 @@ TEST_F(StepTest, AStartWithoutACourseIsRefusedAndMovesNothing) {
   KinematicRobot robot(parameters_);
   run(step, robot, 1.0);
   EXPECT_EQ(tick(step, robot).snapshot.start_refusal, StartRefusal::kNoCourse);
-  EXPECT_EQ(tick(step, robot, {OperatorRequest::kContinue}).refused, StartRefusal::kNone);
+  EXPECT_EQ(tick(step, robot, {OperatorRequest::kContinue}).refused, StartRefusal::kNoCourse);
   EXPECT_EQ(tick(step, robot, {OperatorRequest::kStart}).refused, StartRefusal::kNoCourse);
   EXPECT_EQ(run(step, robot, 5.0), RunState::kIdle);
   EXPECT_FALSE(robot.armed);

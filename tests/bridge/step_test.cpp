@@ -77,9 +77,9 @@ TEST_F(StepTest, GoesOnFromWhereARunWasStopped) {
   EXPECT_GE(turning, 1);
 }
 
-TEST_F(StepTest, GoesOnFromNowhereElse) {
+TEST_F(StepTest, GoesOnNowhereBesideThePathOrAtItsEnd) {
   const auto stays = [&](Step& step, KinematicRobot& robot, RunState state) {
-    tick(step, robot, {OperatorRequest::kContinue});
+    EXPECT_EQ(tick(step, robot, {OperatorRequest::kContinue}).refused, StartRefusal::kOffPath);
     for (int i = 0; i < 400; ++i) {
       EXPECT_EQ(tick(step, robot).snapshot.run_state, state);
       EXPECT_FALSE(robot.armed);
@@ -88,8 +88,10 @@ TEST_F(StepTest, GoesOnFromNowhereElse) {
   Step step(parameters_, course_);
   KinematicRobot robot(parameters_);
   run(step, robot, 1.0);
+  restart_.push(step.restart_state(Pose{.x_m = -1.0}, now_));
+  tick(step, robot);
   stays(step, robot, RunState::kIdle);
-  start(step, robot);
+  tick(step, robot, {OperatorRequest::kStartPlaced});
   ASSERT_EQ(run(step, robot, 60.0), RunState::kFinished);
   for (int i = 0; i < 100; ++i) tick(step, robot);
   stays(step, robot, RunState::kFinished);

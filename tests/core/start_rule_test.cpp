@@ -25,7 +25,10 @@ TEST(StartRule, OnceSomethingHasRunNothingButTheWordStarts) {
     const StartConsent consent = start_consent(facts);
     EXPECT_EQ(consent, StartConsent::kWord) << i;
     EXPECT_EQ(meaning_of("go", consent, false), LineMeaning::kStart);
-    for (const char* line : {"", "g", "o", "GO", "go go", "\n", "\ngo", "go\n", "yes", "..."})
+    EXPECT_EQ(meaning_of("go start", consent, false), LineMeaning::kStartPlaced);
+    EXPECT_EQ(meaning_of("go here", consent, false), LineMeaning::kStartHere);
+    for (const char* line :
+         {"", "g", "o", "GO", "go go", "\n", "\ngo", "go\n", "here", "go start here", "..."})
       EXPECT_EQ(meaning_of(line, consent, false), LineMeaning::kStop) << line;
   }
   // Whoever typed --go may no longer watch the next drive of an identification.
@@ -37,7 +40,7 @@ TEST(StartRule, OnceSomethingHasRunNothingButTheWordStarts) {
 TEST(StartRule, WhateverIsTypedDuringARunIsStop) {
   for (const StartConsent consent :
        {StartConsent::kNone, StartConsent::kEnter, StartConsent::kWord}) {
-    for (const char* line : {"", "go", "anything", "\n\n"})
+    for (const char* line : {"", "go", "go here", "anything", "\n\n"})
       EXPECT_EQ(meaning_of(line, consent, true), LineMeaning::kStop) << line;
   }
 }
@@ -48,6 +51,36 @@ TEST(StartRule, TheFirstStartIsOneEnterOrTheWord) {
   // Several lines at once are not a deliberate answer.
   EXPECT_EQ(meaning_of("\n", StartConsent::kEnter, false), LineMeaning::kNothing);
   EXPECT_EQ(meaning_of("yes", StartConsent::kEnter, false), LineMeaning::kNothing);
+}
+
+// Otherwise the run would be steered by a pose that the robot does not have.
+TEST(StartRule, WhereTheRobotStandsIsAskedOnceItMayBeElsewhereThanAtTheStart) {
+  const Pose start{.x_m = 0.5, .y_m = -0.2, .yaw_rad = 3.0};
+  const PlaceFacts there{.start = start, .shown = start, .on_path = true};
+  EXPECT_FALSE(start_places(there).asks());
+  PlaceFacts facts = there;
+  facts.shown.x_m += 0.029;
+  facts.shown.yaw_rad += 4.0 * kPi - 2.9 * kRadPerDeg;
+  EXPECT_FALSE(start_places(facts).asks());
+  facts.shown.x_m += 0.002;
+  EXPECT_TRUE(start_places(facts).asks());
+  facts = there;
+  facts.shown.yaw_rad -= 3.1 * kRadPerDeg;
+  EXPECT_TRUE(start_places(facts).asks());
+  facts = there;
+  facts.moved = true;
+  EXPECT_TRUE(start_places(facts).asks());
+  EXPECT_EQ(refusal_of(start_places(facts), OperatorRequest::kStartPlaced), StartRefusal::kNone);
+  EXPECT_EQ(refusal_of(start_places(facts), OperatorRequest::kDrive), StartRefusal::kNone);
+  facts = there;
+  facts.seen = Pose{};
+  EXPECT_EQ(start_places(facts).unsaid, StartRefusal::kWhere);
+  EXPECT_EQ(start_places(facts).placed, StartRefusal::kNone) << "the camera saw it before";
+  facts.seen_now = true;
+  EXPECT_EQ(start_places(facts).placed, StartRefusal::kSeenElsewhere);
+  EXPECT_EQ(start_places(facts).here, StartRefusal::kNone);
+  facts.on_path = false;
+  EXPECT_EQ(start_places(facts).here, StartRefusal::kOffPath);
 }
 
 constexpr auto kMega = static_cast<std::uint8_t>(wire::BoardType::kMega2560);

@@ -22,8 +22,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     fuzz::require(
         std::abs(at->x_m) <= 100.0 && std::abs(at->y_m) <= 100.0 && std::isfinite(at->yaw_rad),
         "a pose is finite");
-  if (const auto name = ros2::read_course(received, why))
-    fuzz::require(!name->empty() && name->size() <= 64, "a name is no longer than a file's");
+  if (const auto course = ros2::read_course(received, why))
+    fuzz::require(!course->name.empty() && course->name.size() <= 64,
+                  "a name is no longer than a file's");
   ros2::read_drive(received, why);
   return 0;
 }

@@ -197,7 +197,8 @@ class Doors : public DaemonRig {
                         .stops = viewer.stops,
                         .seen_ns = from_s(viewer.t_s) + kPeriodNs};
     }
-    if (service == "start" && random_.chance(0.3)) message.request["from"] = "here";
+    if (service == "start" && random_.chance(0.8))
+      message.request["from"] = random_.chance(0.5) ? "here" : "start";
     // Its own thread of the daemon would take the port.
     if (service == "wheels_up_begin") {
       message.request["tracks"] = "free";
@@ -219,7 +220,7 @@ class Doors : public DaemonRig {
                        .stops = terminal_saw_,
                        .seen_ns = terminal_looked_ns_ + kPeriodNs});
     const std::uint64_t before = controls_.stop_count();
-    terminal_.take(go ? "go" : "", now_);
+    terminal_.take(go ? random_.chance(0.5) ? "go" : "go start" : "", now_);
     if (controls_.stop_count() == before) return;
     terminal_saw_ = controls_.stop_count();
     terminal_looked_ns_ = now_;

@@ -99,14 +99,22 @@ TEST_F(HandDriveTest, ARunIsNotTakenOverAndGoesOnOnlyFromNearWhereItEnded) {
             std::string(to_string(StartRefusal::kUnderWay)));
   drive.call(kA, "hold");
   drive.step_for(0.5);
-  const double progress_m = drive.record().snapshot.progress_m;
-  const std::string token = drive_off(drive, -0.05);
-  EXPECT_EQ(drive.record().snapshot.progress_m, progress_m) << "still beside its path";
-  drive.before_step = [&](HostNs) { drive.drive(kA, token, 0.0, 1.0); };
+  const std::string token = drive_off(drive, -0.02);
+  drive.disconnect(kA);
+  drive.step_for(0.5);
+  const auto places = [&] { return drive.record().snapshot.start_places; };
+  EXPECT_EQ(places().unsaid, StartRefusal::kWhere) << "driven by hand";
+  EXPECT_EQ(places().here, StartRefusal::kNone) << "still on its path";
+  EXPECT_NEAR(drive.record().snapshot.onward_m, drive.record().snapshot.world.x_m, 1e-6);
+  const std::string again = drive_off(drive, 0.0);
+  drive.before_step = [&](HostNs) { drive.drive(kA, again, 0.0, 1.0); };
   drive.step_for(2.0);
-  drive.before_step = [&](HostNs) { drive.drive(kA, token, 0.15, 0.0); };
+  drive.before_step = [&](HostNs) { drive.drive(kA, again, 0.15, 0.0); };
   drive.step_for(3.0);
-  EXPECT_EQ(drive.record().snapshot.progress_m, 0.0) << "too far from where the run ended";
+  drive.disconnect(kA);
+  drive.before_step = {};
+  drive.step_for(0.5);
+  EXPECT_EQ(places().here, StartRefusal::kOffPath) << "too far from its path";
 }
 
 class DeadMan : public ::testing::TestWithParam<
@@ -225,7 +233,7 @@ TEST_F(HandDriveTest, ADriveAndAPausedRunReplayBitForBit) {
   drive.before_step = {};
   drive.step_for(3.0);
   ASSERT_TRUE(drive.wait_until_ready());
-  drive.request(OperatorRequest::kStart);
+  drive.request(OperatorRequest::kStartPlaced);
   drive.step_until([&] { return drive.record().snapshot.progress_m > 0.2; }, 20.0);
   drive.request(OperatorRequest::kPause);
   drive.step_for(3.0);

@@ -121,7 +121,13 @@ TEST_F(InputsTest, ACourseHasANameOf64CharactersAtMost) {
   const auto name_of = [&](const std::string& name) {
     return read_course(received(Input::kCourse, std_msgs::String{.data = name}), why_);
   };
-  EXPECT_EQ(name_of("1-sharp"), "1-sharp");
+  ASSERT_TRUE(name_of("1-sharp"));
+  EXPECT_EQ(name_of("1-sharp")->name, "1-sharp");
+  EXPECT_EQ(name_of("1-sharp")->request, OperatorRequest::kStart);
+  EXPECT_EQ(name_of("1-sharp/here")->name, "1-sharp");
+  EXPECT_EQ(name_of("1-sharp/here")->request, OperatorRequest::kContinue);
+  EXPECT_EQ(name_of("1-sharp/start")->request, OperatorRequest::kStartPlaced);
+  EXPECT_FALSE(name_of("/start"));
   EXPECT_TRUE(name_of(std::string(64, 'a')));
   for (const std::string& bad : {std::string(), std::string(65, 'a'), std::string(1 << 20, 'a')}) {
     EXPECT_FALSE(name_of(bad));

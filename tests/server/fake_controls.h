@@ -33,6 +33,7 @@ class FakeControls : public Controls {
  public:
   Result<> move(OperatorRequest request, const Consent& given, HostNs) override {
     if (request == OperatorRequest::kStart) ++starts;
+    if (request == OperatorRequest::kStartPlaced) ++placed_starts;
     if (request == OperatorRequest::kContinue) ++continues;
     consents.push_back(given);
     return unless(move_refusal);
@@ -83,10 +84,12 @@ class FakeControls : public Controls {
   messages::PortFigures port() override { return {"/dev/ttyACM0", RobotKind::kPhysical, "0.1.0"}; }
   messages::RecordingFigures recording() override { return record; }
   StartConsent start_consent() override { return StartConsent::kEnter; }
+  StartPlaces start_places() override { return places; }
 
-  std::atomic<int> starts{0}, continues{0}, holds{0}, stops{0};
+  std::atomic<int> starts{0}, placed_starts{0}, continues{0}, holds{0}, stops{0};
   std::vector<Consent> consents;
   std::string move_refusal;
+  StartPlaces places{};
   std::shared_future<void> held{};     ///< blocks hold() until it is ready
   std::atomic<bool> no_memory{false};  ///< hold() throws
   HostNs motors_off = 0;

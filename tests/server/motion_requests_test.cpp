@@ -11,20 +11,16 @@ namespace {
 
 using ::testing::HasSubstr;
 
-TEST_F(RequestHandlerTest, AStartGoesOnFromHereOnlyWhereARunEndedEarly) {
-  const char* here = R"({"from":"here"})";
-  StepRecord record = ready();
-  record.snapshot.progress_m = 0.0;
-  step(record);
-  EXPECT_THAT(refused(Service::kStart, here), HasSubstr("no run ended before the end"));
-  record.snapshot.run_state = RunState::kAborted;
-  record.snapshot.progress_m = 0.1;
-  step(record);
-  EXPECT_EQ(refused(Service::kStart, here), "");
-  EXPECT_EQ(controls_.continues, 1);
-  EXPECT_EQ(controls_.starts, 0);
+// Otherwise the daemon would decide for the person where the robot stands.
+TEST_F(RequestHandlerTest, AStartSaysWhereTheRobotStandsOnlyIfThePersonSaidSo) {
+  step(ready());
+  EXPECT_EQ(refused(Service::kStart), "");
+  EXPECT_EQ(refused(Service::kStart, R"({"from":"here"})"), "");
   EXPECT_EQ(refused(Service::kStart, R"({"from":"start"})"), "");
   EXPECT_EQ(controls_.starts, 1);
+  EXPECT_EQ(controls_.continues, 1);
+  EXPECT_EQ(controls_.placed_starts, 1);
+  EXPECT_THAT(refused(Service::kStart, R"({"from":"there"})"), HasSubstr("from must be"));
 }
 
 // Without it nobody could tell whether the person had seen a STOP, or acted minutes ago.

@@ -168,7 +168,9 @@ bool sets_in_motion(Service service) {
 void WebClient::call(Service service, const std::string& request, char number) {
   const std::string head = {'\x02', static_cast<char>(service), 0, 0, 0, number, 0, 0, 0, 4, 0, 0,
                             0};
-  const std::string usual = "{" + (sets_in_motion(service) ? consent() : "") + "}";
+  // Whoever starts it by this program has put it there.
+  const std::string where = service == Service::kStart ? R"("from":"start",)" : "";
+  const std::string usual = "{" + (sets_in_motion(service) ? where + consent() : "") + "}";
   write_binary(head + "json" + (request.empty() ? usual : request));
 }
 

@@ -52,7 +52,7 @@ export class Controls {
       this.question.ask(this.state);
       return;
     }
-    if (!this.needsConfirmation || this.starts.press()) this.move('start', { from: 'start' });
+    if (!this.needsConfirmation || this.starts.press()) this.move('start', {});
   }
 
   /** Pauses; a run that is paused stays so. */

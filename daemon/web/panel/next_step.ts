@@ -22,7 +22,7 @@ export function nextStep(state: State, mayCommand: boolean, asks: boolean, drive
   if (state.course === '') return { text: 'Choose a course, or drive by hand.', link: ['#plan', 'Choose'] };
   if (!state.can.start) return { text: `Not now: ${state.why_not_start}.` };
   const what = `course ${state.course}, ${fixed(state.length_m, 2)} m`;
-  if (state.continue_from !== undefined) return { text: `Start again, or continue: ${what}.` };
+  if (state.continue_from !== undefined) return { text: `Start asks where the robot stands: ${what}.` };
   return { text: `Put the robot at the start of ${what}, and press Start.` };
 }
 

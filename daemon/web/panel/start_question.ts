@@ -1,5 +1,5 @@
-// The question before a start after a run that ended early: does the robot stand at the course's start again, or shall
-// it continue from where it is estimated to be? Nothing moves before one of them is chosen.
+// The question before a start while the daemon does not know that the robot stands at the course's start: was it put
+// there, or shall it continue from the pose that is shown? Nothing moves before one of them is chosen.
 import { degrees, fixed } from '../state/format.ts';
 import type { Consent } from '../state/consent.ts';
 import type { State } from '../state/messages.ts';
@@ -21,7 +21,7 @@ export class StartQuestion {
         if (from !== undefined) chosen(from);
       });
     this.first = answer('start-cancel', 'Cancel');
-    this.starts = [answer('start-placed', 'Placed back at the start: start there', 'start'), answer('start-here', 'Continue from here', 'here')];
+    this.starts = [answer('start-placed', 'Put back at the start: start there', 'start'), answer('start-here', 'Continue from here', 'here')];
     this.element.append(this.text, this.first, ...this.starts);
   }
 
@@ -47,12 +47,15 @@ export class StartQuestion {
       this.close();
       return;
     }
-    for (const start of this.starts) {
-      start.disabled = !mayStart;
-      setAttribute(start, 'title', mayStart ? '' : (state?.why_not_start ?? ''));
+    for (const [i, refused] of [at.why_not_placed, at.why_not_here].entries()) {
+      const start = this.starts[i];
+      if (start === undefined) continue;
+      start.disabled = !mayStart || refused !== '';
+      setAttribute(start, 'title', mayStart ? refused : (state?.why_not_start ?? ''));
     }
     const place = `x ${fixed(at.x_m, 2)} m, y ${fixed(at.y_m, 2)} m, yaw ${degrees(at.yaw_rad, 0)}\u00b0`;
-    const along = `${fixed(state?.progress_m, 2)} of ${fixed(state?.length_m, 2)} m along the course`;
-    setText(this.text, `The last run ended before the end of its course. The robot is estimated to be at ${place}, ${along}. Where is it now?`);
+    const along = at.why_not_here === '' ? `From there it would continue at ${fixed(at.progress_m, 2)} of ${fixed(state?.length_m, 2)} m along the course. ` : `Not from there: ${at.why_not_here}. `;
+    const seen = at.why_not_placed === '' ? '' : `Not from the start: ${at.why_not_placed}. `;
+    setText(this.text, `The robot may be elsewhere than at the start of the course. It is estimated to be at ${place}. ${along}${seen}Where is it now?`);
   }
 }

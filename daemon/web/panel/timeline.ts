@@ -31,7 +31,7 @@ export class Timeline {
     }
     const state = store.get('/state');
     const length_m = course?.length_m ?? 0;
-    const progress_m = state?.run === 'idle' && state.continue_from === undefined ? 0 : (store.get('/estimate')?.progress_m ?? 0);
+    const progress_m = store.get('/estimate')?.progress_m ?? 0;
     const share = length_m > 0 ? Math.min(Math.max(progress_m / length_m, 0), 1) : 0;
     const transform = `scaleX(${share.toFixed(4)})`;
     if (this.fill.style.transform !== transform) this.fill.style.transform = transform;

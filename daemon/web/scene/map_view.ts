@@ -1,5 +1,5 @@
 // The course and the robot from above on a 2-D canvas: needs no WebGL.
-import type { Course, EstimatedPose, Pose, RobotShape } from '../state/messages.ts';
+import type { Course, EstimatedPose, Pose, RobotShape, State } from '../state/messages.ts';
 import { kEstimates, kUncertain, type EstimateName, type Store } from '../state/store.ts';
 import { bounds, cornersOf, footprint, onStadium, partsOf, stadiumLength, type Bounds, type Point2 } from './geometry.ts';
 import { Moved, type View } from './view.ts';
@@ -90,6 +90,7 @@ export class MapView implements View {
       context.stroke();
     }
     for (const name of kUncertain) if (!hidden.has(name)) this.uncertainty(context, name, estimate[name]);
+    this.starts(context, store.get('/state')?.continue_from);
     const pose = estimate[estimate.steering];
     this.robot(context, pose, store.leftTrack_m, store.rightTrack_m);
     this.element.dataset.robot = [pose.x_m, pose.y_m, pose.z_m, pose.yaw_rad].join(' ');
@@ -170,6 +171,30 @@ export class MapView implements View {
       }
     }
     context.restore();
+  }
+
+  /** While Start asks where the robot stands: the robot at the start, and where it would continue on the path. */
+  private starts(context: CanvasRenderingContext2D, asked: State['continue_from']): void {
+    const course = this.course;
+    if (asked === undefined || course === undefined) return;
+    const { x_m, y_m, yaw_rad } = course.start;
+    context.setLineDash([4 * this.ratio, 3 * this.ratio]);
+    context.strokeStyle = colour('path');
+    context.lineWidth = 1.5 * this.ratio;
+    this.polygon(context, footprint({ x_m, y_m, heading_rad: yaw_rad }, this.shape.length_m, this.shape.width_m));
+    context.stroke();
+    const onward = course.path.find(({ s_m }) => s_m >= asked.progress_m);
+    if (asked.why_not_here === '' && onward !== undefined) {
+      const [from, to] = [this.pixel(asked.x_m, asked.y_m), this.pixel(onward.x_m, onward.y_m)];
+      context.beginPath();
+      context.moveTo(from.x, from.y);
+      context.lineTo(to.x, to.y);
+      context.stroke();
+      this.end(context, onward, 'path', 'continues here');
+    }
+    context.setLineDash([]);
+    const at = this.pixel(x_m, y_m);
+    this.write(context, 'put back here?', at.x - 8 * this.ratio, at.y - 14 * this.ratio);
   }
 
   private paintGround(): void {

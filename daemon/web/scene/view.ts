@@ -47,7 +47,8 @@ function visible(store: Store): number[] {
     const pose = store.get('/estimate')?.[name];
     return pose ? [pose.x_m, pose.y_m, pose.z_m, kArm_m * pose.roll_rad, kArm_m * pose.pitch_rad, kArm_m * pose.yaw_rad] : [];
   });
-  return [...poses, ...kEstimates.map((name) => store.path_histories[name].length), store.leftTrack_m, store.rightTrack_m];
+  const asked = store.get('/state')?.continue_from;
+  return [...poses, asked === undefined ? -1 : asked.progress_m, ...kEstimates.map((name) => store.path_histories[name].length), store.leftTrack_m, store.rightTrack_m];
 }
 
 const kSlow_ms = 45;
