@@ -26,18 +26,23 @@ struct WebSocketFrame {
   std::size_t head_size = 0;
   MessageHead head{};
   std::shared_ptr<const std::string> body{};
+  std::uint64_t unix_ns =
+      0;  ///< of data that newer data of its subscription replaces; 0: none does
 
   std::size_t size() const { return head_size + body->size(); }
 };
 
-/// Frames waiting for one client: bounded, the oldest data is dropped first. Any thread; its lock
-/// is held for moments only.
+/// Frames waiting for one client: bounded, the oldest data is dropped first, and what has waited is
+/// replaced by newer data, so that a slow link shows the present. Any thread; its lock is held for
+/// moments only.
 class Outbox {
  public:
   static constexpr std::size_t kMaxData = 512;  ///< frames
   static constexpr std::size_t kMaxDataBytes = 4 << 20;
   /// A larger data frame counts as one of this size: its body is the same for all clients.
   static constexpr std::size_t kMaxCounted = 64 << 10;
+  /// Data that is newer by this replaces what waits; large data always does.
+  static constexpr std::uint64_t kReplacedAfterNs = 200'000'000;
   static constexpr std::size_t kMaxReplies = 256;  ///< frames
   static constexpr std::size_t kMaxReplyBytes = 1 << 20;
 
@@ -47,16 +52,15 @@ class Outbox {
   /// requests more than it reads.
   [[nodiscard]] bool push_reply(WebSocketFrame frame);
 
-  /// Drops the data frames with this body: newer data replaces it.
-  void forget(const std::string* body);
-
   std::size_t size() const;
-  /// The next frame to write; nothing: there is none.
-  std::optional<WebSocketFrame> pop();
+  /// The next frame to write, or answer if `data` is not wanted; nothing: there is none.
+  std::optional<WebSocketFrame> pop(bool data = true);
 
   std::uint64_t dropped() const;
 
  private:
+  bool replace(WebSocketFrame& frame);
+
   mutable std::mutex mutex_;
   std::deque<WebSocketFrame> data_;
   std::deque<WebSocketFrame> replies_;
@@ -103,8 +107,19 @@ class Viewer {
 
   friend class Broker;
   void wake();
+  struct Subscription {
+    std::uint32_t id = 0;
+    std::uint64_t interval_ns = 0;  // 0: all messages
+    std::uint64_t sent = 0;         // the interval of the last one
+    // The intervals of all viewers begin alike: they share their messages.
+    std::uint64_t interval_of(std::uint64_t unix_ns) const { return unix_ns / interval_ns; }
+    bool due(std::uint64_t unix_ns) const {
+      return interval_ns == 0 || interval_of(unix_ns) != sent;
+    }
+  };
+  std::optional<Subscription>* subscription(std::uint32_t id);  // null: none has it
   void send(std::uint32_t subscription, std::uint64_t unix_ns,
-            const std::shared_ptr<const std::string>& body);
+            const std::shared_ptr<const std::string>& body, bool replaced);
 
   std::uint32_t id_;
   std::function<void()> wake_;
@@ -112,7 +127,7 @@ class Viewer {
   Outbox outbox_;
   std::atomic<bool> woken_{false};
   std::atomic<std::size_t> owed_bytes_{0}, waiting_bytes_{0};
-  std::array<std::optional<std::uint32_t>, messages::kChannelCount> subscriptions_{};  // by channel
+  std::array<std::optional<Subscription>, messages::kChannelCount> subscriptions_{};  // by channel
 };
 
 /// Receives every message of every channel, without a subscription.
@@ -130,8 +145,8 @@ class Broker {
 
   const std::vector<messages::ChannelText>& channels() const { return channels_; }
 
-  /// Whether anyone receives the channel, now or on subscribing later.
-  bool wanted(messages::Channel channel) const;
+  /// Whether anyone receives a message of this time, now or on subscribing later.
+  bool wanted(messages::Channel channel, std::uint64_t unix_ns) const;
   void publish(messages::Channel channel, std::uint64_t unix_ns, std::string json) {
     publish(channel, unix_ns, std::make_shared<const std::string>(std::move(json)));
   }
@@ -157,6 +172,8 @@ class Broker {
   static std::size_t index(messages::Channel channel) {
     return static_cast<std::size_t>(channel) - 1;
   }
+  /// Whether the newest message tells all.
+  bool replaced(std::size_t i) const { return channels_[i].kept <= 1 && !lines_[i].catch_up; }
   Line& line(messages::Channel channel) { return lines_[index(channel)]; }
 
   std::vector<messages::ChannelText> channels_;

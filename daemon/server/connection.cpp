@@ -224,9 +224,11 @@ void Connection::ask_for_content() {
   ask<HttpAnswer>(
       disk,
       [kept =
-           HttpRequest{text(request.method_string()), text(request.target()),
-                       text(request[http::field::range]), text(request[http::field::if_none_match]),
-                       text(request[http::field::host])},
+           HttpRequest{
+               text(request.method_string()), text(request.target()),
+               text(request[http::field::range]), text(request[http::field::if_none_match]),
+               text(request[http::field::host]),
+               request[http::field::accept_encoding].find("gzip") != beast::string_view::npos},
        &sources = shared_.sources] { return http_answer(kept, sources); },
       [](const std::string& why) { return http_text(500, why); },
       [this](HttpAnswer& found) { answer(std::move(found)); },
@@ -280,7 +282,12 @@ void Connection::write_body() {
   const asio::const_buffer bytes =
       answer_.bytes.empty() ? asio::const_buffer(answer_.body.data(), answer_.body.size())
                             : asio::const_buffer(answer_.bytes.data(), answer_.bytes.size());
-  asio::async_write(stream_, bytes, then(&Connection::end));
+  // In parts, each with its time: a slow link carries a page, a reader that stopped is closed.
+  const asio::const_buffer part = asio::buffer(bytes + answer_.offset, kPart);
+  answer_.offset += part.size();
+  answer_.length -= part.size();
+  stream_.expires_after(kWriteTime);
+  asio::async_write(stream_, part, then(&Connection::write_body));
 }
 
 void Connection::write_part() {

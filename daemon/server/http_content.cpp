@@ -3,9 +3,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "core/error.h"
+#include "server/gzip.h"
 #include "text/file_name.h"
 #include "text/format.h"
 
@@ -38,26 +40,41 @@ std::optional<std::string> path_of(std::string_view target) {
   return text::percent_decoded(target.substr(0, target.find_first_of("?#")));
 }
 
-HttpAnswer json_answer(std::string json) {
-  HttpAnswer answer = http_text(200, std::move(json));
+constexpr std::size_t kWorthGzip = 4096;
+
+HttpAnswer json_answer(std::string json, bool gzip = false) {
+  gzip = gzip && json.size() >= kWorthGzip;
+  HttpAnswer answer = http_text(200, gzip ? gzipped(json) : std::move(json));
+  if (gzip) answer.headers.emplace_back("Content-Encoding", "gzip");
   answer.type = "application/json";
   answer.headers.emplace_back("Cache-Control", "no-store");
   return answer;
 }
 
-HttpAnswer page_answer(const web::File& file, std::string_view none_match) {
+HttpAnswer page_answer(const web::File& file, const HttpRequest& request) {
   HttpAnswer answer;
   answer.type = file.mime;
   answer.headers.emplace_back("ETag", file.etag);
   answer.headers.emplace_back("Cache-Control", "no-cache");
   answer.headers.emplace_back("Content-Security-Policy", kPagePolicy);
-  if (none_match == file.etag) {
+  answer.headers.emplace_back("Vary", "Accept-Encoding");
+  if (request.none_match == file.etag) {
     answer.status = 304;
     return answer;
   }
-  answer.bytes = file.bytes;
-  answer.length = file.bytes.size();
+  answer.bytes = request.gzip ? file.gzip : file.bytes;
+  if (request.gzip) answer.headers.emplace_back("Content-Encoding", "gzip");
+  answer.length = answer.bytes.size();
   return answer;
+}
+
+/// Of `?span_s=60`; everything without it.
+double span_s(const HttpRequest& request) {
+  constexpr std::string_view kName = "?span_s=";
+  const std::size_t at = request.target.find(kName);
+  if (at == std::string::npos) return std::numeric_limits<double>::infinity();
+  return text::number_in<unsigned>(std::string_view(request.target).substr(at + kName.size()))
+      .value_or(0);
 }
 
 HttpAnswer zip_answer(const std::string& folder, std::string_view run) {
@@ -183,24 +200,26 @@ HttpAnswer http_answer(const HttpRequest& request, const HttpSources& sources) {
   if (path == "/healthz") return json_answer(sources.health());
   if (path.starts_with(kHistory)) {
     std::optional<std::string> content;
-    if (sources.history) content = sources.history(path.substr(kHistory.size()));
-    return content ? json_answer(std::move(*content)) : http_text(404, "no history of that topic");
+    if (sources.history) content = sources.history(path.substr(kHistory.size()), span_s(request));
+    return content ? json_answer(std::move(*content), request.gzip)
+                   : http_text(404, "no history of that topic");
   }
   if (path == kRobots)
     return sources.robots ? json_answer(sources.robots(request.host))
                           : http_text(404, "no page is served");
   if (path == kRunList)
-    return sources.runs ? json_answer(sources.runs()) : http_text(404, "nothing is recorded");
+    return sources.runs ? json_answer(sources.runs(), request.gzip)
+                        : http_text(404, "nothing is recorded");
   if (path.starts_with(kRuns)) return file_answer(request, path.substr(kRuns.size()), sources);
   if (is_setup(path)) {
     std::optional<std::string> content;
     if (sources.setup) content = sources.setup(path);
     if (!content) return http_text(404, "no such file");
-    return path == kSetupList ? json_answer(std::move(*content))
+    return path == kSetupList ? json_answer(std::move(*content), request.gzip)
                               : http_text(200, std::move(*content));
   }
   if (const web::File* file = sources.page ? sources.page(path) : nullptr)
-    return page_answer(*file, request.none_match);
+    return page_answer(*file, request);
   return http_text(404, "nothing is served at this address");
 }
 

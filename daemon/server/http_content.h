@@ -25,6 +25,7 @@ struct HttpRequest {
   std::string range;       ///< header Range, empty: none
   std::string none_match;  ///< header If-None-Match
   std::string host{};      ///< header Host
+  bool gzip = false;       ///< the client takes content that gzip has compressed
 };
 
 struct HttpAnswer {
@@ -57,8 +58,8 @@ struct HttpSources {
   std::function<std::string()> health;  ///< JSON; never empty
   /// JSON, for a page that is called by this Host.
   std::function<std::string(std::string_view host)> robots;
-  /// A JSON array by the topic without its slash, or nothing.
-  std::function<std::optional<std::string>(std::string_view topic)> history;
+  /// A JSON array by the topic without its slash, of the last seconds, or nothing.
+  std::function<std::optional<std::string>(std::string_view topic, double span_s)> history;
 };
 
 /// Whether the answer to `target` is read from the disk, so that http_answer() may block.

@@ -92,7 +92,8 @@ ClientMessage message(const Json& json) {
   const auto names = [&] { return all(json, "parameterNames", text); };
   if (op == "subscribe")
     return Subscribe{all(json, "subscriptions", [](const Json& each) {
-      return Subscribe::One{number_of(each, "id"), number_of(each, "channelId")};
+      return Subscribe::One{number_of(each, "id"), number_of(each, "channelId"),
+                            each.contains("interval_ms") ? number_of(each, "interval_ms") : 0};
     })};
   if (op == "unsubscribe") return Unsubscribe{all(json, "subscriptionIds", number)};
   if (op == "getParameters") return GetParameters{names(), optional_text(json, "id")};

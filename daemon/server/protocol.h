@@ -28,6 +28,7 @@ std::string_view choose_sub_protocol(std::string_view offered);
 struct Subscribe {
   struct One {
     std::uint32_t subscription, channel;
+    std::uint32_t interval_ms = 0;  ///< at most one message in each; 0: all
   };
   std::vector<One> subscriptions;
 };

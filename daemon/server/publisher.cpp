@@ -112,12 +112,13 @@ void History::take(Channel channel, HostNs now, std::string_view json) {
   }
 }
 
-std::optional<std::string> History::json(std::string_view topic) const {
+std::optional<std::string> History::json(std::string_view topic, double span_s) const {
   const auto line = std::ranges::find(lines_, topic, &Line::topic);
   if (line == lines_.end()) return std::nullopt;
   std::string text = "[";
   text.reserve(line->bytes + line->messages.size() + 2);
   for (const Message& each : line->messages) {
+    if (to_s(line->messages.back().at_ns - each.at_ns) > span_s) continue;
     if (text.size() > 1) text += ',';
     text += each.json;
   }
@@ -169,7 +170,8 @@ void Publisher::take(const StepRecord& record) {
   step_messages_.take(
       record,
       [&](Channel channel) {
-        return broker_.wanted(channel) || history_.due(channel, record.now_ns);
+        return broker_.wanted(channel, clock().unix_ns(record.now_ns)) ||
+               history_.due(channel, record.now_ns);
       },
       [this](Channel channel, HostNs at, std::string json) {
         publish(channel, at, std::move(json));

@@ -76,9 +76,9 @@ class History {
   /// Whether the channel is kept at all, and a message of it is due.
   bool due(messages::Channel channel, HostNs now) const;
   void take(messages::Channel channel, HostNs now, std::string_view json);
-  /// The messages of a topic without its slash, oldest first, as a JSON array; nothing: no such
-  /// topic is kept.
-  std::optional<std::string> json(std::string_view topic) const;
+  /// The messages of a topic without its slash in its last seconds, oldest first, as a JSON array;
+  /// nothing: no such topic is kept.
+  std::optional<std::string> json(std::string_view topic, double span_s = to_s(kSpanNs)) const;
 
  private:
   struct Message {

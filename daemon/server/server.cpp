@@ -53,7 +53,9 @@ struct Server::State {
     sources.robots = [this, robots = settings.robots](std::string_view host) {
       return robots_json(sockets.own(), local_daemons(), robots, host);
     };
-    sources.history = [this](std::string_view topic) { return publisher.history().json(topic); };
+    sources.history = [this](std::string_view topic, double span_s) {
+      return publisher.history().json(topic, span_s);
+    };
   }
 
   void push(StepOrChange next);

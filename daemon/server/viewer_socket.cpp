@@ -26,6 +26,7 @@ constexpr int kMaxSecondsNotOpen = 2;
 constexpr HostNs kWriteLimitNs = 10 * kNsPerS;
 constexpr int kSendBuffer = 256 * 1024;  // the kernel's send buffer: data waiting there goes stale
 constexpr std::size_t kMaxAgent = 120;
+constexpr beast::string_view kMark = "received so far";  // of pings that measure the link
 
 }  // namespace
 
@@ -56,6 +57,16 @@ void ViewerSocket::accept(const Request& request, std::string_view sub_protocol)
         response.set(beast::http::field::sec_websocket_protocol,
                      beast::string_view(sub_protocol.data(), sub_protocol.size()));
       }));
+  // Fast: a message is like the one before it.
+  websocket::permessage_deflate deflate;
+  deflate.server_enable = true;
+  deflate.compLevel = 1;
+  socket_.set_option(deflate);
+  socket_.control_callback([this](websocket::frame_type kind, beast::string_view content) {
+    if (kind != websocket::frame_type::pong || content != kMark) return;
+    window_.pong(monotonic_now());
+    flush();
+  });
   socket_.read_message_max(kMaxMessage);
   socket_.auto_fragment(false);
   socket_.async_accept(request, [self = shared_from_this()](beast::error_code error) {
@@ -83,6 +94,7 @@ void ViewerSocket::opened() {
     shared.broker.add(viewer);
     shared.handler.send_server_info(*viewer, may);
   });
+  ping();
   read();
 }
 
@@ -164,9 +176,10 @@ void ViewerSocket::malformed() {
 void ViewerSocket::flush() {
   if (busy_ || closing_ || !open_) return;
   viewer_->awake();
-  std::optional<WebSocketFrame> next = viewer_->outbox().pop();
+  std::optional<WebSocketFrame> next = viewer_->outbox().pop(window_.open());
   if (!next) return;
   busy_ = true;
+  window_.sent(next->size());
   write_began_ns_ = monotonic_now();
   writing_ = std::move(*next);
   socket_.binary(writing_.binary);
@@ -176,8 +189,15 @@ void ViewerSocket::flush() {
     self->busy_ = false;
     if (error) return self->fail();
     ++self->figures_.sent;
+    self->ping();
     self->flush();
   });
+}
+
+void ViewerSocket::ping() {
+  if (closing_ || !window_.ping(monotonic_now())) return;
+  socket_.async_ping(websocket::ping_data(kMark),
+                     [self = shared_from_this()](beast::error_code) {});
 }
 
 void ViewerSocket::tick(HostNs now) {
@@ -189,7 +209,7 @@ void ViewerSocket::tick(HostNs now) {
   const std::uint64_t dropped = viewer_->outbox().dropped();
   if (dropped == reported_dropped_) return;
   const std::uint64_t fresh = dropped - std::exchange(reported_dropped_, dropped);
-  viewer_->say(StatusLevel::kWarning,
+  viewer_->say(StatusLevel::kInfo,
                std::to_string(fresh) + " messages dropped: this viewer is too slow");
 }
 

@@ -15,6 +15,7 @@
 #include <string>
 
 #include "server/access.h"
+#include "server/link_window.h"
 #include "server/sockets.h"
 
 namespace tp100::server {
@@ -51,6 +52,7 @@ class ViewerSocket : public std::enable_shared_from_this<ViewerSocket> {
   bool within_budget(std::size_t bytes, HostNs now);
   void malformed();
   void flush();
+  void ping();
   /// Disconnects without a closing handshake. Only touches the socket: the rest follows in gone().
   void fail();
   void close(Code code, const char* reason);
@@ -63,6 +65,7 @@ class ViewerSocket : public std::enable_shared_from_this<ViewerSocket> {
   boost::beast::flat_buffer buffer_;
   std::shared_ptr<Viewer> viewer_;
   WebSocketFrame writing_{};
+  LinkWindow window_;
   bool busy_ = false;  // a write is under way
   bool open_ = false;
   bool closing_ = false;

@@ -9,9 +9,8 @@ const out = process.argv[2] ?? join(here, 'dist');
 
 await rm(out, { recursive: true, force: true });
 await mkdir(out, { recursive: true });
-await build({
+const common = {
   absWorkingDir: here,
-  entryPoints: { cockpit: 'page/main.ts', robots: 'page/robots.ts' },
   outdir: out,
   bundle: true,
   minify: true,
@@ -22,7 +21,10 @@ await build({
   loader: { '.woff2': 'file' },
   assetNames: '[name]',
   logLevel: 'warning',
-});
+};
+// The 3-D scene is loaded when it is shown.
+await build({ ...common, entryPoints: { cockpit: 'page/main.ts' }, splitting: true, chunkNames: '[name]-[hash]' });
+await build({ ...common, entryPoints: { robots: 'page/robots.ts' } });
 await copyFile(join(here, 'page/favicon.svg'), join(out, 'favicon.svg'));
 const frame = await readFile(join(here, 'page/frame.html'), 'utf8');
 for (const [file, name, title] of [['index', 'cockpit', 'TP100'], ['robots', 'robots', 'Robots \u00b7 TP100']]) {

@@ -12,7 +12,8 @@ struct File {
   std::string_view path;  ///< as a browser asks for it: "/cockpit.js"; "/index.html" answers "/"
   std::string_view mime;  ///< for Content-Type
   std::string_view etag;  ///< for ETag, quotes included; changes with the content
-  std::span<const unsigned char> bytes;  ///< the body as it is sent
+  std::span<const unsigned char> bytes;   ///< the body
+  std::span<const unsigned char> gzip{};  ///< ... as gzip compresses it
 };
 
 /// Every file, ascending by path. The same in every call; any thread.

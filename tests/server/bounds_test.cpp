@@ -6,6 +6,7 @@
 
 #include "server/access.h"
 #include "server/broker.h"
+#include "server/link_window.h"
 #include "server/publisher.h"
 
 namespace tp100::server {
@@ -51,6 +52,75 @@ TEST(Outbox, AnswersGoBeforeDataAndAreNeverDroppedButBounded) {
   EXPECT_TRUE(box.push_reply(frame("answer")));
 }
 
+// Who looks on over a slow link would see the past, later and later.
+TEST(Outbox, WhatWaitsIsReplacedByNewerDataAtItsPlace) {
+  Outbox box;
+  const auto data = [](std::uint32_t subscription, std::uint64_t at_ms, const std::string& body) {
+    WebSocketFrame out = frame(body);
+    out.unix_ns = (1000 + at_ms) * 1'000'000;
+    out.head = message_head(subscription, out.unix_ns);
+    out.head_size = out.head.size();
+    return out;
+  };
+  for (std::uint64_t at_ms = 0; at_ms <= 1000; at_ms += 5)
+    box.push_data(data(1, at_ms, std::to_string(at_ms)));
+  box.push_data(data(2, 0, "other"));
+  WebSocketFrame event = frame("event");
+  event.head = message_head(1, 0);
+  box.push_data(event);
+  box.push_data(data(1, 1300, "newest"));
+  EXPECT_EQ(*box.pop()->body, "newest");
+  EXPECT_EQ(*box.pop()->body, "other");
+  EXPECT_EQ(*box.pop()->body, "event");
+  EXPECT_FALSE(box.pop());
+  EXPECT_EQ(box.dropped(), 201U);
+  box.push_data(data(3, 0, std::string(Outbox::kMaxCounted + 1, 'x')));
+  box.push_data(data(3, 1, "small"));
+  EXPECT_EQ(*box.pop()->body, "small");
+}
+
+/// Drives a window as a link would that carries so many bytes a second, and returns how old data is
+/// at its end at most, after `settle_ns`.
+double latest_s(double bytes_ps, HostNs round_trip_ns, HostNs settle_ns) {
+  constexpr std::uint64_t kMessage = 1000;
+  constexpr HostNs kStepNs = 5 * kNsPerMs, kEndNs = 30 * kNsPerS;
+  LinkWindow window;
+  double queued = 0.0, latest_s = 0.0;
+  HostNs pong_ns = 0;
+  for (HostNs now = 0; now < kEndNs; now += kStepNs) {
+    queued = std::max(0.0, queued - bytes_ps * to_s(kStepNs));
+    if (pong_ns != 0 && now >= pong_ns) {
+      pong_ns = 0;
+      window.pong(now);
+    }
+    if (window.open()) {
+      window.sent(kMessage);
+      queued += static_cast<double>(kMessage);
+    }
+    if (window.ping(now))
+      pong_ns = now + round_trip_ns + static_cast<HostNs>(queued / bytes_ps * 1e9);
+    if (now > settle_ns) latest_s = std::max(latest_s, queued / bytes_ps);
+  }
+  return latest_s;
+}
+
+// The buffers of a link hold seconds: what is shown would be that old.
+TEST(LinkWindow, DataIsFreshOnAnyLink) {
+  EXPECT_LT(latest_s(40'000.0, 300 * kNsPerMs, 5 * kNsPerS), 0.6);
+  EXPECT_LT(latest_s(100'000.0, 20 * kNsPerMs, 5 * kNsPerS), 0.4);
+  EXPECT_LT(latest_s(1e9, kNsPerMs / 5, 0), 0.01);
+}
+
+TEST(LinkWindow, AFastLinkCarriesEverything) {
+  LinkWindow window;
+  std::uint64_t sent = 0;
+  for (HostNs now = 0; now < 5 * kNsPerS; now += kNsPerMs) {
+    for (int i = 0; i < 10 && window.open(); ++i, ++sent) window.sent(1000);
+    if (window.ping(now)) window.pong(now + kNsPerMs);
+  }
+  EXPECT_GT(sent, 45'000U);
+}
+
 using Json = nlohmann::json;
 
 std::string message(HostNs at, std::size_t size = 0) {
@@ -68,6 +138,7 @@ TEST(History, KeepsTheLastMinutesOfEachChannelAtAReducedRate) {
   EXPECT_NEAR(kept.front()["t_s"], 99.8, 0.3);
   EXPECT_NEAR(kept.back()["t_s"], 399.8, 0.3);
   EXPECT_EQ(history.json("slip"), "[]");
+  EXPECT_EQ(Json::parse(history.json("estimate", 60.0).value()).size(), 300U);
 }
 
 TEST(History, IsBoundedInBytesHoweverLongMessagesAre) {

@@ -24,7 +24,7 @@ using ::testing::Contains;
 using ::testing::Pair;
 
 constexpr unsigned char kHtml[] = "<html>";
-constexpr web::File kPage = {"/", "text/html", "\"5a\"", {kHtml, 6}};
+constexpr web::File kPage = {"/", "text/html", "\"5a\"", {kHtml, 6}, {kHtml, 3}};
 
 class HttpContent : public ::testing::Test {
  protected:
@@ -56,6 +56,29 @@ TEST_F(HttpContent, ThePageIsServedOnceUntilItChanges) {
   EXPECT_THAT(first.headers, Contains(Pair("ETag", "\"5a\"")));
   EXPECT_EQ(get("/", {}, "\"5a\"").status, 304U);
   EXPECT_EQ(get("/", {}, "\"other\"").status, 200U);
+}
+
+// A slow link would take a minute for the page, and a program that knows no gzip could not read it.
+TEST_F(HttpContent, WhoTakesGzipGetsIt) {
+  sources_.history = [](std::string_view, double span_s) {
+    return std::string(static_cast<std::size_t>(span_s) * 1000, '7');
+  };
+  const auto packed = [this](const std::string& target) {
+    HttpRequest request{"GET", target, {}, {}};
+    request.gzip = true;
+    return http_answer(request, sources_);
+  };
+  EXPECT_EQ(packed("/").length, 3U);
+  EXPECT_THAT(packed("/").headers, Contains(Pair("Content-Encoding", "gzip")));
+  const HttpAnswer history = packed("/api/history/estimate?span_s=60");
+  EXPECT_THAT(history.headers, Contains(Pair("Content-Encoding", "gzip")));
+  test::write_bytes(folder_.file("history.gz"), history.body);
+  const std::string unpack =
+      "gzip -dc " + folder_.file("history.gz") + " > " + folder_.file("history");
+  ASSERT_EQ(std::system(unpack.c_str()), 0);
+  EXPECT_EQ(fs::file_size(folder_.file("history")), 60'000U);
+  EXPECT_EQ(get("/api/history/estimate?span_s=60").body.size(), 60'000U);
+  EXPECT_LT(packed("/api/history/estimate?span_s=1").body.size(), 1001U);
 }
 
 TEST_F(HttpContent, OnlyGetAndHeadAreServed) {

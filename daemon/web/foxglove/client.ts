@@ -26,7 +26,7 @@ interface Call {
 
 export class Client {
   private readonly connection: Connection;
-  private readonly listeners = new Map<string, Listener>();
+  private readonly listeners = new Map<string, { listener: Listener; interval_ms: number }>();
   private readonly channels = new Map<string, number>();
   private readonly services = new Map<string, number>();
   private readonly subscriptions = new Map<number, Listener>();
@@ -65,9 +65,11 @@ export class Client {
     return this.isReady && this.connection.connected;
   }
 
-  /** Messages of `topic` from now on, across reconnections. One listener per topic. */
-  subscribe(topic: string, listener: Listener): void {
-    this.listeners.set(topic, listener);
+  /** Messages of `topic` from now on, across reconnections, at most one in each interval; 0: all. One listener per topic. */
+  subscribe(topic: string, listener: Listener, interval_ms = 0): void {
+    if (this.listeners.get(topic)?.interval_ms === interval_ms) return;
+    this.unsubscribe(topic);
+    this.listeners.set(topic, { listener, interval_ms });
     this.subscribeNow([topic]);
   }
 
@@ -149,15 +151,15 @@ export class Client {
 
   private subscribeNow(topics: string[]): void {
     if (!this.ready) return;
-    const wanted: { id: number; channelId: number }[] = [];
+    const wanted: { id: number; channelId: number; interval_ms?: number }[] = [];
     for (const topic of topics) {
       const channelId = this.channels.get(topic);
-      const listener = this.listeners.get(topic);
-      if (channelId === undefined || listener === undefined || this.subscribed.has(topic)) continue;
+      const each = this.listeners.get(topic);
+      if (channelId === undefined || each === undefined || this.subscribed.has(topic)) continue;
       const id = this.nextSubscription++;
-      this.subscriptions.set(id, listener);
+      this.subscriptions.set(id, each.listener);
       this.subscribed.set(topic, id);
-      wanted.push({ id, channelId });
+      wanted.push(each.interval_ms > 0 ? { id, channelId, interval_ms: each.interval_ms } : { id, channelId });
     }
     if (wanted.length > 0) this.connection.send(JSON.stringify({ op: 'subscribe', subscriptions: wanted }));
   }

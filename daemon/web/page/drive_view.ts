@@ -12,6 +12,7 @@ import { Timeline } from '../panel/timeline.ts';
 import type { Transport } from '../panel/transport.ts';
 import type { Viewport } from '../panel/viewport.ts';
 import type { Player } from '../replay/player.ts';
+import type { Daemon } from './daemon.ts';
 import { kHistory_s, type Store } from '../state/store.ts';
 
 const kFolded = 'tp100.folded';
@@ -28,17 +29,19 @@ export class DriveView {
   private readonly numbers = new Numbers();
   private readonly plots = new Plots();
   private readonly events = new EventLog();
+  private readonly past = button({ class: 'control past', hidden: '' }, 'Load the last minute', () => { this.daemon.loadPast(); });
 
   constructor(
     private readonly viewport: Viewport,
     drive: DrivePanel,
     private readonly card: RunCard,
     private readonly transport: Transport,
+    private readonly daemon: Pick<Daemon, 'lacksPast' | 'loadPast'>,
   ) {
     viewport.element.append(this.words.element, this.image.element, drive.element, this.card.element, transport.element, this.timeline.element, this.numbers.element);
     this.fold = button({ class: 'fold', 'aria-controls': 'side' }, icon('fold'), () => { this.show(this.fold.getAttribute('aria-expanded') !== 'true'); });
     viewport.element.append(this.fold);
-    this.side = h('aside', { class: 'side', id: 'side', 'aria-label': 'Diagram and events' }, this.plots.element, this.events.element);
+    this.side = h('aside', { class: 'side', id: 'side', 'aria-label': 'Diagram and events' }, this.plots.element, this.past, this.events.element);
     this.show(localStorage.getItem(kFolded) === null);
   }
 
@@ -67,6 +70,7 @@ export class DriveView {
     this.numbers.show(store);
     this.timeline.show(store);
     this.plots.show(store);
+    this.past.hidden = !this.daemon.lacksPast;
   }
 
   showWords(live: Store, store: Store, replayed: boolean, began_unix_s: number | undefined, now_ms: number): void {

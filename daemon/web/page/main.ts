@@ -66,7 +66,7 @@ stopPanel.element.id = 'stop';
 
 const viewport = new Viewport();
 const analyse = new AnalyseView(daemon, replay, shown, () => { views.go('analyse', 'runs'); });
-const drive = new DriveView(viewport, drivePanel, new RunCard(analyse), replay.transport);
+const drive = new DriveView(viewport, drivePanel, new RunCard(analyse), replay.transport, daemon);
 const plan = new PlanView(daemon, viewport);
 const setup = new SetupView(daemon);
 const views = new Views({ analyse: analyse.tabs, setup: setup.tabs }, look);
@@ -138,14 +138,14 @@ function showState(now_ms: number): void {
   const { connected, mayCommand } = daemon;
   // Also a lease whose token has arrived after another view was chosen.
   if (views.shown !== 'drive') driver.release();
-  status.show(live, connected);
+  status.show(live, connected, daemon.pace);
   identity.show(live, daemon.metadata);
   controls.show(live, connected, mayCommand);
   step.show(live, connected, mayCommand, controls.asks || drivePanel.asks, driver.drives);
   drivePanel.show(live, connected, mayCommand);
-  notice.show(live, connected, daemon.retryIn_s, now_ms, replaying());
+  notice.show(live, connected, daemon.retryIn_s, now_ms, replaying(), daemon.pace);
   drive.showWords(live, shown(), replaying(), began_unix_s(), now_ms);
   ({ drive: undefined, plan, analyse: analyse.tabs, setup: setup.tabs })[views.shown]?.show();
-  daemon.demand((topic) => analyse.needs(topic, views.shown === 'analyse'));
+  daemon.demand((topic) => analyse.needs(topic, views.shown === 'analyse') || (views.shown === 'setup' && setup.needs(topic)));
   consent.shown();
 }

@@ -35,4 +35,9 @@ export class SetupView {
       { id: 'keys', title: 'Keys', element: keyList(), show: () => undefined },
     ]);
   }
+
+  /** While this view is shown. */
+  needs(topic: string): boolean {
+    return this.tabs.selected === 'link' && (topic === '/loop' || topic === '/client');
+  }
 }

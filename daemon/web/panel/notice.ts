@@ -1,7 +1,9 @@
 // Below the header, in all views: the most severe current problem with its remedy, and all others on request.
 import { fixed } from '../state/format.ts';
+import type { LinkPace } from '../state/link_pace.ts';
 import type { Store } from '../state/store.ts';
 import { button, h, icon, setAttribute, setText } from './dom.ts';
+import { slowText } from './status_bar.ts';
 
 const kAnswer_ms = 6000;
 
@@ -43,8 +45,9 @@ export class Notice {
   }
 
   /** `replaying`: the view shows a recording, which needs no robot. */
-  show(store: Store, connected: boolean, retryIn_s: number, now_ms: number, replaying: boolean): void {
+  show(store: Store, connected: boolean, retryIn_s: number, now_ms: number, replaying: boolean, pace: LinkPace): void {
     this.all = problems(store, connected, retryIn_s, replaying);
+    if (connected && pace.slow) this.all.push({ level: 'warn', what: 'Your connection to the daemon is slow', todo: slowText(pace) });
     if (connected && now_ms < this.answerUntil_ms) this.all.unshift({ level: 'warn', what: this.answer, todo: '' });
     this.render();
   }

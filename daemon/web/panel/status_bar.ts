@@ -1,6 +1,7 @@
 // The state of the run and of the link, in the header.
 import { count, duration, fixed } from '../state/format.ts';
 import { kSessions, runWords, type Lamp } from '../state/run_words.ts';
+import type { LinkPace } from '../state/link_pace.ts';
 import type { Store } from '../state/store.ts';
 import { h, setAttribute, setText } from './dom.ts';
 
@@ -21,6 +22,9 @@ class Chip {
   }
 }
 
+export const slowText = ({ rate_hz, late_s }: LinkPace): string =>
+  `${fixed(rate_hz, 0)} poses a second come, ${fixed(late_s, 1)} s late; images and the past are left out, STOP goes first`;
+
 export class StatusBar {
   readonly element = h('div', { class: 'chips' });
   private readonly run = new Chip('run');
@@ -31,9 +35,9 @@ export class StatusBar {
     this.element.append(this.run.element, this.link.element);
   }
 
-  show(store: Store, connected: boolean): void {
+  show(store: Store, connected: boolean, pace: LinkPace): void {
     this.showRun(store);
-    this.showLink(store, connected);
+    this.showLink(store, connected, pace);
   }
 
   private showRun(store: Store): void {
@@ -48,10 +52,14 @@ export class StatusBar {
     this.run.show(lamp, word, detail, [detail, watched].filter((text) => text !== '').join('; '));
   }
 
-  private showLink(store: Store, connected: boolean): void {
+  private showLink(store: Store, connected: boolean, pace: LinkPace): void {
     const link = store.get('/link');
     if (!connected) {
       this.link.show('bad', 'no daemon', '');
+      return;
+    }
+    if (pace.slow) {
+      this.link.show('warn', 'slow link', `${fixed(pace.rate_hz, 0)} poses/s`, slowText(pace));
       return;
     }
     if (link === undefined || store.stale('/link')) {

@@ -1,9 +1,8 @@
 // The view of the course with legend and cameras: 3-D if WebGL works, else a map.
-import { kCameraModes } from '../scene/camera_rig.ts';
 import { bounds, zoomed, type Bounds, type Point2 } from '../scene/geometry.ts';
 import { MapView } from '../scene/map_view.ts';
-import { SceneView } from '../scene/scene_view.ts';
-import type { View } from '../scene/view.ts';
+import type { SceneView } from '../scene/scene_view.ts';
+import { kCameraModes, type View } from '../scene/view.ts';
 import type { Course } from '../state/messages.ts';
 import { kEstimates, type EstimateName, type Store } from '../state/store.ts';
 import { button, h, setAttribute, setClass } from './dom.ts';
@@ -25,6 +24,10 @@ export class Viewport {
   private readonly hidden = new Set<EstimateName>();
   private view: View;
   private mode: Mode = 'free';
+  /** What was last asked for: the map is shown until the scene is loaded. */
+  private wanted: Mode = 'free';
+  private makeScene: typeof SceneView | undefined;
+  private loads = false;
   private webgl = true;
   private course: Course | undefined;
   private courseShown = -1;
@@ -64,9 +67,8 @@ export class Viewport {
     // Rendering 3-D on the processor would leave little of it for the robot's loop: begin with the map.
     const drawnBy = webglDrawnBy();
     if (drawnBy === 'nothing') this.withoutWebgl();
-    const first = drawnBy === 'card' ? 'free' : 'map';
-    this.view = this.make(first);
-    this.set(this.view instanceof MapView ? 'map' : first);
+    this.view = this.make('map');
+    this.set(drawnBy === 'card' ? 'free' : 'map');
     // Drawn at once, because a canvas is empty after its size has changed.
     new ResizeObserver(() => {
       this.view.resize();
@@ -81,6 +83,7 @@ export class Viewport {
 
   set(mode: Mode): void {
     if (mode !== 'map' && !this.webgl) return;
+    this.wanted = mode;
     if (this.view instanceof MapView !== (mode === 'map')) this.renew(mode);
     this.mode = this.view instanceof MapView ? 'map' : mode;
     this.view.setCamera(this.mode);
@@ -188,8 +191,12 @@ export class Viewport {
 
   private scene(mode: Mode): View | undefined {
     if (mode === 'map' || !this.webgl) return undefined;
+    if (this.makeScene === undefined) {
+      this.load();
+      return undefined;
+    }
     try {
-      return new SceneView(
+      return new this.makeScene(
         () => {
           this.mode = 'free';
           this.mark();
@@ -203,6 +210,19 @@ export class Viewport {
       this.withoutWebgl();
       return undefined;
     }
+  }
+
+  /** The scene's library is most of the page: on a slow link everything else comes first. */
+  private load(): void {
+    if (this.loads) return;
+    this.loads = true;
+    import('../scene/scene_view.ts').then(
+      (scene) => {
+        this.makeScene = scene.SceneView;
+        this.set(this.wanted);
+      },
+      () => { this.loads = false; },
+    );
   }
 
   private withoutWebgl(): void {

@@ -3,9 +3,7 @@ import { PerspectiveCamera, Vector3 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import type { Pose } from '../state/messages.ts';
 import type { Bounds } from './geometry.ts';
-
-export const kCameraModes = ['chase', 'top', 'free'] as const;
-export type CameraMode = (typeof kCameraModes)[number];
+import type { CameraMode } from './view.ts';
 
 const kChaseBack_m = 0.52;
 const kChaseUp_m = 0.29;

@@ -1,10 +1,20 @@
 // Geometry of shapes, without drawing: x forward, y left, z up, metres.
-import type { Area, Course, Obstacle, PathPoint, Place } from '../state/messages.ts';
+import type { Area, Course, Obstacle, PathPoint, Place, RobotShape } from '../state/messages.ts';
 
 export interface Point2 {
   x: number;
   y: number;
 }
+
+export const kDefaultShape: RobotShape = {
+  length_m: 0.185,
+  width_m: 0.2,
+  height_m: 0.06,
+  gauge_m: 0.155,
+  axle_spacing_m: 0.133,
+  wheel_radius_m: 0.026,
+  shoe_width_m: 0.045,
+};
 
 /** A track from the side: two half circles around the axles, standing on z = 0, counter-clockwise. */
 export function stadium(spacing: number, radius: number, steps = 12): Point2[] {

@@ -1,10 +1,9 @@
 // The course and the robot from above on a 2-D canvas: needs no WebGL.
 import type { Course, EstimatedPose, Pose, RobotShape, State } from '../state/messages.ts';
 import { kEstimates, kUncertain, type EstimateName, type Store } from '../state/store.ts';
-import { bounds, cornersOf, footprint, onStadium, partsOf, stadiumLength, type Bounds, type Point2 } from './geometry.ts';
+import { bounds, cornersOf, footprint, kDefaultShape, onStadium, partsOf, stadiumLength, type Bounds, type Point2 } from './geometry.ts';
 import { Moved, type View } from './view.ts';
 import { colour } from './palette.ts';
-import { kDefaultShape } from './robot_model.ts';
 
 const kMargin_m = 0.12;
 const kCleat_m = 0.02;

@@ -21,16 +21,6 @@ import { body, box, prismGeometry, solid } from './solid.ts';
 const kRingPoints = 48;
 const kRingLift_m = 0.004;
 
-export const kDefaultShape: RobotShape = {
-  length_m: 0.185,
-  width_m: 0.2,
-  height_m: 0.06,
-  gauge_m: 0.155,
-  axle_spacing_m: 0.133,
-  wheel_radius_m: 0.026,
-  shoe_width_m: 0.045,
-};
-
 const kCleat_m = 0.012;
 
 export class RobotModel {

@@ -2,13 +2,13 @@
 import { Color, DirectionalLight, Fog, HemisphereLight, PCFShadowMap, Scene, WebGLRenderer } from 'three';
 import type { Course, RobotShape } from '../state/messages.ts';
 import { kEstimates, kUncertain, type EstimateName, type Store } from '../state/store.ts';
-import { CameraRig, type CameraMode } from './camera_rig.ts';
+import { CameraRig } from './camera_rig.ts';
 import { CourseModel } from './course_model.ts';
-import { bounds } from './geometry.ts';
+import { bounds, kDefaultShape } from './geometry.ts';
 import { colour } from './palette.ts';
-import { Moved, Pace, type View } from './view.ts';
+import { Moved, Pace, type CameraMode, type View } from './view.ts';
 import { dispose, Ribbon } from './solid.ts';
-import { GhostModel, kDefaultShape, RobotModel, UncertaintyRing } from './robot_model.ts';
+import { GhostModel, RobotModel, UncertaintyRing } from './robot_model.ts';
 
 const kHistoryWidth_m = 0.007;
 const kHistoryLift_m: Record<EstimateName, number> = { model: 0.002, odometry: 0.0025, fused: 0.003, truth: 0.0035 };

@@ -1,8 +1,10 @@
 // What the 3-D scene and the 2-D map share: their interface, whether anything has moved, and how often to draw.
 import type { Course } from '../state/messages.ts';
 import { kEstimates, type EstimateName, type Store } from '../state/store.ts';
-import type { CameraMode } from './camera_rig.ts';
 import type { Bounds } from './geometry.ts';
+
+export const kCameraModes = ['chase', 'top', 'free'] as const;
+export type CameraMode = (typeof kCameraModes)[number];
 
 export interface View {
   /** Its attribute `data-robot` is the pose at which the robot was last drawn: x, y, z [m], yaw [rad]. */

@@ -54,11 +54,12 @@ export class Listing<T> {
 
 const asked = new Map<string, Promise<readonly unknown[]>>();
 
-/** The last minutes of a topic, oldest first, as /api/history has them; empty if it has none. */
-export function past(topic: string): Promise<readonly unknown[]> {
-  const known = asked.get(topic) ?? fetch(`/api/history${topic}`).then((answer) => (answer.ok ? (answer.json() as Promise<unknown[]>) : []));
-  asked.set(topic, known);
+/** The last minutes of a topic, or its last seconds, oldest first, as /api/history has them; empty if it has none. */
+export function past(topic: string, span_s?: number): Promise<readonly unknown[]> {
+  const path = `/api/history${topic}${span_s === undefined ? '' : `?span_s=${span_s}`}`;
+  const known = asked.get(path) ?? fetch(path).then((answer) => (answer.ok ? (answer.json() as Promise<unknown[]>) : []));
+  asked.set(path, known);
   // Cached only for requests at the same time: a later one also needs what came in between.
-  setTimeout(() => asked.delete(topic), 1000);
+  setTimeout(() => asked.delete(path), 1000);
   return known;
 }

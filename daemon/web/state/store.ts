@@ -87,9 +87,9 @@ const kJump_m = 0.5;
 export const kStaleState_ms = 1000;
 /** Above this age a value is grey; without one, never. */
 const kStale_ms: Partial<Record<Topic, number>> = {
-  '/estimate': 400,
-  '/slip': 600,
-  '/link': 1000,
+  '/estimate': 600,
+  '/slip': 1000,
+  '/link': 2500,
   '/loop': 1500,
   '/state': kStaleState_ms,
   '/client': 3000,

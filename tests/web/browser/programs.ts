@@ -52,6 +52,10 @@ export class Program {
     }
   }
 
+  get pid(): number {
+    return this.child.pid ?? 0;
+  }
+
   freeze(): void {
     this.child.kill('SIGSTOP');
   }
