@@ -152,6 +152,11 @@ Findings permission_findings(const System& system, const std::string& device,
         "permission",
         device + ": mode " + mode_text(file->mode) + " allows only its owner to use it",
         "unplug the robot and plug it in again; if that does not help: sudo chmod 660 " + device)};
+  if (name == "root")
+    return {
+        error("permission", device + ": belongs to group " + name + ", which is not for users",
+              "unplug the robot and plug it in again; if that does not help: sudo chgrp dialout " +
+                  device)};
   const bool in_group =
       std::find(account.groups.begin(), account.groups.end(), file->gid) != account.groups.end();
   // With an access list, the mode's group bits are the list's mask, not the group's permissions.

@@ -37,11 +37,20 @@ std::string resolved(const std::string& path) {
   return ::realpath(path.c_str(), real) == nullptr ? path : std::string(real);
 }
 
-std::string owner_group(const std::string& path) {
+/// What lets this account use the port: its group, unless that may not, or is root's.
+std::string way_to_permission(const std::string& path) {
   struct stat status {};
-  if (::stat(path.c_str(), &status) != 0) return "dialout";
-  const group* entry = ::getgrgid(status.st_gid);
-  return entry == nullptr ? std::to_string(status.st_gid) : entry->gr_name;
+  const bool known = ::stat(path.c_str(), &status) == 0;
+  const group* entry = known ? ::getgrgid(status.st_gid) : nullptr;
+  const std::string name = !known             ? "dialout"
+                           : entry == nullptr ? std::to_string(status.st_gid)
+                                              : entry->gr_name;
+  constexpr mode_t kUse = S_IRGRP | S_IWGRP;
+  if (known && (name == "root" || (status.st_mode & kUse) != kUse))
+    return "its group " + name +
+           " is not meant for users; unplug the robot and plug it in again, " +
+           "or run `sudo chgrp dialout " + path + " && sudo chmod 660 " + path + "`";
+  return "run `sudo adduser $USER " + name + "` and log in again";
 }
 
 [[noreturn]] void fail_busy(const std::string& path) {
@@ -63,11 +72,9 @@ std::string owner_group(const std::string& path) {
     case ENODEV:
       throw UserError(path + ": no such port; plug the robot in, or see `tp100d ports`");
     case EACCES:
-    case EPERM: {
-      const std::string owner = owner_group(path);
-      throw UserError(path + ": no permission; run `sudo adduser $USER " + owner +
-                      "` and log in again");
-    }
+    case EPERM:
+      throw UserError(path + ": no permission; " + way_to_permission(path) +
+                      "; `tp100d doctor` says why");
     case EBUSY:
       fail_busy(path);
     default:

@@ -169,6 +169,11 @@ TEST_F(Permission, ThatIsMissingIsAnErrorThatSaysHowToGetIt) {
   Account account = alice();
   account.groups.push_back(gid());
   expect_finding(look(account), "permission", Severity::kError, "", "getfacl /dev/ttyACM0");
+  // The group is the administrator's.
+  fake_.write("/etc/group", "root:x:" + std::to_string(gid()) + ":\n");
+  expect_finding(look(alice()), "permission", Severity::kError,
+                 "group root, which is not for users", "chgrp dialout");
+  write_group("");
   // The group itself has no permission.
   fake_.mode(kDevice, 0600);
   expect_finding(look(alice()), "permission", Severity::kError, "mode 0600", "plug it in again");

@@ -161,14 +161,25 @@ TEST_F(Transport, SaysThatAPortIsMissing) {
 
 TEST_F(Transport, SaysWhoMayOpenAPort) {
   if (::geteuid() != 0) GTEST_SKIP() << "only root can become nobody; run it as root";
-  ASSERT_EQ(::chmod(pty_.near().c_str(), 0600), 0);
-  struct stat status {};
-  ASSERT_EQ(::stat(pty_.near().c_str(), &status), 0);
-  const group* owner = ::getgrgid(status.st_gid);
-  const std::string name = owner == nullptr ? std::to_string(status.st_gid) : owner->gr_name;
-  const test::AsNobody nobody;
-  EXPECT_EQ(failure(pty_.near()), pty_.near() + ": no permission; run `sudo adduser $USER " + name +
-                                      "` and log in again");
+  const std::string port = pty_.near();
+  const auto refusal = [&](const char* group, mode_t mode) {
+    EXPECT_EQ(::chown(port.c_str(), 0, ::getgrnam(group)->gr_gid), 0);
+    EXPECT_EQ(::chmod(port.c_str(), mode), 0);
+    const test::AsNobody nobody;
+    return failure(port);
+  };
+  EXPECT_THAT(refusal("dialout", 0660),
+              HasSubstr("no permission; run `sudo adduser $USER dialout`"));
+  // A group that may not use it, or that gives more than the port, is of no help.
+  for (const auto& [group, mode] : {std::pair("dialout", 0600),
+                                    {"dialout", 0640},
+                                    {"tty", 0620},
+                                    {"root", 0600},
+                                    {"root", 0660}})
+    EXPECT_THAT(refusal(group, static_cast<mode_t>(mode)),
+                AllOf(HasSubstr("its group " + std::string(group) + " is not meant for users"),
+                      Not(HasSubstr("adduser"))))
+        << group << mode;
 }
 
 TEST_F(Transport, SaysThatAPortThatItCannotSeeInUseIsBusy) {
