@@ -10,6 +10,7 @@
 #include "core/arithmetic.h"
 #include "core/error.h"
 #include "core/run_state.h"
+#include "text/encoding.h"
 #include "text/format.h"
 #include "worlds/message.h"
 
@@ -251,6 +252,8 @@ void require_orientation_template(std::string_view pattern, const std::string& w
 std::optional<Orientation> orientation_of(std::string_view text, std::string_view pattern,
                                           Frame frame) {
   if (text.size() > kMaxOrientationText) return std::nullopt;
+  const std::string utf8 = text::as_utf8(std::string(text));
+  text = utf8;
   if (!pattern.empty()) return patterned(text, pattern, frame);
   return text.find('=') != std::string_view::npos ? labelled(text, frame) : plain(text, frame);
 }
