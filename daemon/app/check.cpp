@@ -10,6 +10,7 @@
 #include "app/commands.h"
 #include "config/configuration.h"
 #include "config/run_setup.h"
+#include "config/setup_files.h"
 #include "course/bundled_files.h"
 #include "course/camera.h"
 #include "course/course.h"
@@ -70,17 +71,16 @@ std::string text_of(const course::EmulatedCamera& camera, const std::string& pat
 }
 
 std::string check_configuration(const course::TextFile& file) {
-  const config::Configuration configuration = config::parse_configuration(file.text, file.path);
-  const course::TextFile robot_file =
-      course::read_bundled(course::Bundled::kRobots, configuration.robot);
-  const course::Robot robot = course::parse_robot(robot_file.text, robot_file.path);
+  const config::RunFiles files = config::named_files(file);
+  const course::Robot robot = course::parse_robot(files.robot.text, files.robot.path);
   std::string text = "configuration with " + text_of(robot);
-  if (configuration.course.empty()) return text;
-  const course::TextFile course_file =
-      course::read_bundled(course::Bundled::kCourses, configuration.course);
-  const course::Course course = course::parse_course(course_file.text, course_file.path);
-  terrain::require_climbable(course, robot);
-  return text + ", " + text_of(course);
+  if (!files.course.path.empty()) {
+    const course::Course course = course::parse_course(files.course.text, files.course.path);
+    terrain::require_climbable(course, robot);
+    text += ", " + text_of(course);
+  }
+  for (const std::string& note : config::hidden_files(files)) text += "; " + note;
+  return text;
 }
 
 /// Prints what the service file_check answers, of a daemon with the default robot.

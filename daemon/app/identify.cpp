@@ -12,6 +12,7 @@
 
 #include "app/commands.h"
 #include "config/configuration.h"
+#include "config/setup_files.h"
 #include "core/arithmetic.h"
 #include "core/error.h"
 #include "course/bundled_files.h"
@@ -105,8 +106,9 @@ class Base {
       const course::TextFile file = course::read_text_file(options.config);
       configuration = config::parse_configuration(file.text, file.path);
     }
-    robot = course::read_bundled(course::Bundled::kRobots,
-                                 options.robot.empty() ? configuration.robot : options.robot);
+    robot = config::read_setup_file(course::Bundled::kRobots,
+                                    options.robot.empty() ? configuration.robot : options.robot,
+                                    config::library_folder(configuration.library));
   }
 
   /// Throws UserError: two recordings have different robots.

@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <cstdio>
 
 #include "app/commands.h"
 #include "config/run_setup.h"
@@ -42,6 +43,8 @@ int run_run(const RunOptions& options) {
                     ": out of range; give seconds, above 0 and below 1e9");
   }
   const config::RunFiles files = files_of(options);
+  for (const std::string& note : config::hidden_files(files))
+    std::fprintf(stderr, "tp100d: %s\n", note.c_str());
   return live::run_daemon({files, setup_run(files, options)}, options.daemon);
 }
 

@@ -77,10 +77,11 @@ RunFiles named_files(course::TextFile configuration, const std::string& course_n
 course::TextFile read_setup_file(Bundled kind, const std::string& name_or_path,
                                  const std::string& library) {
   std::error_code error;
-  const bool named = text::is_found_name(name_or_path) && !fs::exists(name_or_path, error);
-  if (!named || library.empty() || bundled(kind, name_or_path))
+  const bool path = name_or_path.find('/') != std::string::npos;
+  if (path || library.empty() || fs::exists(name_or_path, error))
     return course::read_bundled(kind, name_or_path);
-  const std::string own = own_path(library, kind, name_or_path);
+  const bool ending = name_or_path.ends_with(kEnding);
+  const std::string own = own_folder(library, kind) + "/" + name_or_path + (ending ? "" : kEnding);
   if (is_plain_file(own)) return course::read_text_file(own);
   if (fs::exists(fs::symlink_status(own, error)))
     throw UserError(own + ": a link or folder, which is not followed; copy the file there");
@@ -90,6 +91,16 @@ course::TextFile read_setup_file(Bundled kind, const std::string& name_or_path,
     throw UserError(std::string(none.what()) + "; your own are files NAME.toml in " +
                     own_folder(library, kind));
   }
+}
+
+std::vector<std::string> hidden_files(const RunFiles& files) {
+  std::vector<std::string> notes;
+  for (const auto& [kind, file] :
+       {std::pair(Bundled::kCourses, &files.course), {Bundled::kRobots, &files.robot}})
+    if (!file->path.empty() && !file->path.starts_with(course::config_directory()) &&
+        bundled(kind, course::file_stem(file->path)))
+      notes.push_back(file->path + ": used, and not the bundled " + noun(kind) + " of that name");
+  return notes;
 }
 
 SetupFiles::SetupFiles(std::string library, const RunFiles& given)
@@ -108,7 +119,6 @@ std::vector<SetupFiles::Entry> SetupFiles::list(Bundled kind) const {
   };
   const std::string name = course::file_stem(given(kind).path);
   if (!name.empty() && origin(kind, name) == From::kGiven) add(name, From::kGiven);
-  for (const std::string& each : course::bundled_names(kind)) add(each, From::kBundled);
   std::error_code error;
   std::size_t own = 0;
   if (!library_.empty()) {
@@ -122,6 +132,7 @@ std::vector<SetupFiles::Entry> SetupFiles::list(Bundled kind) const {
       ++own;
     }
   }
+  for (const std::string& each : course::bundled_names(kind)) add(each, From::kBundled);
   std::sort(entries.begin(), entries.end(),
             [](const Entry& a, const Entry& b) { return a.name < b.name; });
   return entries;
@@ -134,9 +145,8 @@ std::optional<SetupFiles::From> SetupFiles::origin(Bundled kind, const std::stri
   // A file that was given by its name, not by its path, is one of the others.
   const bool by_name = at == own || (is_bundled && at.starts_with(course::config_directory()));
   if (!at.empty() && !by_name && course::file_stem(at) == name) return From::kGiven;
-  if (is_bundled) return From::kBundled;
   if (text::is_found_name(name) && is_plain_file(own)) return From::kOwn;
-  return std::nullopt;
+  return is_bundled ? std::optional(From::kBundled) : std::nullopt;
 }
 
 course::TextFile SetupFiles::read(Bundled kind, const std::string& name) const {

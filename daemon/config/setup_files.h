@@ -19,8 +19,8 @@ std::string library_folder(const std::string& configured);
 /// the home directory; empty: there is none.
 std::string user_folder(const char* variable, const char* in_home);
 
-/// `name_or_path` as in the configuration: a file, a bundled name or the name of a file in the
-/// user's folder. Throws UserError.
+/// `name_or_path` as in the configuration: a file, the name of one in the user's folder, or a
+/// bundled name; the user's own hides a bundled one of that name. Throws UserError.
 course::TextFile read_setup_file(course::Bundled kind, const std::string& name_or_path,
                                  const std::string& library);
 
@@ -29,8 +29,12 @@ course::TextFile read_setup_file(course::Bundled kind, const std::string& name_o
 RunFiles named_files(course::TextFile configuration, const std::string& course_name = {},
                      const std::string& robot_name = {});
 
-/// Names are unique within a kind: a file that the program was started with hides a bundled one of
-/// that name, and a bundled one the user's. Functions wait for the disk; any thread.
+/// For each file that is used in the place of a bundled one of its name: "PATH: used, and not the
+/// bundled course of that name".
+std::vector<std::string> hidden_files(const RunFiles& files);
+
+/// Names are unique within a kind: a file that the program was started with hides the user's of
+/// that name, and the user's a bundled one. Functions wait for the disk; any thread.
 class SetupFiles {
  public:
   enum class From { kGiven, kBundled, kOwn };

@@ -72,6 +72,31 @@ TEST_F(SetupFilesTest, BundledFilesAndOneThatWasGivenAreNeitherReplacedNorDelete
               HasSubstr("not one of your own"));
 }
 
+TEST_F(SetupFilesTest, AnOwnFileWithTheNameOfABundledOneIsUsedAndThatIsSaid) {
+  write("1-straight.toml", kLine);
+  EXPECT_TRUE(listed("1-straight", SetupFiles::From::kOwn));
+  EXPECT_EQ(files_.read(Bundled::kCourses, "1-straight").text, kLine);
+  const std::string own = folder_.file("courses/1-straight.toml");
+  config::RunFiles files;
+  files.course = config::read_setup_file(Bundled::kCourses, "1-straight", folder_.path().string());
+  EXPECT_EQ(files.course.path, own);
+  EXPECT_THAT(config::hidden_files(files),
+              testing::ElementsAre(own + ": used, and not the bundled course of that name"));
+  EXPECT_EQ(remove("1-straight"), "");
+  EXPECT_TRUE(listed("1-straight", SetupFiles::From::kBundled));
+}
+
+TEST_F(SetupFilesTest, AnyNameThatAFileSystemTakesIsReadByTheProgram) {
+  for (const std::string name : {"slalom (copy)", "Prüf strecke", "a:b #2 100%?"}) {
+    write(name + ".toml", kLine);
+    const auto read = [&](const std::string& as) {
+      return config::read_setup_file(Bundled::kCourses, as, folder_.path().string()).text;
+    };
+    EXPECT_EQ(read(name), kLine);
+    EXPECT_EQ(read(name + ".toml"), kLine);
+  }
+}
+
 TEST_F(SetupFilesTest, NamesStayInTheFolderAndOneThatIsNoneComesWithTheNearest) {
   for (const char* name : {"", ".", "..", "../a", "a/b", "/tmp/a", ".hidden", "a b", "a\nb"}) {
     EXPECT_THAT(save(name, kLine), HasSubstr("name must be")) << name;
