@@ -145,7 +145,7 @@ void Perception::take(const Sample& next, bool running) {
   const double rate = heading_rate_radps();
   update_estimates(rate);
   model_covariance_.advance(before, track_model_.pose(), odometry_.motion(),
-                            odometry_.state().mean[estimation::kBias]);
+                            odometry_.slip_variance());
   update_traction(running);
   update_speeds(rate);
 }

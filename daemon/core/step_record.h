@@ -23,15 +23,13 @@ namespace tp100 {
 /// State of an estimate; order and units as in estimation/kalman.h.
 struct CarriedEstimate {
   std::array<double, 8> mean{};
-  std::array<double, 64> covariance{};  ///< row by row
-  std::array<double, 8> slip_walk{};    ///< log-likelihoods, see estimation::SlipWalk
+  std::array<double, 64> covariance{};   ///< row by row
+  std::array<double, 36> track_trust{};  ///< log-likelihoods, see estimation::TrackTrust
 };
 
 /// State of the covariance of the model's pose, see estimation/model_covariance.h.
 struct CarriedModelCovariance {
   std::array<double, 25> errors{};  ///< of x, y, yaw, common slip and wheelbase (relative)
-  double slip_density_m = 0.0;      ///< of the floor, see estimation::FloorSlip
-  double seen_m = 0.0;              ///< length of floor behind it
 };
 
 /// State of the pose filter.
@@ -44,6 +42,7 @@ struct CarriedFilter {
   double nis = 0.0;
   double nis_sum = 0.0;
   std::uint32_t nis_count = 0;
+  double shift_scale = 1.0;  ///< see estimation::Motion
   std::uint32_t camera_used = 0;
   std::uint32_t camera_rejected = 0;
   std::uint32_t recoveries = 0;

@@ -5,13 +5,12 @@
 
 #include "core/arithmetic.h"
 #include "estimation/kalman.h"
+#include "estimation/track_trust.h"
 #include "shared/skid_steer.h"
 
 namespace tp100::estimation {
 namespace {
 
-// A yaw rate of the tracks that is off by more than this many standard deviations is ignored.
-constexpr double kResidualGate = 10.8;
 // Without a gyro the tracks' error counts as constant for this long.
 constexpr double kTrackErrorS = 0.1;
 // Standard deviation of the tracks' difference over a window, in edges: each track begins and ends
@@ -79,12 +78,11 @@ bool shows_slip(const Ground& ground) {
 ShiftVariance shift_variance(const FilterParameters& noise, double distance_m, double turn_rad,
                              const Motion& motion) {
   const double by_turning = square(noise.turn_sd_m_rtrad) * std::abs(turn_rad);
-  return {square(motion.ground.hold_slip ? noise.obstacle_sd_m_rtm : noise.along_sd_m_rtm) *
-                  std::abs(distance_m) +
-              by_turning +
-              square(kTiltSdMRtrad) * std::max(motion.ground.tilt_radps - kTippingRadps, 0.0) *
-                  motion.dt_s,
-          square(noise.across_sd_m_rtm) * std::abs(distance_m) + by_turning};
+  const double along_sd = motion.ground.hold_slip ? noise.obstacle_sd_m_rtm : noise.along_sd_m_rtm;
+  const double by_tilting =
+      square(kTiltSdMRtrad) * std::max(motion.ground.tilt_radps - kTippingRadps, 0.0) * motion.dt_s;
+  return {motion.shift_scale * (square(along_sd) * std::abs(distance_m) + by_turning + by_tilting),
+          motion.shift_scale * (square(noise.across_sd_m_rtm) * std::abs(distance_m) + by_turning)};
 }
 
 FilterState MotionModel::prior() const {
@@ -93,8 +91,8 @@ FilterState MotionModel::prior() const {
   add_pose_variance(p, noise_.start_sd_m, noise_.start_sd_rad);
   p(kBias, kBias) = square(noise_.bias_sd_radps);
   p(kCommonSlip, kCommonSlip) = square(noise_.slip_sd);
-  p(kSlipDifference, kSlipDifference) = square(noise_.slip_difference_sd);
-  p(kTurnGain, kTurnGain) = square(noise_.turn_gain_sd);
+  p(kSlipDifference, kSlipDifference) = 1.0 / TrackTrust().slip_information();
+  p(kTurnGain, kTurnGain) = 1.0 / TrackTrust().gain_information();
   p(kBiasPerDegc, kBiasPerDegc) = square(noise_.bias_per_degc_sd);
   return state;
 }
@@ -181,11 +179,6 @@ double MotionModel::innovation_radps(const StateVector& mean, const Residual& re
   return residual.gyro_z_radps - (right - left) * (1.0 + mean[kTurnGain]) - mean[kBias];
 }
 
-double MotionModel::turn_ratio(const StateVector& mean, const Residual& residual) const {
-  const double both = std::abs(residual.left_radps) + std::abs(residual.right_radps);
-  return both > 0.0 ? std::clamp((residual.gyro_z_radps - mean[kBias]) / both, -1.0, 1.0) : 0.0;
-}
-
 double MotionModel::residual_sd_radps(const Motion& motion) const {
   const double edge_radps =
       noise_.edge_m / (turn_of(motion).wheelbase_m * noise_.residual_window_s);
@@ -259,10 +252,7 @@ void MotionModel::predict(FilterState& state, const Motion& motion) const {
   add_shift(p, shift_variance(noise_, twist.vx_mps * dt, turn, motion), c, s);
   p(kYaw, kYaw) += yaw;
   p(kBias, kBias) += square(noise_.bias_walk_radps_rts) * dt;
-  p(kCommonSlip, kCommonSlip) += square(noise_.slip_sd) * (1.0 - kept * kept);
-  if (moves && !motion.ground.hold_slip)
-    p(kSlipDifference, kSlipDifference) +=
-        square(motion.slip_walk_rtm) * both_mps(motion) / 2.0 * dt;
+  p(kCommonSlip, kCommonSlip) += motion.shift_scale * square(noise_.slip_sd) * (1.0 - kept * kept);
 }
 
 void MotionModel::measure(FilterState& state, const Motion& motion) const {
@@ -276,27 +266,38 @@ void MotionModel::measure(FilterState& state, const Motion& motion) const {
   }
   // The gyro measured the turn, so the yaw stays almost as certain.
   if (motion.disturbed) forget_place(state, noise_.disturbance_sd_m, noise_.disturbance_sd_rad);
-  if (!motion.has_residual) return;
   const Residual& seen = motion.residual;
-  state.covariance(kTurnGain, kTurnGain) +=
-      square(noise_.turn_gain_sd) * std::abs(motion.turn_change);
+  if (seen.variance <= 0.0) return;
+  // The position is not corrected: a small correction of the direction over the whole distance
+  // driven would move it by millimetres with every encoder edge, and the controller would follow.
+  const auto near_zero = [&](Eigen::Index of, double information) {
+    if (information == 0.0) return;
+    Measurement<1> none;
+    none.innovation << -state.mean[of];
+    none.jacobian.setZero();
+    none.jacobian(0, of) = 1.0;
+    none.noise << 1.0 / information;
+    update(state, none, kYaw);
+  };
+  near_zero(kSlipDifference, seen.slip_information);
+  near_zero(kTurnGain, seen.gain_information);
+  update(state, measured(state.mean, seen), kYaw);
+}
+
+Measurement<1> MotionModel::measured(const StateVector& mean, const Residual& seen) const {
   Measurement<1> residual;
-  residual.innovation << innovation_radps(state.mean, seen);
-  const Shares covered = shares(state.mean);
+  residual.innovation << innovation_radps(mean, seen);
+  const Shares covered = shares(mean);
   // The derivative by the common slip is left 0: an error of the turn gain would change the
   // distance.
   residual.jacobian.setZero();
   residual.jacobian(0, kBias) = 1.0;
   residual.jacobian(0, kSlipDifference) =
-      (seen.left_radps + seen.right_radps) * (1.0 + state.mean[kTurnGain]);
+      (seen.left_radps + seen.right_radps) * (1.0 + mean[kTurnGain]);
   residual.jacobian(0, kTurnGain) =
       seen.right_radps * covered.right - seen.left_radps * covered.left;
-  const double rate = std::abs(seen.gyro_z_radps - state.mean[kBias]);
-  residual.noise << square(residual_sd_radps(motion) +
-                           (noise_.residual_share + motion.slip_walk_rtm) * rate);
-  // The position is not corrected: a small correction of the direction over the whole distance
-  // driven would move it by millimetres with every encoder edge, and the controller would follow.
-  if (normalized_innovation(state, residual) < kResidualGate) update(state, residual, kYaw);
+  residual.noise << seen.variance;
+  return residual;
 }
 
 void MotionModel::disturb(FilterState& state) const {

@@ -34,6 +34,10 @@ struct Residual {
                             ///< its interval
   double right_radps = 0.0;
   double gyro_z_radps = 0.0;
+  double variance = 0.0;  ///< of its noise; 0: there is no residual
+  /// By how much it changes the information that slip difference and turn gain are near 0, see
+  /// TrackTrust.
+  double slip_information = 0.0, gain_information = 0.0;
 };
 
 /// One interval, and the measurements at its end.
@@ -46,12 +50,10 @@ struct Motion {
   bool gyro = false;          ///< false: stand or dead sensor, eq 5 gives the turn
   double warming_degc = 0.0;  ///< rise of the gyro's temperature over the interval
   Ground ground{};
-  bool has_residual = false;
+  double shift_scale = 1.0;  ///< of the variance that motion adds to the position
   Residual residual{};
-  double slip_walk_rtm = 0.0;  ///< of the slip difference, see SlipWalk
-  double turn_change = 0.0;    ///< of the turn ratio since the residual before
-  bool disturbed = false;      ///< the robot was turned from outside
-  RestRate rest{};             ///< of a robot at rest; standard deviation 0: it is not at rest
+  bool disturbed = false;  ///< the robot was turned from outside
+  RestRate rest{};         ///< of a robot at rest; standard deviation 0: it is not at rest
 };
 
 /// Share of the common slip that is left at the interval's end: it returns to 0 while the tracks
@@ -99,11 +101,10 @@ class MotionModel {
   /// Covariance of twist(), in the body frame, for an interval that is not empty: from the state,
   /// the encoders' edges, the gyro and the shift that the filter expects.
   PlanarCovariance twist_covariance(const FilterState& state, const Motion& motion) const;
-  /// Yaw rate by the tracks over their speed, of a residual: -1 to 1, right and left turn on the
-  /// spot.
-  double turn_ratio(const StateVector& mean, const Residual& residual) const;
   /// Yaw rate of the gyro against that of the tracks according to the state.
   double innovation_radps(const StateVector& mean, const Residual& residual) const;
+  /// A residual as a measurement.
+  Measurement<1> measured(const StateVector& mean, const Residual& residual) const;
   /// Noise of a residual due to gyro and encoders.
   double residual_sd_radps(const Motion& motion) const;
   /// Propagates mean and covariance over the interval, along the exact arc as odometry does.

@@ -3,19 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 #include "core/arithmetic.h"
 
 namespace tp100::estimation {
 namespace {
 
-constexpr double kKept = 0.97;  // share of the likelihoods kept from window to window
-
 // No chip warms up faster than this from sample to sample: the sensor was reset or is faulty.
 constexpr double kWarmingDegc = 1.0;
-// Two windows belong to the same turn within this: the error of the wheelbase is the same in both.
-constexpr double kSameTurnRadps = 0.05;
 // Least sum of the tracks' speeds over the wheelbase of a robot that drives: some mm/s each.
 constexpr double kDrivesRadps = 0.05;
 
@@ -23,29 +18,6 @@ static_assert(std::tuple_size_v<decltype(CarriedEstimate::mean)> == kStates &&
               std::tuple_size_v<decltype(CarriedEstimate::covariance)> == kStates * kStates);
 
 }  // namespace
-
-SlipWalk::SlipWalk(const LogLikelihoods& logs) : logs_(logs) { weigh(); }
-
-void SlipWalk::add(double change, double noise_sd, double distance_m) {
-  for (std::size_t i = 0; i < kCandidates; ++i) {
-    // The means of a random walk over two adjacent windows differ by 2/3 of its step over one.
-    const double variance = square(noise_sd) + square(kStepsRtm[i]) * distance_m * 2.0 / 3.0;
-    logs_[i] = logs_[i] * kKept - (std::log(variance) + square(change) / variance) / 2.0;
-  }
-  const double highest = *std::max_element(logs_.begin(), logs_.end());
-  for (double& log : logs_) log -= highest;
-  weigh();
-}
-
-void SlipWalk::weigh() {
-  double weights = 0.0, squares = 0.0;
-  for (std::size_t i = 0; i < kCandidates; ++i) {
-    const double weight = std::exp(logs_[i]);
-    weights += weight;
-    squares += weight * square(kStepsRtm[i]);
-  }
-  step_rtm_ = std::sqrt(squares / weights);
-}
 
 void Odometry::Window::add(const Residual& rates, double dt_s) {
   sum_.left_radps += rates.left_radps * dt_s;
@@ -66,7 +38,6 @@ void Odometry::restart_from(const FilterState& state) {
   state_ = state;
   motion_.end_ns = 0;
   residual_window_ = disturbance_window_ = Window{};
-  last_residual_ = Residual{};
 }
 
 FilterState Odometry::state_at(const Pose& start) const {
@@ -92,7 +63,7 @@ CarriedEstimate Odometry::carry(const FilterState& state) const {
   Eigen::Map<StateVector>(carried.mean.data()) = state.mean;
   // It is symmetric: the order does not matter.
   Eigen::Map<StateMatrix>(carried.covariance.data()) = state.covariance;
-  carried.slip_walk = slip_walk_.log_likelihoods();
+  carried.track_trust = track_trust_.log_likelihoods();
   return carried;
 }
 
@@ -103,7 +74,7 @@ CarriedEstimate Odometry::carried_from(const Pose& start) const { return carry(s
 void Odometry::resume(const CarriedEstimate& carried) {
   restart_from({Eigen::Map<const StateVector>(carried.mean.data()),
                 Eigen::Map<const StateMatrix>(carried.covariance.data())});
-  slip_walk_ = SlipWalk(carried.slip_walk);
+  track_trust_ = TrackTrust(carried.track_trust);
   motion_ = Motion{};
   twist_ = Twist{};
   turn_shape_filter_.restart();
@@ -112,7 +83,6 @@ void Odometry::resume(const CarriedEstimate& carried) {
 void Odometry::compare_tracks_with_gyro() {
   if (!motion_.gyro || !shows_slip(motion_.ground)) {
     residual_window_ = disturbance_window_ = Window{};
-    last_residual_ = Residual{};
     return;
   }
   const FilterParameters& noise = model_.noise();
@@ -129,34 +99,26 @@ void Odometry::compare_tracks_with_gyro() {
   }
   if (motion_.disturbed) {
     residual_window_ = Window{};
-    last_residual_ = Residual{};
   } else if (residual_window_.length_s() >= noise.residual_window_s) {
     take_residual(residual_window_.take());
   }
 }
 
-// Not for a robot that stands, which may be carried, or turns on the spot, which hides the slip.
+// Not for a robot that stands, which may be carried.
 void Odometry::take_residual(const Residual& now) {
-  const auto yaw_radps = [](const Residual& of) {
-    return of.gyro_z_radps - (of.right_radps - of.left_radps);
-  };
-  const auto both_radps = [](const Residual& of) { return of.right_radps + of.left_radps; };
-  const Residual before = std::exchange(last_residual_, now);
-  if (std::abs(both_radps(now)) < kDrivesRadps) return;
-  motion_.has_residual = true;
+  if (std::abs(now.left_radps) + std::abs(now.right_radps) < kDrivesRadps) return;
   motion_.residual = now;
-  motion_.turn_change =
-      model_.turn_ratio(state_.mean, now) - model_.turn_ratio(state_.mean, before);
-
-  const double both = std::abs(both_radps(now) + both_radps(before)) / 2.0;
-  const double faster = std::abs(both_radps(now) - both_radps(before));
-  const double turned = std::abs(now.gyro_z_radps - before.gyro_z_radps);
-  if (faster > 0.2 * both || turned > kSameTurnRadps) return;
-  const FilterParameters& noise = model_.noise();
-  const double noise_radps =
-      std::sqrt(2.0) * model_.residual_sd_radps(motion_) + noise.residual_share * turned;
-  slip_walk_.add((yaw_radps(now) - yaw_radps(before)) / both, noise_radps / both,
-                 both / 2.0 * model_.turn_of(motion_).wheelbase_m * noise.residual_window_s);
+  Residual& residual = motion_.residual;
+  residual.variance = square(model_.residual_sd_radps(motion_));
+  const Measurement<1> seen = model_.measured(state_.mean, residual);
+  const double slip = track_trust_.slip_information(), gain = track_trust_.gain_information();
+  residual.variance += track_trust_.add(
+      {.innovation = seen.innovation(0),
+       .variance = innovation_covariance(covariance_with(state_.covariance, seen), seen)(0),
+       .by_slip = seen.jacobian(0, kSlipDifference),
+       .by_gain = seen.jacobian(0, kTurnGain)});
+  residual.slip_information = track_trust_.slip_information() - slip;
+  residual.gain_information = track_trust_.gain_information() - gain;
 }
 
 const Motion& Odometry::advance(const FilterInput& in) {
@@ -171,7 +133,7 @@ const Motion& Odometry::advance(const FilterInput& in) {
              .gyro = in.gyro,
              .warming_degc = std::abs(in.warming_degc) < kWarmingDegc ? in.warming_degc : 0.0,
              .ground = in.ground,
-             .slip_walk_rtm = slip_walk_.step_rtm()};
+             .shift_scale = in.shift_scale};
   const TrackSpeeds over_ground = model_.over_ground(state_.mean, motion_);
   motion_.shape = turn_shape_filter_.update(over_ground.left_mps, over_ground.right_mps, in.dt_s);
   if (in.dt_s > 0.0)
@@ -186,7 +148,8 @@ const Motion& Odometry::advance(const FilterInput& in) {
 void Odometry::standstill(const RestRate& rest) {
   motion_.rest = rest;
   Motion only_standstill = motion_;
-  only_standstill.has_residual = only_standstill.disturbed = false;
+  only_standstill.residual = {};
+  only_standstill.disturbed = false;
   model_.measure(state_, only_standstill);
 }
 

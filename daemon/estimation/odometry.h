@@ -1,6 +1,5 @@
 #pragma once
-// Odometry: pose, gyro bias and slip ratios from encoders and gyro; and how much the slip
-// difference changes along the floor, by the same two sensors.
+// Odometry: pose, gyro bias and slip ratios from encoders and gyro.
 
 #include <array>
 #include <cstddef>
@@ -10,39 +9,10 @@
 #include "estimation/kalman.h"
 #include "estimation/motion.h"
 #include "estimation/standstill.h"
+#include "estimation/track_trust.h"
 #include "model/track_model.h"
 
 namespace tp100::estimation {
-
-/// Models the slip difference as a random walk over the distance driven. On an even floor it is
-/// nearly constant, and the tracks then reveal a drift of the gyro; on an uneven one they do not.
-/// Its step per root metre is one of a few candidates, each with its likelihood given the changes
-/// seen; old changes are forgotten over some 30 windows. No allocation.
-class SlipWalk {
- public:
-  static constexpr std::size_t kCandidates = 8;
-  /// Per root metre: from an even floor to gravel.
-  static constexpr std::array<double, kCandidates> kStepsRtm{3e-5, 1e-4, 3e-4, 1e-3,
-                                                             3e-3, 1e-2, 3e-2, 1e-1};
-  using LogLikelihoods = std::array<double, kCandidates>;
-
-  /// Nothing is known.
-  SlipWalk() { weigh(); }
-  explicit SlipWalk(const LogLikelihoods& logs);
-  const LogLikelihoods& log_likelihoods() const { return logs_; }
-
-  /// From one window to the next of `distance_m` each, the measured slip difference changed by
-  /// `change`, with measurement noise of `noise_sd` (> 0).
-  void add(double change, double noise_sd, double distance_m);
-  /// Root mean square of the step over all candidates. [1 / sqrt(m)]
-  double step_rtm() const { return step_rtm_; }
-
- private:
-  void weigh();
-
-  LogLikelihoods logs_{};
-  double step_rtm_ = 0.0;
-};
 
 /// One sample interval, from bridge::SampleIntervals.
 struct FilterInput {
@@ -53,11 +23,12 @@ struct FilterInput {
   bool gyro = false;  ///< the gyro may be used: it is fresh, and the robot is not on a stand
   double warming_degc = 0.0;  ///< rise of the gyro's temperature
   Ground ground{};
+  double shift_scale = 1.0;  ///< see Motion
 };
 
 /// A Kalman filter of the state in kalman.h. Distance comes from the tracks; the turn comes from
-/// the gyro, whose bias is corrected by the tracks where they determine it better: in straight
-/// driving. Without a gyro eq 5 gives the turn. No allocation; safe in the real-time thread.
+/// the gyro, whose bias is corrected by the tracks as far as these are to be trusted, see
+/// TrackTrust. Without a gyro eq 5 gives the turn. No allocation; safe in the real-time thread.
 class Odometry {
  public:
   Odometry(const model::TrackParameters& tracks, const FilterParameters& noise)
@@ -89,6 +60,8 @@ class Odometry {
   PlanarCovariance pose_covariance() const;
   /// In the body frame; kUnknownVariance before the first interval.
   PlanarCovariance twist_covariance() const;
+  /// Of the slip difference along this floor, see TrackTrust.
+  double slip_variance() const { return track_trust_.slip_variance(); }
   model::Slip slip() const { return model_.slip(state_.mean, motion_); }
   const FilterState& state() const { return state_; }
   const MotionModel& model() const { return model_; }
@@ -118,8 +91,7 @@ class Odometry {
   Motion motion_{};  ///< the last
   Twist twist_{};
   model::TurnShapeFilter turn_shape_filter_{};
-  SlipWalk slip_walk_{};
-  Residual last_residual_{};  ///< of the window before; 0: there is none
+  TrackTrust track_trust_{};
   Window residual_window_{};
   Window disturbance_window_{};
 };

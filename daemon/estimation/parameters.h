@@ -15,24 +15,20 @@ struct FilterParameters {
   double gyro_scale_s = 1.0;      ///< ... which counts as constant for this long
   double bias_sd_radps = 0.05;    ///< turn-on bias
   double bias_walk_radps_rts = 1e-5;
-  double bias_per_degc_sd = 0.002;  ///< change of the bias with temperature: a third of 20 deg/s
-                                    ///< from 25 to 85 degC (MPU6050 data sheet rev 3.4, 6.1)
-  double along_sd_m_rtm = 0.002;    ///< distance, per root metre
-  double across_sd_m_rtm = 0.002;
-  double obstacle_sd_m_rtm = 0.03;   ///< distance while climbing a block, where tracks slip at one
-                                     ///< end
-  double turn_sd_m_rtrad = 0.002;    ///< shift of the reference point by turning, per root radian
-  double slip_sd = 0.03;             ///< common slip beside what is expected
-  double slip_s = 2.0;               ///< time constant of its return to 0
-  double slip_difference_sd = 0.01;  ///< slip difference of a robot on a floor
-  double turn_gain_sd = 0.03;        ///< yaw rate by tracks over that by the wheelbase, at one turn
-                                     ///< ratio; and its change per root of the turn ratio
-  double wheelbase_sd = 0.007;       ///< relative error of an identified wheelbase that nothing
-                                     ///< corrects
-  double residual_window_s = 3.0;    ///< tracks and gyro are compared over this long
+  double bias_per_degc_sd = 0.001;  ///< change of the bias with temperature: a third of 20 deg/s
+                                    ///< from -40 to 85 degC (MPU6050 data sheet rev 3.4, 6.1)
+  // The next five are scaled by the innovations of a camera.
+  double along_sd_m_rtm = 0.0015;  ///< distance, per root metre
+  double across_sd_m_rtm = 0.0015;
+  double obstacle_sd_m_rtm = 0.03;    ///< distance while climbing a block, where tracks slip at one
+                                      ///< end
+  double turn_sd_m_rtrad = 0.0007;    ///< shift of the reference point by turning, per root radian
+  double slip_sd = 0.01;              ///< common slip beside what is expected
+  double slip_s = 2.0;                ///< time constant of its return to 0
+  double wheelbase_sd = 0.007;        ///< relative error of an identified wheelbase that nothing
+                                      ///< corrects
+  double residual_window_s = 2.0;     ///< tracks and gyro are compared over this long
   double residual_sd_radps = 1.5e-4;  ///< of yaw rate by tracks against gyro, driving straight
-  double residual_share = 0.01;       ///< ... and per yaw rate: the wheelbase's error appears in
-                                      ///< turns
   double edge_m = 0.0;  ///< an encoder's edge; the tracks' distances are multiples of it
   double track_error_radps = 0.03;     ///< error of the yaw rate by tracks without a gyro
   double track_error_share = 0.15;     ///< ... and per yaw rate

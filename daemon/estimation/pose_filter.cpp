@@ -25,6 +25,9 @@ constexpr double kAttitudeLateS = 0.005;
 
 // A camera used this recently gives a better start position than placing by hand.
 constexpr HostNs kFreshNs = 500 * kNsPerMs;
+// The noise of the motion follows the camera's innovations: by this share for each sample, and so
+// far at most.
+constexpr double kScaleShare = 0.05, kMaxScale = 100.0;
 
 /// The part of `motion` before `at_ns`; the rest keeps the measurements of the end.
 Motion split(Motion& motion, HostNs begin_ns, HostNs at_ns) {
@@ -33,7 +36,8 @@ Motion split(Motion& motion, HostNs begin_ns, HostNs at_ns) {
   Motion first = motion;
   first.end_ns = at_ns;
   first.dt_s = motion.dt_s * share;
-  first.has_residual = first.disturbed = false;
+  first.residual = {};
+  first.disturbed = false;
   first.rest = RestRate{};
   motion.dt_s -= first.dt_s;
   return first;
@@ -147,6 +151,7 @@ CarriedFilter PoseFilter::carried() const {
                       .nis = camera_.nis(),
                       .nis_sum = nis_.sum(),
                       .nis_count = nis_.count(),
+                      .shift_scale = shift_scale_,
                       .camera_used = used_,
                       .camera_rejected = rejected_,
                       .recoveries = recoveries_};
@@ -176,6 +181,7 @@ void PoseFilter::resume(const CarriedFilter& state) {
   camera_known_ = state.camera_known;
   camera_.resume(state.nis);
   nis_ = NisMean(state.nis_count, state.nis_sum);
+  shift_scale_ = state.shift_scale;
   used_ = state.camera_used;
   rejected_ = state.camera_rejected;
   recoveries_ = state.recoveries;
@@ -190,7 +196,9 @@ void PoseFilter::advance(const FilterInput& in) {
     past_.push(base);
   }
   RewindEntry step;
-  step.motion = odometry_.advance(in);
+  FilterInput scaled = in;
+  scaled.shift_scale = shift_scale_;
+  step.motion = odometry_.advance(scaled);
   step.after = odometry_.state();
   past_.push(step);
   apply_waiting();
@@ -237,7 +245,11 @@ bool PoseFilter::apply(const CameraSample& seen) {
   const Twist twist = model.twist(state.mean, before);
   const CameraVerdict verdict = camera_.apply(state, seen, before.ground, twist, model);
   // Omitting the samples that the gate rejects would make the mean too small, whatever the noise.
-  if (camera_.nis() <= kNisTrigger) nis_.add(camera_.nis());
+  if (camera_.nis() <= kNisTrigger) {
+    nis_.add(camera_.nis());
+    shift_scale_ = std::clamp(shift_scale_ * std::exp(kScaleShare * (camera_.nis() - kNisDegrees)),
+                              1.0 / kMaxScale, kMaxScale);
+  }
   if (verdict == CameraVerdict::kRejected) return false;
   if (verdict == CameraVerdict::kRecovered) ++recoveries_;
   ++used_;
@@ -247,6 +259,7 @@ bool PoseFilter::apply(const CameraSample& seen) {
   past_[at].motion = rest;
   at = past_.insert(at, {before, state});
   for (std::size_t i = at + 1; i < past_.size(); ++i) {
+    past_[i].motion.shift_scale = shift_scale_;
     model.predict(state, past_[i].motion);
     model.measure(state, past_[i].motion);
     past_[i].after = state;

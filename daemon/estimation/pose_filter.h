@@ -177,6 +177,7 @@ class PoseFilter {
   HostNs last_seen_ns_ = 0;
   bool camera_known_ = false;
   NisMean nis_{};
+  double shift_scale_ = 1.0;  ///< see Motion
   std::uint32_t used_ = 0, rejected_ = 0, recoveries_ = 0;
 };
 

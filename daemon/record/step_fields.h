@@ -38,10 +38,10 @@ TP100_FIELDS(FilterFigures, slip_left, slip_right, gyro_bias_radps, nis, nis_mea
              camera_age_us, camera_used, camera_rejected, recoveries)
 TP100_FIELDS(StartPlaces, unsaid, placed, here)
 TP100_FIELDS(TerrainContact, pitch_source, obstacle, climbing, slope_rad, slip_offset, traction)
-TP100_FIELDS(CarriedEstimate, mean, covariance, slip_walk)
-TP100_FIELDS(CarriedModelCovariance, errors, slip_density_m, seen_m)
+TP100_FIELDS(CarriedEstimate, mean, covariance, track_trust)
+TP100_FIELDS(CarriedModelCovariance, errors)
 TP100_FIELDS(CarriedFilter, estimate, branch_rad, camera_ns, last_seen_ns, camera_known, nis,
-             nis_sum, nis_count, camera_used, camera_rejected, recoveries)
+             nis_sum, nis_count, shift_scale, camera_used, camera_rejected, recoveries)
 TP100_FIELDS(CarriedAttitude, levelled_s, gyro_offset_radps, accel_offset_mps2, roll_rad, pitch_rad)
 TP100_FIELDS(StepInputs, restart, samples, requests, camera, world, changes, velocities, session,
              clock, session_number, robot_rebooted, answer)

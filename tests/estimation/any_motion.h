@@ -40,7 +40,7 @@ class AnyMotion : public test::Sequence {
     motion.gyro = gyro;
     motion.warming_degc = between(-0.1, 0.1);
     motion.gyro_z_radps = sign() * between(0.2, 1.5);
-    motion.slip_walk_rtm = between(0.0, 0.1);
+    motion.shift_scale = between(0.1, 10.0);
     Ground& ground = motion.ground;
     ground.horizontal_fraction = chance(0.25) ? between(-2.0, 2.0) : between(0.85, 1.0);
     ground.hold_slip = chance(0.25);

@@ -55,12 +55,13 @@ class MotionModelTest : public testing::Test {
     const double sd = motion.ground.hold_slip ? noise_.obstacle_sd_m_rtm : noise_.along_sd_m_rtm;
     // A body that tips over an edge faster than 0.1 rad/s moves along its tracks.
     const double tipping = std::max(0.0, motion.ground.tilt_radps - 0.1) * motion.dt_s;
-    return square(sd) * std::abs(twist.vx_mps) * motion.dt_s + by_turning_m2(twist, motion) +
-           square(0.01) * tipping;
+    return motion.shift_scale * (square(sd) * std::abs(twist.vx_mps) * motion.dt_s +
+                                 by_turning_m2(twist, motion) + square(0.01) * tipping);
   }
   double across_m2(const Twist& twist, const Motion& motion) const {
-    return square(noise_.across_sd_m_rtm) * std::abs(twist.vx_mps) * motion.dt_s +
-           by_turning_m2(twist, motion);
+    return motion.shift_scale *
+           (square(noise_.across_sd_m_rtm) * std::abs(twist.vx_mps) * motion.dt_s +
+            by_turning_m2(twist, motion));
   }
   double by_turning_m2(const Twist& twist, const Motion& motion) const {
     return square(noise_.turn_sd_m_rtrad) * std::abs(twist.yaw_rate_radps) * motion.dt_s;
@@ -186,42 +187,48 @@ TEST_F(MotionModelTest, ARobotAtRestShowsItsBias) {
 }
 
 // Only the bias is uncertain, so that what a residual does to it is a fraction.
-TEST_F(MotionModelTest, AResidualCorrectsTheBiasUnlessItIsTooLargeToBeTrue) {
+TEST_F(MotionModelTest, AResidualCorrectsTheBiasByItsShareOfTheVariance) {
   for (int i = 0; i < 200; ++i) {
     Motion motion = any_.motion(true);
-    motion.has_residual = true;
     motion.residual = {.left_radps = any_.between(-0.8, 0.8),
                        .right_radps = any_.between(-0.8, 0.8),
-                       .gyro_z_radps = any_.between(-0.5, 0.5)};
+                       .gyro_z_radps = any_.between(-0.5, 0.5),
+                       .variance = square(any_.between(1e-3, 0.1))};
     FilterState state{any_.mean(), StateMatrix::Zero()};
     state.covariance(kBias, kBias) = square(0.03);
     const double edges = std::sqrt(4.0 / 12.0) * noise_.edge_m /
                          (model_.turn_of(motion).wheelbase_m * noise_.residual_window_s);
-    const double of_sensors = magnitude(noise_.residual_sd_radps, edges);
-    EXPECT_NEAR(model_.residual_sd_radps(motion), of_sensors, 1e-12);
-    const double share = noise_.residual_share + motion.slip_walk_rtm;
-    // The bias is set so that the innovation has the wanted size.
+    EXPECT_NEAR(model_.residual_sd_radps(motion), magnitude(noise_.residual_sd_radps, edges),
+                1e-12);
     const double by_tracks = (motion.residual.right_radps *
                                   (1.0 - state.mean[kCommonSlip] + state.mean[kSlipDifference]) -
                               motion.residual.left_radps *
                                   (1.0 - state.mean[kCommonSlip] - state.mean[kSlipDifference])) *
                              (1.0 + state.mean[kTurnGain]);
-    for (const double sds : {0.5, -1.0, 3.28, -3.28, 3.3, -3.3}) {
-      double innovation = 0.0, sd = 0.0;
-      for (int round = 0; round < 50; ++round) {
-        state.mean[kBias] = motion.residual.gyro_z_radps - by_tracks - innovation;
-        const double rate = std::abs(motion.residual.gyro_z_radps - state.mean[kBias]);
-        sd = magnitude(0.03, of_sensors + share * rate);
-        innovation = sds * sd;
-      }
-      EXPECT_NEAR(model_.innovation_radps(state.mean, motion.residual), innovation, 1e-9);
-      FilterState after = state;
-      model_.measure(after, motion);
-      // The gate is 10.8 = 3.286^2.
-      const double moved = std::abs(sds) < 3.29 ? square(0.03 / sd) * innovation : 0.0;
-      EXPECT_NEAR(after.mean[kBias] - state.mean[kBias], moved, 1e-9) << i << " " << sds;
-    }
+    const double innovation = motion.residual.gyro_z_radps - by_tracks - state.mean[kBias];
+    EXPECT_NEAR(model_.innovation_radps(state.mean, motion.residual), innovation, 1e-9);
+    FilterState after = state;
+    model_.measure(after, motion);
+    const double share = square(0.03) / (square(0.03) + motion.residual.variance);
+    EXPECT_NEAR(after.mean[kBias] - state.mean[kBias], share * innovation, 1e-9) << i;
   }
+}
+
+// A prior of another variance takes the place of the old one.
+TEST_F(MotionModelTest, InformationThatIsTakenBackLeavesNothingBehind) {
+  const FilterState before{any_.mean(), any_.covariance()};
+  FilterState state = before;
+  Motion motion = any_.motion(true);
+  motion.residual = {.variance = 1e12, .slip_information = 300.0, .gain_information = 200.0};
+  model_.measure(state, motion);
+  EXPECT_LT(state.covariance(kSlipDifference, kSlipDifference),
+            1.0 / (300.0 + 1.0 / before.covariance(kSlipDifference, kSlipDifference)) + 1e-9);
+  motion.residual.slip_information *= -1.0;
+  motion.residual.gain_information *= -1.0;
+  model_.measure(state, motion);
+  EXPECT_LT((state.mean - before.mean).tail<5>().cwiseAbs().maxCoeff(), 1e-8);
+  const StateMatrix off = state.covariance - before.covariance;
+  EXPECT_LT(off.bottomRows<5>().rightCols<5>().cwiseAbs().maxCoeff(), 1e-8);
 }
 
 constexpr double kStep = 1e-4;

@@ -6,7 +6,9 @@
 #include <random>
 
 #include "any_motion.h"
+#include "core/arithmetic.h"
 #include "estimation/odometry.h"
+#include "estimation/track_trust.h"
 
 namespace tp100::estimation {
 namespace {
@@ -62,66 +64,71 @@ TEST(OdometryWindows, BeginAnewWithARunAndAfterAnInterruption) {
     EXPECT_EQ(odometry.state().covariance(kX, kBias), 0.0);
     FilterInput in{.end_ns = 1, .dt_s = 0.01, .tracks = {0.1, 0.11}, .gyro = true};
     for (int i = 1; i < 30; ++i, in.end_ns += from_s(in.dt_s)) {
-      ASSERT_FALSE(odometry.advance(in).has_residual) << i;
+      ASSERT_EQ(odometry.advance(in).residual.variance, 0.0) << i;
     }
     in.dt_s = 0.011;
-    const Motion motion = odometry.advance(in);
-    ASSERT_TRUE(motion.has_residual);
-    EXPECT_NEAR(motion.turn_change,
-                odometry.model().turn_ratio(odometry.state().mean, motion.residual), 1e-3)
-        << "there is none before it";
+    EXPECT_GT(odometry.advance(in).residual.variance, 0.0);
   }
 }
 
-constexpr double kWayM = 0.36;
-constexpr double kNoise = 3e-4;
+constexpr double kSensorSd = 3e-4;  // [rad/s]
+constexpr double kBySlip = 0.7, kByGain = 0.5;
 
-/// The estimate after `windows` windows on a floor whose slip difference drifts by `step_rtm`.
-double estimated_rtm(double step_rtm, int windows, std::uint64_t seed) {
+/// What is known after `windows` windows, half of them in turns, of tracks that err by these.
+TrackTrust trust_after(int windows, double slip_sd, double gain_sd, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal;
-  constexpr int kParts = 50;
-  SlipWalk walk;
-  double slip = 0.0, before = 0.0;
-  for (int window = 0; window <= windows; ++window) {
-    double mean = 0.0;
-    for (int part = 0; part < kParts; ++part) {
-      slip += step_rtm * std::sqrt(kWayM / kParts) * normal(random);
-      mean += slip / kParts;
-    }
-    mean += kNoise / std::sqrt(2.0) * normal(random);
-    if (window > 0) walk.add(mean - before, kNoise, kWayM);
-    before = mean;
+  TrackTrust trust;
+  for (int window = 0; window < windows; ++window) {
+    const double by_gain = window % 2 == 0 ? kByGain : 0.0;
+    const double innovation = kSensorSd * normal(random) + kBySlip * slip_sd * normal(random) +
+                              by_gain * gain_sd * normal(random);
+    trust.add({innovation, square(kSensorSd), kBySlip, by_gain});
   }
-  return walk.step_rtm();
+  return trust;
 }
 
-TEST(SlipWalk, AssumesTheWorstBeforeItHasSeenTheFloor) { EXPECT_GT(SlipWalk().step_rtm(), 0.03); }
+/// Standard deviation of what the tracks' errors add to a window straight ahead or in a turn.
+double added_sd(TrackTrust trust, double by_gain) {
+  return std::sqrt(trust.add({kSensorSd, square(kSensorSd), kBySlip, by_gain}));
+}
 
-TEST(SlipWalk, FindsTheStepOfAnyFloor) {
-  for (const double step : {1e-3, 3e-3, 1e-2, 3e-2}) {
+TEST(TrackTrust, AssumesTheWorstBeforeItHasSeenTheFloor) {
+  EXPECT_GT(std::sqrt(TrackTrust().slip_variance()), 0.01);
+}
+
+TEST(TrackTrust, FindsTheSlipOfAnyFloor) {
+  for (const double slip : {1e-3, 3e-3, 1e-2, 3e-2}) {
     for (std::uint64_t seed = 1; seed <= 50; ++seed) {
-      const double estimated = estimated_rtm(step, 30, seed);
-      EXPECT_GT(estimated, step / 2.5) << step << " seed " << seed;
-      EXPECT_LT(estimated, step * 2.5) << step << " seed " << seed;
+      const double found = std::sqrt(trust_after(30, slip, 0.0, seed).slip_variance());
+      EXPECT_GT(found, slip / 2.5) << slip << " seed " << seed;
+      EXPECT_LT(found, slip * 2.5) << slip << " seed " << seed;
     }
   }
 }
 
-TEST(SlipWalk, TellsAnEvenFloorBelowTheNoiseWithinSomeMetres) {
+TEST(TrackTrust, BelievesTracksThatAgreeWithTheGyro) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
-    EXPECT_LT(estimated_rtm(0.0, 5, seed), 3e-3) << seed;
-    EXPECT_LT(estimated_rtm(0.0, 30, seed), 6e-4) << seed;
+    EXPECT_LT(added_sd(trust_after(5, 0.0, 0.0, seed), 0.0), 10.0 * kSensorSd) << seed;
+    EXPECT_LT(added_sd(trust_after(30, 0.0, 0.0, seed), kByGain), 3.0 * kSensorSd) << seed;
   }
 }
 
-// From parquet onto a carpet.
-TEST(SlipWalk, ForgetsAnEvenFloorWithinSomeWindowsOfAnUnevenOne) {
-  SlipWalk walk;
-  for (int i = 0; i < 1000; ++i) walk.add(1e-4, kNoise, kWayM);
-  EXPECT_LT(walk.step_rtm(), 4e-4);
-  for (int i = 0; i < 6; ++i) walk.add(i % 2 == 0 ? 8e-3 : -6e-3, kNoise, kWayM);
-  EXPECT_GT(walk.step_rtm(), 5e-3);
+// A wheelbase that is wrong by a tenth says nothing of straight driving.
+TEST(TrackTrust, TellsTurnsThatMisleadFromAFloorThatDoes) {
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    const TrackTrust trust = trust_after(30, 0.0, 0.03, seed);
+    EXPECT_LT(added_sd(trust, 0.0), 3.0 * kSensorSd) << seed;
+    EXPECT_GT(added_sd(trust, kByGain), 20.0 * kSensorSd) << seed;
+  }
+}
+
+// From parquet onto ice: the first window on it must not reach the gyro's bias.
+TEST(TrackTrust, LeavesTheTracksInTheWindowInWhichTheyBeginToMislead) {
+  TrackTrust trust = trust_after(1000, 0.0, 0.0, 1);
+  const double innovation = 0.02;
+  const double added = trust.add({innovation, square(kSensorSd), kBySlip, 0.0});
+  EXPECT_LT(square(kSensorSd) / (square(kSensorSd) + added) * innovation, 3e-5);
 }
 
 }  // namespace
