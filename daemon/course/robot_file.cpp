@@ -127,6 +127,12 @@ void read_slopes(text::TomlTable& table, model::TrackParameters& model) {
   }
 }
 
+/// Constants of earlier versions, without which the others have other values.
+constexpr std::array kGoneFromModel = {"x_icr_tight_shift_m", "turn_slip_tight"};
+constexpr const char* kIdentifyAgain =
+    "' is a constant that the model no longer has; delete it and identify the robot again "
+    "(tp100d identify), or use the version of tp100 that wrote this file";
+
 template <class T>
 std::string section(const char* name, std::span<const text::Key<T>> keys, const T& values,
                     const text::Origins& origins = {}) {
@@ -183,6 +189,8 @@ Robot parse_robot(const std::string& text, const std::string& file) {
   text::TomlTable encoder = emulated.table("encoder");
   text::TomlTable imu = emulated.table("imu");
   text::TomlTable battery = emulated.table("battery");
+  for (const std::string gone : kGoneFromModel)
+    if (model.has(gone)) model.fail(gone, "'model." + gone + kIdentifyAgain);
   text::read_keys(model, model_keys(), robot.model);
   read_slopes(model, robot.model);
   robot.origins = text::read_origins(text, "model");

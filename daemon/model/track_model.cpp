@@ -14,7 +14,7 @@ namespace {
 // and where it is saturated.
 constexpr double kWideTurn = 0.45, kTightTurn = 0.65;
 // The same where the wheelbase begins to drift, in arcs of medium and tight curvature, and where
-// the drift ends. The turning centre begins to drift in medium arcs.
+// the drift ends.
 constexpr double kWideArc = 0.1, kMediumArc = 0.35, kTightArc = 0.65, kSpin = 1.3;
 
 double between(double value, double low, double high) {
@@ -66,10 +66,9 @@ TurnShape turn_shape(double left_mps, double right_mps) {
   if (!(faster > 0.0)) return {};
   const double difference = (right_mps - left_mps) / faster;
   const double turn = std::abs(difference);
-  return {std::clamp(difference / kWideTurn, -1.0, 1.0),
-          between(turn, kWideTurn, kTightTurn),
-          between(turn, kWideArc, kMediumArc),
-          between(turn, kMediumArc, kTightArc),
+  const double creeping = 1.0 - between(turn, kWideTurn, kTightTurn);
+  return {std::clamp(difference / kWideTurn, -1.0, 1.0) * creeping,
+          between(turn, kWideArc, kMediumArc), between(turn, kMediumArc, kTightArc),
           between(turn, kTightArc, kSpin),
           std::abs(right_mps - left_mps) / (std::abs(left_mps) + std::abs(right_mps))};
 }
@@ -116,12 +115,8 @@ Turn turn_of(const TrackParameters& p, Mode mode, const TurnShape& shape) {
   const double medium_m = p.wheelbase_medium_m == 0.0 ? p.wheelbase_m : p.wheelbase_medium_m;
   const double arc_m =
       std::lerp(std::lerp(p.wheelbase_m, medium_m, shape.medium), tight_m, shape.arc);
-  return {
-      std::lerp(arc_m, spin_m, shape.spin),
-      p.x_icr_m + std::lerp(p.x_icr_tight_shift_m * shape.arc, p.x_icr_spin_shift_m, shape.spin),
-      shape.wide * std::lerp(p.turn_slip, p.turn_slip_tight, shape.tight) +
-          p.turn_loss * shape.curved,
-      p.slip_angle_turning_rad};
+  return {std::lerp(arc_m, spin_m, shape.spin), p.x_icr_m + p.x_icr_spin_shift_m * shape.spin,
+          p.turn_slip * shape.wide + p.turn_loss * shape.curved, p.slip_angle_turning_rad};
 }
 
 double slip_angle_rad(const TrackParameters& parameters, const Turn& turn, double yaw_rate_radps) {

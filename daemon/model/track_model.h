@@ -53,22 +53,21 @@ inline constexpr double kMaxSlip = 0.95;
 
 // The shape of a turn, and its effect on wheelbase, turning centre and slip. Our extension: the
 // paper fits one wheelbase and one pair of slip ratios to all turns, but the forces with which the
-// tracks work against each other grow with the turn until friction saturates.
+// tracks work against each other change with the turn.
 
 /// A turn described by the ratio of the two tracks' speeds, on which friction depends, rather than
-/// by the speeds. Friction saturates at much the same ratio for uneven robots.
-/// Unevenly creeping tracks lose or gain distance only until friction saturates (`wide`, `tight`).
+/// by the speeds.
+/// Unevenly creeping tracks lose or gain distance only until friction saturates (`wide`).
 /// Friction that acts against sideways sliding cannot drive: a turn to either side costs distance,
 /// the more the tighter the path is (`curved`).
 /// The wheelbase drifts from wide turns on as more of the track ends slip, until the slower track
 /// runs backwards: `medium`, `arc` and `spin` lead from its value in wide turns over those in arcs
-/// of medium and tight curvature to that on the spot, the turning centre from medium arcs on. The
+/// of medium and tight curvature to that on the spot, the turning centre from tight arcs on. The
 /// ratios are those with which four values come nearest to the wheelbases of both emulated bodies,
 /// six bundled and 16 sampled robots each.
 struct TurnShape {
   double wide = 0.0;    ///< -1..1, left positive: grows with the turn until the slower track makes
-                        ///< 0.55 of the faster one's speed, then stays
-  double tight = 0.0;   ///< 0..1: 0 down to 0.55 of the faster one's speed, 1 from 0.35 on to spins
+                        ///< 0.55 of the faster one's speed, then falls to 0 at 0.35
   double medium = 0.0;  ///< 0..1: 0 up to 0.9 of the faster one's speed, 1 from 0.65 on to spins
   double arc = 0.0;     ///< 0..1: 0 down to 0.65 of the faster one's speed, 1 from 0.35 on to spins
   double spin = 0.0;    ///< 0..1: 0 down to 0.35 of the faster one's speed, 1 from -0.3 on to spins

@@ -47,18 +47,16 @@ struct TrackParameters {
   double slip_right = 0.1188;
   double slip_angle_straight_rad = 0.404 * kRadPerDeg;
   double slip_angle_turning_rad = 0.0;
-  double wheelbase_m = 0.2742;       ///< equivalent wheelbase L
-  double x_icr_m = 0.0;              ///< Vy gets -x_icr * yaw rate
-  double wheelbase_medium_m = 0.0;   ///< L in arcs of medium curvature; 0: as wheelbase_m
-  double wheelbase_tight_m = 0.0;    ///< L in tight arcs; 0: as on the spot
-  double x_icr_tight_shift_m = 0.0;  ///< added to x_icr_m in tight arcs
-  double wheelbase_spin_m = 0.0;     ///< L on the spot; 0: as wheelbase_m
-  double x_icr_spin_shift_m = 0.0;   ///< added to x_icr_m on the spot
-  double turn_slip = 0.0;            ///< slip of both tracks that a left turn adds and a right turn
-                                     ///< subtracts: uneven creep of the tracks
-  double turn_slip_tight = 0.0;      ///< the same in tight turns
-  double turn_loss = 0.0;            ///< slip of both tracks that a turn to either side adds
-  double gyro_scale = 1.0;           ///< true rate / nominal rate, z axis
+  double wheelbase_m = 0.2742;      ///< equivalent wheelbase L
+  double x_icr_m = 0.0;             ///< Vy gets -x_icr * yaw rate
+  double wheelbase_medium_m = 0.0;  ///< L in arcs of medium curvature; 0: as wheelbase_m
+  double wheelbase_tight_m = 0.0;   ///< L in tight arcs; 0: as on the spot
+  double wheelbase_spin_m = 0.0;    ///< L on the spot; 0: as wheelbase_m
+  double x_icr_spin_shift_m = 0.0;  ///< added to x_icr_m on the spot
+  double turn_slip = 0.0;           ///< slip of both tracks that a left turn adds and a right turn
+                                    ///< subtracts: uneven creep of the tracks
+  double turn_loss = 0.0;           ///< slip of both tracks that a turn to either side adds
+  double gyro_scale = 1.0;          ///< true rate / nominal rate, z axis
 
   /// The robot's own slip on slopes, ascending, none of them level; `slopes` of them are given.
   /// With none, slip_curve applies.
@@ -128,10 +126,6 @@ inline constexpr std::array kTrackParameters = {
         "Equivalent wheelbase in tight arcs, in which the slower track has 0.35 of the faster "
         "one's speed. 0: same as on the spot",
         0.25, 0.03, 1.0, &TrackParameters::wheelbase_m},
-    ParameterRow{"x_icr_tight_shift_m", &TrackParameters::x_icr_tight_shift_m,
-                 ParameterOf::kExtended, -0.2, 0.2,
-                 "How much farther ahead the turning centre lies in tight arcs than in wide turns",
-                 0.1, 0.01},
     ParameterRow{"wheelbase_spin_m", &TrackParameters::wheelbase_spin_m, ParameterOf::kExtended, 0,
                  2, "Equivalent wheelbase while turning on the spot; 0: same as in wide turns",
                  0.25, 0.03, 1.0, &TrackParameters::wheelbase_m},
@@ -143,10 +137,8 @@ inline constexpr std::array kTrackParameters = {
         "turn_slip", &TrackParameters::turn_slip, ParameterOf::kExtended, -0.5, 0.5,
         "Slip that a left turn adds to both tracks and a right turn subtracts, if the tracks "
         "creep unevenly; it grows with the turn until the slower track has 0.55 of the "
-        "faster one's speed",
+        "faster one's speed, and falls to 0 at 0.35",
         0.1, 0.01},
-    ParameterRow{"turn_slip_tight", &TrackParameters::turn_slip_tight, ParameterOf::kExtended, -0.5,
-                 0.5, "The same in tight turns", 0.1, 0.01},
     ParameterRow{
         "turn_loss", &TrackParameters::turn_loss, ParameterOf::kExtended, -0.5, 0.5,
         "Slip that a turn to either side adds to both tracks, where the slower track stands still; "

@@ -126,12 +126,12 @@ class Regression {
   Vector score_ = Vector::Zero(), most_ = Vector::Zero();
 };
 
-/// Wheelbases in wide turns, medium and tight arcs and on the spot, turning centres of the last
-/// three, loss of distance.
+/// Wheelbases in wide turns, medium and tight arcs and on the spot, turning centres in arcs and on
+/// the spot, loss of distance.
 struct Turns {
   Regression<4> wheelbase{};
-  Regression<4> centre{};  // the last one is the slip angle's tangent
-  Regression<3> lost{};
+  Regression<3> centre{};  // the last one is the slip angle's tangent
+  Regression<2> lost{};
 
   void add(const Steps& steps, double slip_left, double slip_right) {
     model::TurnShapeFilter filter;
@@ -139,7 +139,7 @@ struct Turns {
       double difference_m = 0.0, lost_m = 0.0, left_m = 0.0, ahead_m = 0.0;
       double turned_rad = 0.0, took_s = 0.0, travel_m = 0.0;
       Eigen::Vector4d by_turn = Eigen::Vector4d::Zero();
-      Eigen::Vector3d by_travel = Eigen::Vector3d::Zero();
+      Eigen::Vector2d by_travel = Eigen::Vector2d::Zero();
       for (; from <= to; ++from) {
         const Step& step = steps[from];
         const double left = step.left_track_m * (1.0 - slip_left);
@@ -156,14 +156,13 @@ struct Turns {
         took_s += step.dt_s;
         by_turn += step.turned_rad * Eigen::Vector4d(1.0 - shape.medium, shape.medium - shape.arc,
                                                      shape.arc - shape.spin, shape.spin);
-        by_travel += mean * Eigen::Vector3d(shape.wide * (1.0 - shape.tight),
-                                            shape.wide * shape.tight, shape.curved);
+        by_travel += mean * Eigen::Vector2d(shape.wide, shape.curved);
       }
       wheelbase.add(by_turn, Eigen::Vector4d::Constant(turned_rad), difference_m);
-      lost.add(by_travel, Eigen::Vector3d::Constant(travel_m), lost_m);
+      lost.add(by_travel, Eigen::Vector2d::Constant(travel_m), lost_m);
       if (std::abs(turned_rad) > kTurningRadps * took_s)
-        centre.add({-by_turn[0] - by_turn[1], -by_turn[2], -by_turn[3], ahead_m},
-                   {turned_rad, turned_rad, turned_rad, ahead_m}, left_m);
+        centre.add({-turned_rad + by_turn[3], -by_turn[3], ahead_m},
+                   {turned_rad, turned_rad, ahead_m}, left_m);
     });
   }
 };
@@ -190,15 +189,13 @@ model::TrackParameters effective_motion(const std::vector<CalibrationDrive>& dri
   motion.wheelbase_medium_m = wheelbase[1];
   motion.wheelbase_tight_m = wheelbase[2];
   motion.wheelbase_spin_m = wheelbase[3];
-  const Eigen::Vector4d centre = turns.centre.solution();
+  const Eigen::Vector3d centre = turns.centre.solution();
   motion.x_icr_m = centre[0];
-  motion.x_icr_tight_shift_m = centre[1] - centre[0];
-  motion.x_icr_spin_shift_m = centre[2] - centre[0];
-  motion.slip_angle_turning_rad = std::atan(centre[3]);
-  const Eigen::Vector3d lost = turns.lost.solution();
+  motion.x_icr_spin_shift_m = centre[1] - centre[0];
+  motion.slip_angle_turning_rad = std::atan(centre[2]);
+  const Eigen::Vector2d lost = turns.lost.solution();
   motion.turn_slip = lost[0];
-  motion.turn_slip_tight = lost[1];
-  motion.turn_loss = lost[2];
+  motion.turn_loss = lost[1];
   motion.gyro_scale = static_cast<double>(wire::kGyroLsbPerDegps) / Mpu6050::kGyroLsbPerDegps /
                       (1.0 + robot.imu.gyro_scale_error);
   return motion;

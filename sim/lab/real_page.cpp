@@ -90,7 +90,7 @@ std::string yaw_chart(const RealStudy& study) {
 
 std::string remark(const RealStudy& study) {
   if (study.robot == "MAXXII")
-    return "MAXXII: tracks, indoors, stationary points. Of the nine constants that the extended "
+    return "MAXXII: tracks, indoors, stationary points. Of the seven constants that the extended "
            "model adds, only x_icr reduces the error, that of the lateral speed; wheelbases by "
            "turn ratio, turn slip and turn loss do not help. The yaw rate error that eqs 1-5 leave "
            "is mostly "
@@ -129,7 +129,7 @@ void write_real(report::HtmlPage& page, const std::vector<RealStudy>& studies) {
   page.paragraph(
       "Measured motion of two robots that are not a TP100. Each form is fitted by least squares to "
       "one half and judged on the other. Eqs 1-5 have five constants, the extended model "
-      "fourteen.");
+      "twelve.");
   for (const RealStudy& study : studies) {
     page.paragraph(remark(study));
     page.table(form_rows(study),

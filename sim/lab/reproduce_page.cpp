@@ -251,7 +251,7 @@ std::string reproduction_page(const Reproduction& what) {
                               static_cast<unsigned long long>(what.seed), what.runs)}});
   page.paragraph(
       "The truth is the exact pose of a rigid body on tracks (ODE) that shares no code with the "
-      "model; the robot drives by the fused pose. The extended model is eqs 1-5 and eight "
+      "model; the robot drives by the fused pose. The extended model is eqs 1-5 and seven "
       "constants of ours; what eqs 1-5 do alone stands beside it.");
   page.paragraph(
       "The reference robot's slip table is fitted through its contact creep, its slip on the level "

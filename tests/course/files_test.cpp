@@ -42,6 +42,16 @@ TEST(RobotFile, RefusesUnknownAndImpossibleValues) {
               HasSubstr("did you mean 'shape.wheel_radius_m'?"));
 }
 
+// A user with a robot file of an earlier version would delete the key and drive with values that
+// were identified beside it.
+TEST(RobotFile, SaysWhatToDoAboutAConstantThatTheModelNoLongerHas) {
+  for (const char* gone : {"turn_slip_tight", "x_icr_tight_shift_m"})
+    EXPECT_EQ(robot_error("[model]\n" + std::string(gone) + " = 0.01\n"),
+              "r.toml:2:" + std::to_string(std::string(gone).size() + 4) + ": 'model." + gone +
+                  "' is a constant that the model no longer has; delete it and identify the robot "
+                  "again (tp100d identify), or use the version of tp100 that wrote this file");
+}
+
 TEST(RobotFile, SimplerFormsAreThereIfTheirSectionsAre) {
   const Robot robot = parse_robot("[baselines.icr]\nslip_left = 0.2\nx_icr_m = 0.01\n", "r.toml");
   for (std::size_t i = 0; i < model::kBaselines.size(); ++i)

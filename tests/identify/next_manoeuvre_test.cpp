@@ -43,7 +43,7 @@ TrackParameters robot() {
   tracks.wheelbase_tight_m = 0.25;
   tracks.wheelbase_spin_m = 0.26;
   tracks.x_icr_m = 0.01;
-  tracks.turn_slip = tracks.turn_slip_tight = 0.01;
+  tracks.turn_slip = 0.01;
   tracks.turn_loss = 0.03;
   tracks.gyro_scale = 1.01;
   return tracks;
@@ -168,7 +168,7 @@ TEST(NextManoeuvre, ThePathKeepsToTheFenceFromAnyPlaceNearItsEdge) {
   truth.wheelbase_medium_m = 0.25;
   truth.wheelbase_tight_m = 0.3;
   truth.wheelbase_spin_m = 0.35;
-  truth.turn_slip = truth.turn_slip_tight = 0.1;
+  truth.turn_slip = 0.1;
   std::mt19937 random(7);
   std::uniform_real_distribution<double> from_edge_m(0.0, 0.4), along_m(-kHalfM, kHalfM),
       yaw_rad(-kPi, kPi);

@@ -164,8 +164,8 @@ TEST(Turn, GrowsFromStraightOverArcsToTheSpotWithTheRatioOfTheSpeeds) {
     const double share = (right - left) / std::max(std::abs(left), std::abs(right));
     const double turn = std::abs(share);
     const TurnShape is = turn_shape(left, right);
-    EXPECT_NEAR(is.wide, std::clamp(share / 0.45, -1.0, 1.0), 1e-12);
-    EXPECT_NEAR(is.tight, rising(turn, 0.45, 0.65), 1e-12);
+    EXPECT_NEAR(is.wide, std::clamp(share / 0.45, -1.0, 1.0) * (1.0 - rising(turn, 0.45, 0.65)),
+                1e-12);
     EXPECT_NEAR(is.medium, rising(turn, 0.1, 0.35), 1e-12);
     EXPECT_NEAR(is.arc, rising(turn, 0.35, 0.65), 1e-12);
     EXPECT_NEAR(is.spin, rising(turn, 0.65, 1.3), 1e-12);
@@ -189,12 +189,10 @@ TEST(Turn, WheelbaseTurningCentreAndSlipGoFromTheirWideToTheirTightValues) {
     const TurnShape s = turn_shape(left, right);
     const double arc = p.wheelbase_m + s.medium * (medium - p.wheelbase_m);
     const double tighter = arc + s.arc * (tight - arc);
-    const double shift = s.arc * p.x_icr_tight_shift_m;
     const Turn is = turn_of(p, Mode::kExtended, s);
     EXPECT_NEAR(is.wheelbase_m, tighter + s.spin * (spin - tighter), 1e-12);
-    EXPECT_NEAR(is.x_icr_m, p.x_icr_m + shift + s.spin * (p.x_icr_spin_shift_m - shift), 1e-12);
-    const double uneven = p.turn_slip + s.tight * (p.turn_slip_tight - p.turn_slip);
-    EXPECT_NEAR(is.slip, s.wide * uneven + s.curved * p.turn_loss, 1e-12);
+    EXPECT_NEAR(is.x_icr_m, p.x_icr_m + s.spin * p.x_icr_spin_shift_m, 1e-12);
+    EXPECT_NEAR(is.slip, s.wide * p.turn_slip + s.curved * p.turn_loss, 1e-12);
     const Turn paper = turn_of(p, Mode::kPaper, s);
     EXPECT_EQ(paper.wheelbase_m, p.wheelbase_m);
     EXPECT_EQ(paper.x_icr_m, 0.0);
@@ -208,7 +206,7 @@ TEST(Turn, FewEdgesPerIntervalDoNotLookLikeTurns) {
   for (int i = 0; i < 400; ++i) {
     // A speed of 1.5 edges per interval gives one and two edges in turn.
     const TurnShape shape = watch.update(i % 2 == 0 ? 0.1 : 0.2, i % 2 == 0 ? 0.2 : 0.1, 0.005);
-    if (i > 100) most = std::max({most, shape.tight, std::abs(shape.wide)});
+    if (i > 100) most = std::max({most, shape.arc, std::abs(shape.wide)});
   }
   EXPECT_LT(most, 0.1);
 }

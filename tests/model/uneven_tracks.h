@@ -16,10 +16,8 @@ inline TrackParameters uneven_tracks() {
   tracks.wheelbase_tight_m = 0.295;
   tracks.wheelbase_spin_m = 0.31;
   tracks.x_icr_m = 0.02;
-  tracks.x_icr_tight_shift_m = 0.01;
   tracks.x_icr_spin_shift_m = -0.03;
   tracks.turn_slip = 0.04;
-  tracks.turn_slip_tight = -0.02;
   tracks.turn_loss = 0.05;
   tracks.turning_threshold_radps = 0.07;
   return tracks;
