@@ -53,7 +53,7 @@ std::span<const Key<bridge::WorldParameters>> world_keys() {
 
 std::span<const Key<WorldSettings>> world_stream_keys() {
   using T = WorldSettings;
-  static const std::array<Key<T>, 8> kKeys = {{
+  static const std::array<Key<T>, 7> kKeys = {{
       {"frame",
        text::enum_choice<T, &T::frame, worlds::kFrameNames>(),
        {},
@@ -72,11 +72,6 @@ std::span<const Key<WorldSettings>> world_stream_keys() {
        "files: text of encoder_file, with {seq}, {t_s}, {left}, {right} (track speeds), "
        "{left_count}, {right_count}, {x}, {y}, {z}, {roll}, {pitch}, {yaw} (pose), {mode}"},
       {"orientation_file", &T::orientation_file, {}, "files: the file to read"},
-      {"orientation_template",
-       &T::orientation_template,
-       {},
-       "files: text of orientation_file, with {x}, {y}, {z}, {roll}, {pitch}, {yaw}, {} for a "
-       "number to skip; empty: what Unreal prints of a rotator and a vector, or plain numbers"},
   }};
   return kKeys;
 }

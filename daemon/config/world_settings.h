@@ -25,7 +25,6 @@ struct WorldSettings {
   std::string encoder_file = "Encoder.txt";    ///< files: written
   std::string encoder_template = "{seq} {t_s} {left} {right}";
   std::string orientation_file = "Orientation.txt";  ///< files: read
-  std::string orientation_template;                  ///< empty: Unreal's texts or plain numbers
 };
 
 // Data of a run for the interfaces to an external world.

@@ -92,8 +92,6 @@ class WorldFiles : public WorldLink {
         orientation_(run.settings.orientation_file) {
     const config::WorldSettings& settings = run.settings;
     worlds::require_encoder_template(settings.encoder_template, "world.encoder_template");
-    worlds::require_orientation_template(settings.orientation_template,
-                                         "world.orientation_template");
     if (const std::string why = replace_file(settings.encoder_file, "\n"); !why.empty())
       throw UserError("world.encoder_file " + why);
     thread_ = std::thread([this] { live(); });
@@ -162,8 +160,7 @@ void WorldFiles::live() {
     const std::optional<std::string> seen = orientation_.look();
     const HostNs now = monotonic_now();
     const auto orientation_seen =
-        seen ? worlds::orientation_of(*seen, settings.orientation_template, settings.frame)
-             : std::nullopt;
+        seen ? worlds::orientation_of(*seen, settings.frame) : std::nullopt;
     const bool given = orientation_seen && give_(sample_of(*orientation_seen, now));
     lock.lock();
     if (next) ++(error.empty() ? counters_.written : counters_.write_errors);
@@ -171,7 +168,7 @@ void WorldFiles::live() {
     if (orientation_seen && !given) ++counters_.dropped;
     if (!error.empty() && !std::exchange(reported_write_, true)) events_.note(error, kInfo);
     if (seen && !orientation_seen && !std::exchange(reported_read_, true))
-      events_.note(settings.orientation_file + ": cannot be parsed; see world.orientation_template",
+      events_.note(settings.orientation_file + ": cannot be parsed; write P=0 Y=0 R=0 or numbers",
                    kInfo);
   }
   ended_ = true;

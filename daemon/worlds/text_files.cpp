@@ -54,30 +54,10 @@ void walk(std::string_view pattern, Text on_text, Name on_name) {
   }
 }
 
-/// Throws UserError unless the pattern is short enough and has only names that are `known`.
-template <class Known>
-void require_names(std::string_view pattern, const std::string& where, Known known,
-                   const char* valid) {
-  if (pattern.size() > kMaxTemplate)
-    throw UserError(where + ": longer than " + std::to_string(kMaxTemplate) + " characters");
-  const std::size_t last = pattern.rfind('{');
-  if (last != std::string_view::npos && pattern.find('}', last) == std::string_view::npos)
-    throw UserError(where + ": a { without its }");
-  walk(
-      pattern, [](std::string_view) {},
-      [&](std::string_view name) {
-        if (!known(name))
-          throw UserError(where + ": {" + std::string(name) + "} is no value; use " + valid);
-      });
-}
-
-// x, y, z, roll, pitch, yaw.
-constexpr std::array<std::string_view, 6> kNames = {"x", "y", "z", "roll", "pitch", "yaw"};
 enum Value : std::size_t { kX, kY, kZ, kRoll, kPitch, kYaw };
 using Values = std::array<std::optional<double>, 6>;
 
-bool space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
-bool between(char c) { return space(c) || c == ',' || c == ';' || c == '(' || c == ')'; }
+bool between(char c) { return std::string_view(" \t\r\n,;()").find(c) != std::string_view::npos; }
 
 /// Removes a number from the front of `text`.
 std::optional<double> number(std::string_view& text) {
@@ -172,57 +152,23 @@ std::optional<Orientation> plain(std::string_view text, Frame frame) {
   return orientation(values, frame);
 }
 
-/// Index of a {name}; kNames.size() for a number to skip.
-std::optional<std::size_t> index_of(std::string_view name) {
-  if (name.empty()) return kNames.size();
-  const auto found = std::find(kNames.begin(), kNames.end(), name);
-  if (found == kNames.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - kNames.begin());
-}
-
-void skip_space(std::string_view& text) {
-  while (!text.empty() && space(text.front())) text.remove_prefix(1);
-}
-
-std::optional<Orientation> patterned(std::string_view text, std::string_view pattern, Frame frame) {
-  Values values{};
-  skip_space(text);
-  skip_space(pattern);
-  while (!pattern.empty()) {
-    if (space(pattern.front())) {
-      const bool here = !text.empty() && space(text.front());
-      skip_space(pattern);
-      skip_space(text);
-      if (!here && !pattern.empty()) return std::nullopt;
-      continue;
-    }
-    if (pattern.front() == '{') {
-      const std::size_t close = pattern.find('}');
-      if (close == std::string_view::npos) return std::nullopt;
-      const auto index = index_of(pattern.substr(1, close - 1));
-      const auto value = number(text);
-      if (!index || !value) return std::nullopt;
-      if (*index < values.size()) values[*index] = value;
-      pattern.remove_prefix(close + 1);
-      continue;
-    }
-    if (text.empty() || text.front() != pattern.front()) return std::nullopt;
-    text.remove_prefix(1);
-    pattern.remove_prefix(1);
-  }
-  skip_space(text);
-  if (!text.empty()) return std::nullopt;
-  return orientation(values, frame);
-}
-
 }  // namespace
 
 void require_encoder_template(std::string_view pattern, const std::string& where) {
+  if (pattern.size() > kMaxTemplate)
+    throw UserError(where + ": longer than " + std::to_string(kMaxTemplate) + " characters");
+  const std::size_t last = pattern.rfind('{');
+  if (last != std::string_view::npos && pattern.find('}', last) == std::string_view::npos)
+    throw UserError(where + ": a { without its }");
   const auto record = std::make_unique<const StepRecord>();
-  require_names(
-      pattern, where,
-      [&](std::string_view name) { return value_of(name, *record, Frame::kRos).has_value(); },
-      "seq, t_s, left_count, right_count, left, right, x, y, z, roll, pitch, yaw or mode");
+  walk(
+      pattern, [](std::string_view) {},
+      [&](std::string_view name) {
+        if (!value_of(name, *record, Frame::kRos))
+          throw UserError(where + ": {" + std::string(name) +
+                          "} is no value; use seq, t_s, left_count, right_count, left, right, x, "
+                          "y, z, roll, pitch, yaw or mode");
+      });
 }
 
 std::string encoder_text(std::string_view pattern, const StepRecord& record, Frame frame) {
@@ -236,25 +182,10 @@ std::string encoder_text(std::string_view pattern, const StepRecord& record, Fra
   return out;
 }
 
-void require_orientation_template(std::string_view pattern, const std::string& where) {
-  if (pattern.empty()) return;
-  bool pitch = false;
-  require_names(
-      pattern, where,
-      [&](std::string_view name) {
-        pitch = pitch || name == "pitch";
-        return index_of(name).has_value();
-      },
-      "x, y, z, roll, pitch, yaw, or {} for a number to skip");
-  if (!pitch) throw UserError(where + ": has no {pitch}, without which there is no slope");
-}
-
-std::optional<Orientation> orientation_of(std::string_view text, std::string_view pattern,
-                                          Frame frame) {
+std::optional<Orientation> orientation_of(std::string_view text, Frame frame) {
   if (text.size() > kMaxOrientationText) return std::nullopt;
   const std::string utf8 = text::as_utf8(std::string(text));
   text = utf8;
-  if (!pattern.empty()) return patterned(text, pattern, frame);
   return text.find('=') != std::string_view::npos ? labelled(text, frame) : plain(text, frame);
 }
 

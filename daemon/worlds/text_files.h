@@ -33,16 +33,9 @@ struct Orientation {
   bool has_place = false;  ///< has x, y and z
 };
 
-/// Throws UserError if `pattern` is too long, contains an unknown {name} or has no {pitch}.
-/// `where` begins the message.
-void require_orientation_template(std::string_view pattern, const std::string& where);
-
-/// Decodes `text`. With an empty `pattern`: Unreal's own texts, "P=-28.0 Y=0.0 R=0.0" of a rotator
-/// and "X=10.0 Y=0.0 Z=4.0" of a vector in any order, or plain numbers: one is the pitch, three are
-/// pitch, yaw and roll in a rotator's order, six are x, y, z and these. With a pattern: its literal
-/// text must match, {x} {y} {z} {roll} {pitch} {yaw} are numbers, {} is a number to skip, and white
-/// space matches any white space. Nothing if it does not match, is incomplete or out of range.
-std::optional<Orientation> orientation_of(std::string_view text, std::string_view pattern,
-                                          Frame frame);
+/// Decodes `text`: Unreal's own texts, "P=-28.0 Y=0.0 R=0.0" of a rotator and "X=10.0 Y=0.0 Z=4.0"
+/// of a vector in any order, or plain numbers: one is the pitch, three are pitch, yaw and roll in a
+/// rotator's order, six are x, y, z and these. Nothing if it is incomplete or out of range.
+std::optional<Orientation> orientation_of(std::string_view text, Frame frame);
 
 }  // namespace tp100::worlds

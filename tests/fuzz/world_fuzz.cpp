@@ -64,11 +64,10 @@ void converse(std::string_view text) {
 }
 
 void orient(std::string_view text) {
-  for (const char* pattern : {"", "P={pitch} Y={yaw} R={roll}", "{x},{y},{z},{},{pitch}"})
-    for (const worlds::Frame frame :
-         {worlds::Frame::kRos, worlds::Frame::kUnreal, worlds::Frame::kUnity})
-      if (const auto found = worlds::orientation_of(text, pattern, frame))
-        require(finite(found->pose), "an orientation is finite");
+  for (const worlds::Frame frame :
+       {worlds::Frame::kRos, worlds::Frame::kUnreal, worlds::Frame::kUnity})
+    if (const auto found = worlds::orientation_of(text, frame))
+      require(finite(found->pose), "an orientation is finite");
 }
 
 }  // namespace

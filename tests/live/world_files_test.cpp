@@ -116,9 +116,6 @@ TEST_F(Files, BadSettingsAreErrorsAtTheStart) {
   run_.settings.encoder_template = "{speed}";
   EXPECT_THROW(open(), UserError);
   run_.settings.encoder_template = "{left}";
-  run_.settings.orientation_template = "{roll}";
-  EXPECT_THROW(open(), UserError);
-  run_.settings.orientation_template = "";
   run_.settings.encoder_file = folder_.file("none/Encoder.txt");
   EXPECT_THROW(open(), UserError);
 }
