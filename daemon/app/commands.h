@@ -91,13 +91,12 @@ int run_check(const std::vector<std::string>& files, bool json = false);
 
 // `tp100d replay`: runs the inputs of a recording through the step again, checks whether every pose
 // and command is reproduced (bit for bit, or, if it was recorded on another kind of processor,
-// core/arithmetic.h, except for rounding), and writes a CSV file of poses.
+// core/arithmetic.h, except for rounding), and writes a CSV file of the steering poses.
 
 struct ReplayOptions {
   std::string in;
   std::string out;
   std::string config;  ///< empty: as recorded
-  std::string model;   ///< paper, extended, odometry or fused; empty: the steering pose
 };
 
 /// The command. Returns 0 if every result was reproduced (within kRounding on another kind of

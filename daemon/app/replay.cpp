@@ -20,28 +20,6 @@ using record::Recording;
 /// Thrown to end the reading early.
 struct Enough {};
 
-/// Which estimate is replayed.
-struct Wanted {
-  PoseSource source = PoseSource::kModel;
-  std::optional<bool> paper{};  ///< of the model: as eqs 1-5 with the paper's constants, or not
-};
-
-/// The model that a name on the command line denotes. Throws UserError for an unknown name.
-Wanted wanted_model(const std::string& name) {
-  if (name == "paper") return {.paper = true};
-  if (name == "extended") return {.paper = false};
-  std::vector<std::string_view> names = {"paper", "extended"};
-  std::string others;
-  for (const PoseSource source : kPoseSources) {
-    if (source == PoseSource::kModel) continue;
-    if (name == to_string(source)) return {.source = source};
-    names.push_back(to_string(source));
-    others += (source == kPoseSources.back() ? " or " : ", ") + std::string(names.back());
-  }
-  throw UserError("--model '" + one_line(name) + "' is unknown" + text::suggestion(name, names) +
-                  "; use paper, extended" + others);
-}
-
 constexpr const char* kHeader =
     "t_s,x_m,y_m,z_m,roll_rad,pitch_rad,yaw_rad,vx_mps,vy_mps,yaw_rate_radps,slip_left,slip_"
     "right\n";
@@ -82,24 +60,6 @@ void print_difference(const Recording& recording, const Replayed& result) {
                seconds(result.differs_ns - recording.start_ns()).c_str(),
                result.difference.field.c_str(), result.difference.computed.c_str(),
                result.difference.recorded.c_str(), one_line(recording.fact("version"), 20).c_str());
-}
-
-/// Replaces the configuration and the model's form. Returns the pose to write; `verify`: false if
-/// the recorded results cannot be expected any more.
-PoseSource apply(const ReplayOptions& options, config::RunFiles files, config::RunSetup& run,
-                 bool& verify) {
-  if (!options.config.empty()) {
-    files.configuration = course::read_text_file(options.config);
-    verify = false;
-  }
-  run = config::parse_run(files);
-  if (options.model.empty()) return run.parameters.steering;
-  const Wanted model = wanted_model(options.model);
-  if (model.paper && *model.paper != run.parameters.paper_model) {
-    run.parameters.paper_model = *model.paper;
-    verify = false;
-  }
-  return model.source;
 }
 
 }  // namespace
@@ -168,9 +128,10 @@ Replayed replay_steps(const Recording& recording, const bridge::Parameters& para
 
 int run_replay(const ReplayOptions& options) {
   const Recording recording(options.in);
-  bool verify = true;
-  config::RunSetup run;
-  const PoseSource source = apply(options, recorded_files(recording), run, verify);
+  config::RunFiles files = recorded_files(recording);
+  const bool verify = options.config.empty();
+  if (!verify) files.configuration = course::read_text_file(options.config);
+  const config::RunSetup run = config::parse_run(files);
 
   text::FileReplacement out(options.out);
   out.write(kHeader);
@@ -178,8 +139,8 @@ int run_replay(const ReplayOptions& options) {
   const Replayed result =
       replay_steps(recording, run.parameters, run.course, verify, [&](const StepRecord& record) {
         if (record.inputs.samples.empty()) return;
-        out.write(
-            row_of(record.snapshot, source, to_s(record.snapshot.sample.measured_ns - start)));
+        out.write(row_of(record.snapshot, run.parameters.steering,
+                         to_s(record.snapshot.sample.measured_ns - start)));
       });
 
   const std::string& path = recording.path();
@@ -225,11 +186,10 @@ void add_replay(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("replay", "Repeat a recording, and write its poses");
   text::option(command, "IN", options.in, "FILE", "Recording or its folder: verified bit for bit")
       ->required();
-  text::option(command, "--out", options.out, "FILE", "CSV file of poses to write [s, m, rad]")
+  text::option(command, "--out", options.out, "FILE",
+               "CSV file of the steering poses to write [s, m, rad]")
       ->required();
   text::option(command, "--config", options.config, "FILE", "Configuration (default: as recorded)");
-  text::option(command, "--model", options.model, "MODEL",
-               "paper, extended, odometry or fused (default: the pose that steered)");
   command->footer("Example: tp100d replay runs/RUN");
   command->callback([&action] { action = [] { return run_replay(options); }; });
 }

@@ -7,7 +7,6 @@
 #include "app/commands.h"
 #include "core/processor.h"
 #include "recorded_run.h"
-#include "support/refusal.h"
 #include "support/temporary_folder.h"
 
 namespace tp100::app {
@@ -19,9 +18,7 @@ class ReplayRecording : public testing::Test {
  protected:
   std::string file() const { return folder_.file("run.mcap"); }
   std::string poses() const { return folder_.file("poses.csv"); }
-  ReplayOptions options() const {
-    return {.in = file(), .out = poses(), .config = {}, .model = {}};
-  }
+  ReplayOptions options() const { return {.in = file(), .out = poses(), .config = {}}; }
   Replayed replayed(bool verify = true) const {
     const record::Recording recording(file());
     const config::RunSetup run = config::parse_run(recorded_files(recording));
@@ -141,16 +138,11 @@ TEST_F(ReplayRecording, AMissingStepEndsTheReplay) {
 TEST_F(ReplayRecording, OtherParametersAreReplayedAndNotJudged) {
   record_run(file());
   test::write_bytes(folder_.file("tp100.toml"), "[control]\npreview_s = 0.2\n");
-  for (const bool model : {true, false}) {
-    ReplayOptions other = options();
-    (model ? other.model : other.config) = model ? "paper" : folder_.file("tp100.toml");
-    testing::internal::CaptureStdout();
-    EXPECT_EQ(run_replay(other), 0);
-    EXPECT_THAT(testing::internal::GetCapturedStdout(), HasSubstr("other parameters"));
-  }
-  ReplayOptions unknown = options();
-  unknown.model = "papre";
-  EXPECT_THAT(test::refusal([&] { run_replay(unknown); }), HasSubstr("did you mean 'paper'?"));
+  ReplayOptions other = options();
+  other.config = folder_.file("tp100.toml");
+  testing::internal::CaptureStdout();
+  EXPECT_EQ(run_replay(other), 0);
+  EXPECT_THAT(testing::internal::GetCapturedStdout(), HasSubstr("other parameters"));
 }
 
 // The address and undefined-behaviour sanitizers detect any harm that these inputs do.
@@ -167,8 +159,9 @@ TEST_F(ReplayRecording, InputsThatNoRobotSentDoNoHarm) {
   });
   const Replayed result = replayed(false);
   EXPECT_EQ(result.steps, 400u);
+  test::write_bytes(folder_.file("tp100.toml"), "[model]\nmode = \"paper\"\n");
   ReplayOptions other = options();
-  other.model = "paper";
+  other.config = folder_.file("tp100.toml");
   testing::internal::CaptureStdout();
   EXPECT_EQ(run_replay(other), 0);
   testing::internal::GetCapturedStdout();

@@ -143,10 +143,8 @@ class Run : public ::testing::Test {
     std::vector<std::string> all;
     for (const auto& run : std::filesystem::directory_iterator(folder)) {
       testing::internal::CaptureStdout();
-      EXPECT_EQ(
-          app::run_replay(
-              {.in = run.path(), .out = folder_.file("poses.csv"), .config = {}, .model = {}}),
-          0);
+      EXPECT_EQ(app::run_replay({.in = run.path(), .out = folder_.file("poses.csv"), .config = {}}),
+                0);
       EXPECT_THAT(testing::internal::GetCapturedStdout(), ::testing::HasSubstr("bit for bit"));
       all.push_back(run.path());
     }

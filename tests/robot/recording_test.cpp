@@ -68,7 +68,7 @@ class RecordedCourse : public testing::TestWithParam<Drive> {
 
 // A column that holds another value, or another unit than its name says, misleads whoever plots it.
 void expect_columns(const Recording& recording, const std::string& file) {
-  app::run_replay({.in = recording.path(), .out = file, .config = {}, .model = "fused"});
+  app::run_replay({.in = recording.path(), .out = file, .config = {}});
   const text::CsvTable table =
       text::parse_csv(test::read_bytes(file), file,
                       {{"t_s", "x_m", "y_m", "z_m", "roll_rad", "pitch_rad", "yaw_rad", "vx_mps",
@@ -82,10 +82,10 @@ void expect_columns(const Recording& recording, const std::string& file) {
     };
     const Snapshot& s = record.snapshot;
     expect("t_s", to_s(s.sample.measured_ns - recording.start_ns()));
-    visit_fields(expect, s.estimates[PoseSource::kFused].pose);
-    visit_fields(expect, s.estimates[PoseSource::kFused].twist);
-    expect("slip_left", s.filter.slip_left);
-    expect("slip_right", s.filter.slip_right);
+    visit_fields(expect, s.estimates[PoseSource::kOdometry].pose);
+    visit_fields(expect, s.estimates[PoseSource::kOdometry].twist);
+    expect("slip_left", s.slip_left);
+    expect("slip_right", s.slip_right);
     ++row;
   }});
   EXPECT_EQ(row, table.rows());
