@@ -93,16 +93,10 @@ func add_prism(piece: Dictionary) -> void:
 	show_mesh(surface.commit(), transform_of(piece), COLOURS.get(piece.kind, COLOURS.ramp))
 
 # Adds a static obstacle; freeing the node removes it.
-func add_obstacle(at: Transform, size: Vector3, seen: bool) -> StaticBody:
+func add_obstacle(at: Transform, size: Vector3) -> StaticBody:
 	var box := BoxShape.new()
 	box.extents = size / 2
-	var obstacle := add_shape(box, at * Transform(Basis(), Vector3(0, size.y / 2, 0)), OBSTACLE, {"kind": "obstacle"})
-	if not seen:
-		return obstacle
-	var mesh := CubeMesh.new()
-	mesh.size = size
-	obstacle.add_child(mesh_of(mesh, Color(0.75, 0.25, 0.2)))
-	return obstacle
+	return add_shape(box, at * Transform(Basis(), Vector3(0, size.y / 2, 0)), OBSTACLE, {"kind": "obstacle"})
 
 func add_sheet(piece: Dictionary) -> void:
 	var sheet := PlaneMesh.new()
@@ -114,19 +108,15 @@ func add_sheet(piece: Dictionary) -> void:
 func show_mesh(mesh: Mesh, at: Transform, colour: Color) -> void:
 	if not shown:
 		return
-	var instance := mesh_of(mesh, colour)
-	instance.transform = at
-	add_child(instance)
-
-static func mesh_of(mesh: Mesh, colour: Color) -> MeshInstance:
 	var instance := MeshInstance.new()
 	var material := SpatialMaterial.new()
 	material.albedo_color = colour
 	material.roughness = 0.9
 	material.params_cull_mode = SpatialMaterial.CULL_DISABLED
 	instance.mesh = mesh
+	instance.transform = at
 	instance.material_override = material
-	return instance
+	add_child(instance)
 
 # Whether only the floor lies under the rays of both tracks: then one ray per track is enough, and an answer takes a
 # fraction of the time.

@@ -19,7 +19,6 @@ const INNER := 0.1960
 
 var left_mps := 0.0   # speeds of the tracks' surfaces
 var right_mps := 0.0
-var push_n := Vector3()  # on the reference point, horizontal
 var friction_coefficient: float
 var com := Vector3()     # from the reference point to the centre of mass
 var stations := []       # along a track on a plane, [position from -1 (rear axle) to 1, share of the track's load]
@@ -125,7 +124,6 @@ func touches(state: PhysicsDirectBodyState) -> Array:
 # Coulomb friction at every contact of the tracks, by sequential impulses: each sweep reduces the sliding at a contact,
 # with at most the friction coefficient times its load.
 func _integrate_forces(state: PhysicsDirectBodyState) -> void:
-	state.linear_velocity += push_n * state.inverse_mass * state.step
 	contacts = state.get_contact_count()
 	if contacts == 0:
 		return

@@ -39,8 +39,6 @@ var run = -1
 var shift = Transform2D() # from the real robot's floor to this world
 var last_s = 0.0
 var title = ""
-var free_yaw = 0.6
-var free_pitch = -0.6
 
 func build(settings: Dictionary) -> void:
 	title = settings.title
@@ -209,8 +207,6 @@ func place_camera(share: float) -> void:
 	match mode:
 		"top":
 			camera.transform = Transform(Basis(Vector3.RIGHT, -PI / 2), middle + Vector3(0, 2.5, 0))
-		"free":
-			camera.transform.basis = Basis(Vector3.UP, free_yaw) * Basis(Vector3.RIGHT, free_pitch)
 		_:
 			var flat = Vector3(-robot.transform.basis.z.x, 0, -robot.transform.basis.z.z).normalized()
 			var wanted = robot.transform.origin - flat * 0.5 + flat.cross(Vector3.UP) * 0.28 + Vector3(0, 0.36, 0)
@@ -231,7 +227,6 @@ func turn() -> void:
 	VisualServer.render_loop_enabled = now_ms >= next_frame_ms
 	if VisualServer.render_loop_enabled:
 		drawn_ms = now_ms
-		fly()
 
 func save_image() -> void:
 	var image = get_viewport().get_texture().get_data()
@@ -241,15 +236,6 @@ func save_image() -> void:
 	image_due = false
 	next_image_s += film_step_s
 
-func fly() -> void:
-	if mode != "free":
-		return
-	var wish = Vector3(
-			int(Input.is_key_pressed(KEY_D)) - int(Input.is_key_pressed(KEY_A)), 0,
-			int(Input.is_key_pressed(KEY_S)) - int(Input.is_key_pressed(KEY_W)))
-	camera.translation += camera.transform.basis * wish * 0.02
-	place_camera(1.0)
-
 func _unhandled_input(event: InputEvent) -> void:
 	if event is InputEventKey and event.pressed and not event.echo:
 		match event.scancode:
@@ -257,12 +243,4 @@ func _unhandled_input(event: InputEvent) -> void:
 				mode = "chase"
 			KEY_2:
 				mode = "top"
-			KEY_3:
-				free_yaw = camera.rotation.y
-				free_pitch = camera.rotation.x
-				mode = "free"
-		place_camera(1.0)
-	elif event is InputEventMouseMotion and mode == "free" and event.button_mask & BUTTON_MASK_RIGHT:
-		free_yaw -= event.relative.x * 0.005
-		free_pitch = clamp(free_pitch - event.relative.y * 0.005, -1.5, 1.5)
 		place_camera(1.0)

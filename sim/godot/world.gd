@@ -4,7 +4,6 @@ extends Spatial
 
 const Robot = preload("res://robot.gd")
 const View = preload("res://view.gd")
-const Hand = preload("res://hand.gd")
 
 var robots := []
 var obstacles := {}      # by robot: its obstacles in the spaces of the others
@@ -32,9 +31,6 @@ func _ready() -> void:
 		obstacles[robot] = []
 	if view != null:
 		view.robots_are(robots)
-		var hand := Hand.new()
-		add_child(hand)
-		hand.build(view, robots)
 	for i in robots.size():
 		var wanted: int = settings.port + i if settings.port != 0 else 0
 		var port: int = robots[i].open_port(settings.host, wanted)
@@ -84,7 +80,7 @@ func stand_in_the_way(at: Transform, message: Dictionary, _frame: Reference, rob
 	obstacles[robot] = []
 	for other in robots:
 		if other != robot:
-			obstacles[robot].append(other.terrain.add_obstacle(at, robot.hull_m(), false))
+			obstacles[robot].append(other.terrain.add_obstacle(at, robot.hull_m()))
 
 # Space presses STOP; it stays pressed until R.
 func _unhandled_key_input(event: InputEventKey) -> void:

@@ -143,52 +143,19 @@ INSTANTIATE_TEST_SUITE_P(Authorities, GodotRobots, testing::Values("bridge", "wo
 /// A person at the window of a world that owns the pose, while course 1-straight is driven.
 class GodotWindow : public Godot {
  protected:
-  // Seen from above, in pixels: the course's middle, and the robot where the course ends.
-  static constexpr const char* kMiddle[] = {"480", "270"};
-  static constexpr const char* kEnd[] = {"480", "73"};
-
-  nlohmann::json course(const std::string& record) {
-    return drive(engine_, "1-straight", "world", record, 0, {"--record", folder_.file(record)});
-  }
-  void expect_replayed(const std::string& record) {
-    const Finished replayed =
-        run({"tp100d", "replay", folder_.file(record + "/1-straight-end-loaded-1/run.mcap"),
-             "--out", folder_.file("poses.csv")});
-    EXPECT_THAT(replayed.output, HasSubstr("bit for bit"));
-  }
+  bool completed() { return drive(engine_, "1-straight", "world").value("completed", false); }
 
   Screen screen_;
   Engine engine_{"1-straight", "127.0.0.1:0", &screen_};
 };
 
-TEST_F(GodotWindow, AnObstacleEndsARunUntilItIsTakenAway) {
-  screen_.input({"mousemove", kMiddle[0], kMiddle[1], "click", "1"});
-  ASSERT_TRUE(engine_.says("obstacle: "));
-  EXPECT_EQ(course("blocked").value("cause", ""), "immobilised");
-  expect_replayed("blocked");
-  screen_.input({"click", "1"});
-  ASSERT_TRUE(engine_.says("taken away"));
-  EXPECT_TRUE(course("free").value("completed", false));
-}
-
-TEST_F(GodotWindow, DraggingTheRobotPushesItAside) {
-  const nlohmann::json free = course("free");
-  ASSERT_TRUE(free.value("completed", false)) << free;
-  screen_.input({"mousemove", kEnd[0], kEnd[1], "mousedown", "1", "mousemove", "440", kEnd[1]});
-  ASSERT_TRUE(engine_.says("robot: held"));
-  const nlohmann::json pushed = course("pushed");
-  EXPECT_GT(number(pushed, "tracking", "max_cross_track_m"),
-            3 * number(free, "tracking", "max_cross_track_m"));
-  expect_replayed("pushed");
-}
-
 TEST_F(GodotWindow, SpaceIsStopUntilR) {
   screen_.input({"key", "space"});
   ASSERT_TRUE(engine_.says("STOP: pressed"));
-  EXPECT_FALSE(course("stopped").value("completed", true));
+  EXPECT_FALSE(completed());
   screen_.input({"key", "r"});
   ASSERT_TRUE(engine_.says("STOP: released"));
-  EXPECT_TRUE(course("free").value("completed", false));
+  EXPECT_TRUE(completed());
 }
 
 TEST_F(Godot, NamesACourseThatIsNotThere) {
