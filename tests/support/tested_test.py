@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""scripts/tested.py on ctest runs of a small project: skips and second tries."""
+"""tests/tested.py on ctest runs of a small project: skips and second tries."""
 import os
 import subprocess
 import sys
@@ -49,7 +49,7 @@ def main():
                            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
             # The log of the next run must be a new one.
             subprocess.run(["ctest", "--test-dir", build, "-N"], stdout=subprocess.DEVNULL, check=True)
-            got = subprocess.run([sys.executable, "-B", ROOT + "/scripts/tested.py", *options, run], text=True,
+            got = subprocess.run([sys.executable, "-B", ROOT + "/tests/tested.py", *options, run], text=True,
                                  stdout=subprocess.PIPE, check=False)
             if (got.stdout, got.returncode) != (wanted, status):
                 sys.exit(f"failed: {tests} {options}: expected {status}\n{wanted}got {got.returncode}\n{got.stdout}")

@@ -10,7 +10,6 @@ import re
 import sys
 import xml.etree.ElementTree
 
-ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 MOST_SECOND_TRIES = 3
 REASONS = (
     re.compile(r": Skipped\n(.*?)\n\s*\[  SKIPPED \]", re.S),  # GoogleTest
@@ -28,7 +27,7 @@ def reason(output):
 
 def accepted():
     """The patterns of tests/SKIPS."""
-    with open(os.path.join(ROOT, "tests", "SKIPS"), encoding="utf-8") as file:
+    with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "SKIPS"), encoding="utf-8") as file:
         return [re.compile(line.strip()) for line in file if line.strip() and not line.startswith("#")]
 
 

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""scripts/soak [SECONDS]: robot and daemon on a pseudo-terminal at 200 Hz, recording, with four viewers, for 80 minutes.
+"""scripts/bench soak: robot and daemon on a pseudo-terminal at 200 Hz, recording, with four viewers, for 80 minutes.
 
-That is longer than the robot's clock takes to wrap (71.6 minutes). The robot is started again whenever it has driven its
-course. Prints what became of the samples, and how memory, descriptors, threads and the loop's times developed. Exits with
-1 if a sample was lost and not counted, the daemon grew, no course was completed, a viewer was lost, or the recording is
-incomplete. Times are only printed: they depend on the machine.
+Usage: bench_soak.py FOLDER_OF_PROGRAMS SECONDS. 80 minutes are longer than the robot's clock takes to wrap (71.6
+minutes). The robot is started again whenever it has driven its course. Prints what became of the samples, and how
+memory, descriptors, threads and the loop's times developed. Exits with 1 if a sample was lost and not counted, the
+daemon grew, no course was completed, a viewer was lost, or the recording is incomplete. Times are only printed: they
+depend on the machine.
 """
-import argparse
 import json
 import os
 import re
@@ -20,8 +20,7 @@ VIEWERS = 4
 LOOKS = 40  # measurements of the daemon over the whole time
 SETTLED = LOOKS // 10  # from this one on nothing may grow by more than
 MAY_GROW = {"memory_kib": 8192, "threads": 0, "descriptors": 0}  # 8 MiB: the allocator's own noise
-ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-PROGRAMS = os.environ.get("TP100_BIN", ROOT + "/build/dev/bin")
+PROGRAMS, SECONDS = sys.argv[1], float(sys.argv[2])
 
 
 def wait_for(pattern, path, patience_s=20):
@@ -102,13 +101,8 @@ def judge(looks, seen, sent, figures, driven):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("seconds", nargs="?", type=float, default=4800.0)
-    seconds = parser.parse_args().seconds
-    if "TP100_BIN" not in os.environ:
-        subprocess.run([ROOT + "/scripts/build", "dev", "tp100d", "tp100-sim", "viewer_load"], check=True, stdout=sys.stderr)
     with tempfile.TemporaryDirectory(prefix="tp100-soak-") as folder:
-        wrong = judge(*drive(folder, seconds))
+        wrong = judge(*drive(folder, SECONDS))
     for sentence in wrong:
         print(f"soak: {sentence}", file=sys.stderr)
     return 1 if wrong else 0
