@@ -21,7 +21,6 @@ struct BoardCorners {
 /// The flat pattern for calibrating a lens.
 class CalibrationBoard {
  public:
-  /// "chessboard:9x6:0.025": 9 by 6 inner corners, squares of 25 mm.
   /// "charuco:7x5:0.04:0.03": 7 by 5 squares of 40 mm, markers of 30 mm, dictionary 4x4_50.
   /// Throws UserError.
   static CalibrationBoard parse(const std::string& text);
@@ -32,12 +31,6 @@ class CalibrationBoard {
   cv::Mat draw(double pixels_per_m) const;
 
  private:
-  BoardCorners find_chessboard(const cv::Mat& grey) const;
-  BoardCorners find_charuco(const cv::Mat& grey) const;
-
-  cv::Size inner_;
-  double square_m_ = 0.0;
-  std::size_t enough_ = 0;  ///< least number of corners for an image to be used
   cv::Ptr<cv::aruco::CharucoBoard> charuco_;
 };
 

@@ -58,8 +58,7 @@ void add_options(CLI::App& app, Options& options) {
                  "Find the lens from images of --board and write it to this file")
       ->type_name("FILE");
   app.add_option("--board", options.board,
-                 "chessboard:9x6:0.025 (inner corners, square in m) or charuco:7x5:0.04:0.03 "
-                 "(squares, square and marker in m)")
+                 "charuco:7x5:0.04:0.03 (squares, square and marker in m)")
       ->type_name("BOARD");
   app.add_option("--print-marker", options.print_marker,
                  "Write the marker of --view, or the default one, as an SVG of true size")

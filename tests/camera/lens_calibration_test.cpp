@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <utility>
+#include <vector>
 
 #include "core/error.h"
 #include "held_board.h"
@@ -39,18 +39,14 @@ void expect_the_lens(const camera::LensFit& fit) {
   EXPECT_LT(worst_px, 2.5);
 }
 
-TEST(LensCalibration, EitherBoardGivesTheLensBack) {
-  for (const auto& [text, width_m] :
-       {std::pair{"chessboard:8x5:0.025", 0.025 * 10}, {"charuco:8x5:0.032:0.024", 0.032 * 9}}) {
-    SCOPED_TRACE(text);
-    const camera::CalibrationBoard board = camera::CalibrationBoard::parse(text);
-    std::vector<camera::BoardCorners> views;
-    for (const cv::Mat& image : held_all_over(bent_camera(), board.draw(4000.0), width_m,
-                                              {-0.28, 0.0, 0.28}, {-0.12, 0.0, 0.12}, 0.3))
-      if (auto found = board.find(image); !found.pixels.empty()) views.push_back(found);
-    ASSERT_GE(views.size(), camera::kFewestViews);
-    expect_the_lens(camera::fit_lens(views, {960, 540}));
-  }
+TEST(LensCalibration, ABoardGivesTheLensBack) {
+  const camera::CalibrationBoard board = camera::CalibrationBoard::parse("charuco:8x5:0.032:0.024");
+  std::vector<camera::BoardCorners> views;
+  for (const cv::Mat& image : held_all_over(bent_camera(), board.draw(4000.0), 0.032 * 9,
+                                            {-0.28, 0.0, 0.28}, {-0.12, 0.0, 0.12}, 0.3))
+    if (auto found = board.find(image); !found.pixels.empty()) views.push_back(found);
+  ASSERT_GE(views.size(), camera::kFewestViews);
+  expect_the_lens(camera::fit_lens(views, {960, 540}));
 }
 
 TEST(LensCalibration, TooFewImagesAreRefused) {
@@ -58,19 +54,17 @@ TEST(LensCalibration, TooFewImagesAreRefused) {
 }
 
 TEST(CalibrationBoard, IsReadAsDocumentedAndNotOtherwise) {
-  EXPECT_NO_THROW(camera::CalibrationBoard::parse("chessboard:9x6:0.025"));
   EXPECT_NO_THROW(camera::CalibrationBoard::parse("charuco:7x5:0.04:0.03"));
   for (const char* text :
-       {"", "chessboard", "chessboard:9x6", "chessboard:1x6:0.025", "chessboard:9x6:0.025:1",
-        "chessboard:9x6:nan", "chessboard:999999x6:0.02", "charuco:7x5:0.04:0.05",
-        "charuco:20x20:0.04:0.03", "charuco:7x5:0.04:0.03x"})
+       {"", "chessboard:9x6:0.025", "charuco:7x5", "charuco:1x6:0.04:0.03", "charuco:7x5:nan:0.03",
+        "charuco:999999x6:0.04:0.03", "charuco:7x5:0.04:0.05", "charuco:20x20:0.04:0.03",
+        "charuco:7x5:0.04:0.03x"})
     EXPECT_THROW(camera::CalibrationBoard::parse(text), UserError) << text;
 }
 
 TEST(CalibrationBoard, AnImageWithoutItHasNoCorners) {
   Scene scene(bent_camera(), 1);
   const cv::Mat floor = scene.empty_floor({});
-  EXPECT_TRUE(camera::CalibrationBoard::parse("chessboard:9x6:0.025").find(floor).pixels.empty());
   EXPECT_TRUE(camera::CalibrationBoard::parse("charuco:7x5:0.04:0.03").find(floor).pixels.empty());
 }
 
