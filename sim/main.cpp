@@ -110,8 +110,6 @@ void add_robot_command(CLI::App& app, Action& action) {
           "--ros2{lo}", robot.ros2,
           "Publish the true pose on ROS 2's topic /ground_truth; =INTERFACE: network interface")
       ->type_name("INTERFACE");
-  option(command, "--stats", robot.stats, "FILE",
-         "Write figures to FILE at the end: samples, longest pause of this machine");
   command->footer("Example: tp100-sim robot --link /tmp/tp100");
   command->callback([&action] { action = [] { return run_robot(robot); }; });
 }

@@ -18,8 +18,7 @@ struct RobotCommand {
                        ///< set, else none
   std::string camera_to;              ///< "udp:[HOST:]PORT"; empty: kCameraPort of this machine
   std::vector<std::string> faults{};  ///< NAME[:NUMBER][:WORD][@T[+D]]
-  std::string stats;   ///< file for figures of the run, written at its end; empty: none
-  std::string course;  ///< start pose and disturbances come from it; empty: origin
+  std::string course;                 ///< start pose and disturbances come from it; empty: origin
   std::string ros2{};  ///< network interface for the true pose on ROS 2's topic; empty: none
 };
 
@@ -56,9 +55,8 @@ struct DemoCommand {
 
 /// Drives the course in virtual time and prints the scored table. Then drives it live with
 /// `tp100-sim robot` and `tp100d run`, opens the page if there is a screen, and waits until the
-/// daemon ends. Headless: drives it live first, again up to three times if a pause of the machine
-/// ended the run. Returns 0 if the live and the scored run were completed, else 1. Throws
-/// UserError.
+/// daemon ends. Headless: drives it live first. Returns 0 if the live and the scored run were
+/// completed, else 1. Throws UserError.
 int run_demo(const DemoCommand& command);
 
 }  // namespace tp100::sim

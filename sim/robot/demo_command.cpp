@@ -4,7 +4,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -19,7 +18,6 @@
 #include <vector>
 
 #include "core/error.h"
-#include "core/faults.h"
 #include "sim/robot/commands.h"
 
 namespace tp100::sim {
@@ -42,8 +40,6 @@ class Child {
 
   /// Waits for the end; returns the exit status, 128 + signal if it was killed.
   int wait();
-  /// Asks it to end (SIGTERM), and waits.
-  void stop();
   /// True while it runs.
   bool running();
 
@@ -74,9 +70,7 @@ Child::Child(const std::vector<std::string>& arguments, Ways ways) {
   _exit(127);
 }
 
-Child::~Child() { stop(); }
-
-void Child::stop() {
+Child::~Child() {
   if (!running()) return;
   kill(pid_, SIGTERM);
   wait();
@@ -100,10 +94,6 @@ int Child::wait() {
 
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
-
-/// Programs with a processor of their own never wait this long for it.
-constexpr double kPauseMs = 20.0;
-constexpr int kMaxAgain = 3;
 
 /// A folder of its own, removed at the end.
 class TemporaryFolder {
@@ -135,47 +125,16 @@ void wait_for(const fs::path& link, Child& robot) {
   throw UserError("tp100-sim robot did not come up within 5 s; run it by hand to see why");
 }
 
-/// Figures that a program wrote about its run; no object if there is no file yet.
-nlohmann::json figures_of(const fs::path& stats) {
-  std::ifstream file(stats);
-  return nlohmann::json::parse(file, nullptr, false);
-}
-
 /// Address of the page that a daemon serves, from its figures; empty: no page.
 std::string page_of(const fs::path& stats, Child& daemon) {
   for (int i = 0; i < 100 && daemon.running(); ++i) {
-    const nlohmann::json json = figures_of(stats);
+    // There is no file at first.
+    std::ifstream file(stats);
+    const nlohmann::json json = nlohmann::json::parse(file, nullptr, false);
     if (json.is_object()) return json.value("page", "");
     std::this_thread::sleep_for(50ms);
   }
   return {};
-}
-
-struct LiveRun {
-  int status = 0;         ///< the daemon's
-  double pause_ms = 0.0;  ///< longest time for which one of its programs waited for a processor
-  bool in_time = true;    ///< no fault about late samples or commands
-};
-
-/// True if a pause of the machine ended the run.
-bool paused(const LiveRun& run) {
-  return run.status != 0 && !run.in_time && run.pause_ms > kPauseMs;
-}
-
-LiveRun judged(int status, const nlohmann::json& daemon, const nlohmann::json& robot) {
-  LiveRun run{.status = status};
-  if (robot.is_object()) run.pause_ms = robot.value("longest_pause_ms", 0.0);
-  if (!daemon.is_object()) return run;
-  const double late_us = daemon.value("/loop/lateness_us/max"_json_pointer, 0.0);
-  run.pause_ms = std::max(run.pause_ms, late_us * 1e-3);
-  const auto faults = daemon.value("faults", std::vector<std::string>());
-  for (const std::string& fault : faults) {
-    // After a stop by the user the robot must not drive on.
-    if (fault == describe(Fault::stop_requested).name) return {.status = status};
-    for (const Fault late : {Fault::command_timeout, Fault::samples_stale, Fault::link_lost})
-      run.in_time = run.in_time && fault != describe(late).name;
-  }
-  return run;
 }
 
 /// Opens the page in the user's browser, if there is a screen.
@@ -188,13 +147,14 @@ void show(const std::string& page) {
   browser.wait();
 }
 
-LiveRun drive(const DemoCommand& command, const fs::path& programs, const std::string& robot_name) {
+/// Drives it live. Returns the daemon's exit status.
+int drive(const DemoCommand& command, const fs::path& programs, const std::string& robot_name) {
   const TemporaryFolder folder;
   const std::string link = (folder.path() / "tp100").string();
-  const fs::path robot_stats = folder.path() / "robot.json", stats = folder.path() / "stats.json";
+  const fs::path stats = folder.path() / "stats.json";
   Child robot({(programs / "tp100-sim").string(), "robot", "--link", link, "--robot", robot_name,
                "--board", command.options.board, "--course", command.course, "--seed",
-               std::to_string(command.options.seed), "--stats", robot_stats.string()},
+               std::to_string(command.options.seed)},
               {.quiet = command.headless, .apart = true});
   wait_for(link, robot);
   // Without --go the daemon waits for the user after a broken link.
@@ -226,9 +186,7 @@ LiveRun drive(const DemoCommand& command, const fs::path& programs, const std::s
         "recordings\n");
   }
   std::fflush(stdout);
-  const int status = bridge.wait();
-  robot.stop();
-  return judged(status, figures_of(stats), figures_of(robot_stats));
+  return bridge.wait();
 }
 
 int run_scored(const DemoCommand& command) {
@@ -254,26 +212,14 @@ int run_demo(const DemoCommand& command) {
   std::printf("demo: an emulated %s TP100 and the daemon, joined by a serial line, drive %s\n",
               loaded.robot.name.c_str(), course.name.c_str());
   std::fflush(stdout);
-  if (!command.headless) {
-    const int scored_status = run_scored(command);
-    return drive(command, programs, robot_name).status == 0 && scored_status == 0 ? 0 : 1;
+  int scored_status = 0;
+  if (!command.headless) scored_status = run_scored(command);
+  const int live_status = drive(command, programs, robot_name);
+  if (command.headless) {
+    std::printf("demo: live run %s\n\n", live_status == 0 ? "completed" : "failed");
+    scored_status = run_scored(command);
   }
-  LiveRun live = drive(command, programs, robot_name);
-  for (int again = 0; paused(live) && again < kMaxAgain; ++again) {
-    std::printf("demo: the machine stood still for %.0f ms, which ended the run; drives again\n",
-                live.pause_ms);
-    std::fflush(stdout);
-    live = drive(command, programs, robot_name);
-  }
-  std::printf("demo: live run %s\n\n", live.status == 0 ? "completed" : "failed");
-  const int scored_status = run_scored(command);
-  if (paused(live)) {
-    std::printf(
-        "demo: the live run failed %d times because the machine stood still, at last for "
-        "%.0f ms; end other programs and start it again\n",
-        kMaxAgain + 1, live.pause_ms);
-  }
-  return live.status == 0 && scored_status == 0 ? 0 : 1;
+  return live_status == 0 && scored_status == 0 ? 0 : 1;
 }
 
 }  // namespace tp100::sim

@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <ctime>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,7 +29,6 @@
 #include "sim/robot/emulated_robot.h"
 #include "sim/robot/pty.h"
 #include "sim/sensors/overhead_camera.h"
-#include "text/atomic_file.h"
 #include "text/format.h"
 #include "wire/frame.h"
 #include "wire/messages.h"
@@ -323,14 +321,12 @@ int run_robot(const RobotCommand& command) {
 
   robot.reset(PowerUp::kPowerOn);
   HostNs begin_ns = monotonic_now();
-  HostNs longest_pause_ns = 0;
   Overloaded overloaded;
   while (g_stop == 0) {
     // A quantum is computed when it is over: nothing reaches the host too early, and what the host
     // wrote meanwhile arrives in the next one.
     const HostNs due_ns = begin_ns + robot.now_ns() + kPhysicsStepNs;
     const HostNs now_ns = monotonic_now();
-    longest_pause_ns = std::max(longest_pause_ns, now_ns - due_ns);
     if (now_ns - due_ns > kGiveUpNs) {
       begin_ns += now_ns - due_ns;
       // A robot that cannot keep pace must not occupy a processor at real-time priority. After a
@@ -352,12 +348,6 @@ int run_robot(const RobotCommand& command) {
   std::printf("robot: sent %s since its port was opened\n",
               text::counted(cable.samples(), "sample").c_str());
   print_place(robot.truth().pose);
-  if (!command.stats.empty()) {
-    const nlohmann::json figures = {
-        {"samples", cable.samples()},
-        {"longest_pause_ms", static_cast<double>(longest_pause_ns) * 1e-6}};
-    text::write_file(command.stats, figures.dump(2) + "\n", text::Flush::kNo);
-  }
   return 0;
 }
 

@@ -56,19 +56,6 @@ class Demo : public testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(Demo, ADemoWhoseMachineStoodStillDrivesAgainAndSaysSo) {
-  Process demo({"tp100-sim", "demo", "--headless", "--course", short_course(folder_)});
-  ASSERT_TRUE(demo.wait_for("arming -> running")) << demo.output();
-  const pid_t robot = child_of(demo.pid(), "tp100-sim");
-  ASSERT_GT(robot, 0);
-  ::kill(robot, SIGSTOP);
-  EXPECT_TRUE(demo.wait_for("running -> aborted")) << demo.output();
-  ::kill(robot, SIGCONT);
-  ASSERT_TRUE(demo.wait_for("demo: the machine stood still for ")) << demo.output();
-  EXPECT_TRUE(demo.wait_for("ms, which ended the run; drives again")) << demo.output();
-  EXPECT_EQ(demo.wait(), 0) << demo.output();
-}
-
 TEST_F(Demo, WithoutHeadlessItStaysAndSaysHowToGoOn) {
   Process demo({"/usr/bin/env", "-u", "DISPLAY", "-u", "WAYLAND_DISPLAY",
                 build_path("bin/tp100-sim"), "demo", "--course", short_course(folder_)});
