@@ -1,5 +1,5 @@
-# One robot of the scene: speaks world/1 (daemon/worlds/WORLD.md) with its bridge, and stands or moves in a physics
-# space of its own, whose time is that of this bridge's poses. The other robots are obstacles in it.
+# The robot: speaks world/1 (daemon/worlds/WORLD.md) with its bridge, and stands or moves in the scene's physics space,
+# whose time is that of the bridge's poses.
 extends Node
 
 const Frame = preload("res://frame.gd")
@@ -8,7 +8,6 @@ const TrackedBody = preload("res://tracked_body.gd")
 
 const MOST_BYTES := 1200
 const MOST_TICKS := 250   # physics ticks between two poses: half a second
-const HULL_HEIGHT_M := 0.07
 
 # The robot's transform in the answer to `message`.
 signal moved(at, message, frame)
@@ -31,20 +30,14 @@ var pending := {}         # the pose message for which physics runs
 var ticks_left := 0
 var at := Transform()     # the robot in the last answer
 
-# `own_space`: create a space; the first robot uses the scene's.
-func build(course: Dictionary, robot: Dictionary, scene_space: RID, own_space: bool) -> void:
+func build(course: Dictionary, robot: Dictionary, scene_space: RID) -> void:
 	file = robot
 	shape = robot.get("shape", {})
 	space = scene_space
-	if own_space:
-		space = PhysicsServer.space_create()
-		for parameter in [PhysicsServer.AREA_PARAM_GRAVITY, PhysicsServer.AREA_PARAM_GRAVITY_VECTOR,
-				PhysicsServer.AREA_PARAM_LINEAR_DAMP, PhysicsServer.AREA_PARAM_ANGULAR_DAMP]:
-			PhysicsServer.area_set_param(space, parameter, PhysicsServer.area_get_param(scene_space, parameter))
 	PhysicsServer.space_set_active(space, false)
 	terrain = Terrain.new()
 	add_child(terrain)
-	terrain.build(course, shape, space, not own_space)
+	terrain.build(course, shape, space)
 
 # Returns the port, or 0 if none is free.
 func open_port(host: String, port: int) -> int:
@@ -186,7 +179,3 @@ func answer(message: Dictionary, z_m: float, rpy: Array, surface: String) -> voi
 		out.pose = {"pos": frame.place(-at.origin.z, -at.origin.x, z_m), "rpy": angles}
 	send(out)
 	emit_signal("moved", at, message, frame)
-
-# Size of the box that is an obstacle to other robots.
-func hull_m() -> Vector3:
-	return Vector3(terrain.gauge_m + Terrain.TRACK_WIDTH_M, HULL_HEIGHT_M, terrain.length_m)

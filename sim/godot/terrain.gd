@@ -3,10 +3,9 @@ extends Spatial
 
 const Frame = preload("res://frame.gd")
 
-# Collision layers: ground that carries the robot, surfaces that only have a name, and obstacles that only block it.
+# Collision layers: ground that carries the robot, and surfaces that only have a name.
 const GROUND := 1
 const SURFACE := 2
-const OBSTACLE := 8
 const RAY_SPACING_M := 0.004
 const RAY_TOP_M := 3.0
 # A shape this high above the tracks' underside cannot be climbed: it blocks the hull.
@@ -15,7 +14,6 @@ const TRACK_WIDTH_M := 0.045
 const COLOURS = {"ramp": Color(0.62, 0.52, 0.38), "block": Color(0.5, 0.52, 0.56)}
 
 var space: RID
-var shown: bool      # with visible meshes
 var length_m: float
 var gauge_m: float
 var spacing_m: float
@@ -24,9 +22,8 @@ var com_forward_m: float
 var half: int        # number of rays from the robot's middle to one end of its tracks
 var wheel: PoolRealArray  # lift of a wheel's underside at each ray from its axle
 
-func build(course: Dictionary, shape: Dictionary, of_space: RID, visible_too: bool) -> void:
+func build(course: Dictionary, shape: Dictionary, of_space: RID) -> void:
 	space = of_space
-	shown = visible_too
 	spacing_m = shape.get("axle_spacing_m", 0.133)
 	radius_m = shape.get("wheel_radius_m", 0.026)
 	gauge_m = shape.get("gauge_m", 0.155)
@@ -55,7 +52,7 @@ func build(course: Dictionary, shape: Dictionary, of_space: RID, visible_too: bo
 static func transform_of(piece: Dictionary) -> Transform:
 	return Transform(Frame.basis(0, 0, piece.heading_rad), Frame.to_engine(piece.x_m, piece.y_m, 0))
 
-func add_shape(shape: Shape, at: Transform, layer: int, about: Dictionary) -> StaticBody:
+func add_shape(shape: Shape, at: Transform, layer: int, about: Dictionary) -> void:
 	var body := StaticBody.new()
 	var collision := CollisionShape.new()
 	collision.shape = shape
@@ -69,7 +66,6 @@ func add_shape(shape: Shape, at: Transform, layer: int, about: Dictionary) -> St
 	body.set_meta("about", about)
 	add_child(body)
 	PhysicsServer.body_set_space(body.get_rid(), space)
-	return body
 
 # Adds an obstacle of any kind: its side view, over its width.
 func add_prism(piece: Dictionary) -> void:
@@ -92,12 +88,6 @@ func add_prism(piece: Dictionary) -> void:
 	surface.generate_normals()
 	show_mesh(surface.commit(), transform_of(piece), COLOURS.get(piece.kind, COLOURS.ramp))
 
-# Adds a static obstacle; freeing the node removes it.
-func add_obstacle(at: Transform, size: Vector3) -> StaticBody:
-	var box := BoxShape.new()
-	box.extents = size / 2
-	return add_shape(box, at * Transform(Basis(), Vector3(0, size.y / 2, 0)), OBSTACLE, {"kind": "obstacle"})
-
 func add_sheet(piece: Dictionary) -> void:
 	var sheet := PlaneMesh.new()
 	sheet.size = Vector2(piece.width_m, piece.length_m)
@@ -106,8 +96,6 @@ func add_sheet(piece: Dictionary) -> void:
 	show_mesh(sheet, at, Color(0.45, 0.6, 0.72))
 
 func show_mesh(mesh: Mesh, at: Transform, colour: Color) -> void:
-	if not shown:
-		return
 	var instance := MeshInstance.new()
 	var material := SpatialMaterial.new()
 	material.albedo_color = colour
@@ -233,7 +221,6 @@ func touch(at: Transform) -> Dictionary:
 		if about.kind == "block":
 			step_m = max(step_m, about.height_m)
 	# The hull's front, above the height that the tracks can climb.
-	query.collision_mask = GROUND | OBSTACLE
 	box.extents = Vector3(gauge_m / 2, 0.005, 0.005)
 	query.transform = at * Transform(Basis(), Vector3(0, TOO_HIGH_M + 0.005, -length_m / 2))
 	return {"step_m": min(step_m, 1.0), "blocked": not state.intersect_shape(query, 1).empty()}

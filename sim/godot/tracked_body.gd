@@ -36,7 +36,7 @@ func build(shape: Dictionary, body: Dictionary) -> void:
 	custom_integrator = false
 	continuous_cd = false
 	collision_layer = 4  # not hit by the rays for the ground
-	collision_mask = Terrain.GROUND | Terrain.OBSTACLE
+	collision_mask = Terrain.GROUND
 	linear_damp = 0.0
 	angular_damp = 0.0
 	var smooth := PhysicsMaterial.new()

@@ -47,7 +47,7 @@ func build(settings: Dictionary) -> void:
 	mode = settings.get("camera", "chase")
 	add_lights()
 	add_floor(settings.course.fence)
-	var shape: Dictionary = settings.robots[0].get("shape", {})
+	var shape: Dictionary = settings.robot.get("shape", {})
 	robot = RobotView.new()
 	add_child(robot)
 	robot.build(shape)
@@ -143,21 +143,6 @@ func extend(colour: String, x_m: float, y_m: float, z_m: float) -> void:
 	if points.size() < MOST_POINTS:
 		points.append([x_m, y_m, z_m])
 	draw_ribbon(path.geometry, points, path.lift)
-
-# The first robot is shown with figures, paths and ghosts; the others without.
-func robots_are(robots: Array) -> void:
-	robots[0].connect("moved", self, "robot_at")
-	for i in range(1, robots.size()):
-		var other = RobotView.new()
-		add_child(other)
-		other.build(robots[i].shape)
-		other.visible = false
-		robots[i].connect("moved", self, "other_at", [other])
-
-func other_at(at: Transform, message: Dictionary, frame: Reference, other: Spatial) -> void:
-	other.visible = true
-	other.transform = at
-	other.drive(message, frame)
 
 # Shows the robot as in the answer to this pose.
 func robot_at(at: Transform, message: Dictionary, frame: Reference) -> void:

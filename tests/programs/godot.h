@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
-#include <vector>
 
 #include "../support/temporary_folder.h"
 #include "process.h"
@@ -42,31 +41,28 @@ class Screen {
   std::string name_;
 };
 
-/// Runs scripts/godot with this number of robots, without a window or with one on `screen` that
-/// shows the scene from above.
+/// Runs scripts/godot, without a window or with one on `screen` that shows the scene from above.
 class Engine {
  public:
   explicit Engine(const std::string& course, const std::string& listen = "127.0.0.1:0",
-                  const Screen* screen = nullptr, int robots = 1,
-                  const std::string& robot = "end-loaded")
-      : process_(command(course, listen, screen, robots, robot)) {
-    for (int i = 0; i < robots; ++i) addresses_.push_back(process_.line_after("listening at "));
-  }
-  std::string address(std::size_t robot = 0) const { return addresses_.at(robot); }
+                  const Screen* screen = nullptr, const std::string& robot = "end-loaded")
+      : process_(command(course, listen, screen, robot)),
+        address_(process_.line_after("listening at ")) {}
+  const std::string& address() const { return address_; }
   bool says(const std::string& text) { return process_.wait_for(text); }
 
  private:
   static Words command(const std::string& course, const std::string& listen, const Screen* screen,
-                       int robots, const std::string& robot) {
+                       const std::string& robot) {
     Words words{"/usr/bin/env", "TP100_BIN=" + build_path("bin")};
     if (screen) words.push_back("DISPLAY=" + screen->name());
-    words = joined(words, {source_path("scripts/godot"), "--course", course, "--listen", listen});
-    for (int i = 0; i < robots; ++i) words = joined(words, {"--robot", robot});
+    words = joined(words, {source_path("scripts/godot"), "--course", course, "--listen", listen,
+                           "--robot", robot});
     return joined(words, screen ? Words{"--camera", "top"} : Words{"--headless"});
   }
 
   Process process_;
-  std::vector<std::string> addresses_;
+  std::string address_;
 };
 
 class Godot : public testing::Test {
@@ -84,12 +80,11 @@ class Godot : public testing::Test {
   /// `more`: further arguments.
   nlohmann::json drive(const Engine& engine, const std::string& course,
                        const std::string& authority, const std::string& name = "run",
-                       std::size_t robot = 0, const Words& more = {}) {
-    const Finished driven = run(
-        joined({"tp100-sim", "course", course, "--json", "--world", "udp:" + engine.address(robot),
-                "--config", config("authority = \"" + authority + "\"\n", name), "--out",
-                folder_.file(name)},
-               more));
+                       const Words& more = {}) {
+    const Finished driven = run(joined(
+        {"tp100-sim", "course", course, "--json", "--world", "udp:" + engine.address(), "--config",
+         config("authority = \"" + authority + "\"\n", name), "--out", folder_.file(name)},
+        more));
     auto figures = nlohmann::json::parse(driven.output, nullptr, false);
     return figures.is_object() ? figures : nlohmann::json::object();
   }

@@ -11,7 +11,6 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace tp100::test {
@@ -24,7 +23,7 @@ class GodotCourses : public Godot, public testing::WithParamInterface<const char
   void expect_driven(const std::string& course, const std::string& authority, double most_m,
                      const Words& more = {}) {
     const Engine engine(course);
-    const nlohmann::json figures = drive(engine, course, authority, "run", 0, more);
+    const nlohmann::json figures = drive(engine, course, authority, "run", more);
     EXPECT_TRUE(figures.value("completed", false)) << figures;
     EXPECT_LE(number(figures, "odometry", "max_position_error_m"), most_m);
     EXPECT_LE(number(figures, "tracking", "max_cross_track_m"), most_m);
@@ -84,8 +83,8 @@ TEST_F(GodotBody, GoesAsFarAsTheRobotOnItsFloor) {
 // If only the ends of its tracks carried load, its wheelbase would be 26.9 cm instead of the
 // emulated robot's 20.6 cm: 0.9 rad in a half circle.
 TEST_F(GodotBody, TurnsWithTheLoadThatItsTracksCarry) {
-  const Engine engine("1-curve", "127.0.0.1:0", nullptr, 1, "uniform");
-  drive(engine, "1-curve", "world", "run", 0, {"--robot", "uniform"});
+  const Engine engine("1-curve", "127.0.0.1:0", nullptr, "uniform");
+  drive(engine, "1-curve", "world", "run", {"--robot", "uniform"});
   const Ends at = ends("1-curve-uniform-1");
   EXPECT_NEAR(std::abs(at.world_yaw_rad), M_PI, 0.1);
   EXPECT_LT(std::abs(std::remainder(at.truth_yaw_rad - at.world_yaw_rad, 2.0 * M_PI)), 0.35);
@@ -98,47 +97,6 @@ TEST_F(Godot, GivesTheSamePosesToTheBitEveryTime) {
   EXPECT_FALSE(poses("first").empty());
   EXPECT_TRUE(poses("first") == poses("second"));
 }
-
-class GodotRobots : public Godot, public testing::WithParamInterface<const char*> {};
-
-// The robots share one course, which each can drive only if the other does not stand on it.
-TEST_P(GodotRobots, AreObstaclesToEachOther) {
-  const Engine engine("1-straight", "127.0.0.1:0", nullptr, 2);
-  const nlohmann::json first = drive(engine, "1-straight", GetParam(), "first", 0);
-  EXPECT_TRUE(first.value("completed", false)) << first;
-  const nlohmann::json second = drive(engine, "1-straight", GetParam(), "second", 1);
-  // A world that owns the pose says where its robot stands: the real one has no obstacle there.
-  const auto stopped = testing::AnyOf("immobilised", "world_against_odometry");
-  EXPECT_THAT(second.value("cause", ""), stopped) << second;
-  const nlohmann::json again = drive(engine, "1-straight", GetParam(), "again", 0);
-  EXPECT_THAT(again.value("cause", ""), stopped) << again;
-}
-
-// Half a metre apart, at the same time, each by a program that is independent of the other.
-TEST_P(GodotRobots, DriveSideBySideAsEachDoesAlone) {
-  const std::string beside = folder_.file("beside.toml");
-  std::ofstream(beside) << "[start]\ny_m = 0.5\n[[segment]]\ntype = \"line\"\nlength_m = 1.0\n"
-                           "[fence]\nmin_x_m = -0.2\nmax_x_m = 1.2\nmin_y_m = 0.2\nmax_y_m = 0.8\n";
-  const auto cross_track_m = [&](const Engine& engine, std::size_t robot, const char* name) {
-    const nlohmann::json figures =
-        drive(engine, robot == 0 ? "1-straight" : beside, GetParam(), name, robot);
-    EXPECT_TRUE(figures.value("completed", false)) << figures;
-    return number(figures, "tracking", "max_cross_track_m");
-  };
-  const Engine both("1-straight", "127.0.0.1:0", nullptr, 2), alone("1-straight"), other(beside);
-  double right = 0.0;
-  std::thread second([&] { right = cross_track_m(both, 1, "right"); });
-  const double left = cross_track_m(both, 0, "left");
-  second.join();
-  EXPECT_NEAR(left, cross_track_m(alone, 0, "left-alone"), 1e-6);
-  EXPECT_NEAR(
-      right,
-      number(drive(other, beside, GetParam(), "right-alone"), "tracking", "max_cross_track_m"),
-      1e-6);
-}
-
-INSTANTIATE_TEST_SUITE_P(Authorities, GodotRobots, testing::Values("bridge", "world"),
-                         [](const auto& param) { return std::string(param.param); });
 
 /// A person at the window of a world that owns the pose, while course 1-straight is driven.
 class GodotWindow : public Godot {

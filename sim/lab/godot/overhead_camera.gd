@@ -101,7 +101,7 @@ func build_scene() -> void:
 	pinhole.add_child(ground)
 	var terrain := Terrain.new()
 	pinhole.add_child(terrain)
-	terrain.build(settings.course, shape, pinhole.find_world().space, true)
+	terrain.build(settings.course, shape, pinhole.find_world().space)
 	for sheet in settings.floor_markers:
 		var plate := Plate.new()
 		pinhole.add_child(plate)
