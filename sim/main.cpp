@@ -2,7 +2,6 @@
 #include <csignal>
 #include <functional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "sim/campaign/campaign_command.h"

@@ -11,7 +11,6 @@
 #include "core/error.h"
 #include "text/atomic_file.h"
 #include "text/format.h"
-#include "text/toml_document.h"
 
 namespace tp100::camera {
 namespace {

@@ -1,7 +1,6 @@
 #include "camera/marker_detector.h"
 
 #include <algorithm>
-#include <cmath>
 #include <opencv2/imgproc.hpp>
 #include <utility>
 

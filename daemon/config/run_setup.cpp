@@ -4,7 +4,6 @@
 #include "core/error.h"
 #include "core/processor.h"
 #include "terrain/climbable.h"
-#include "text/toml_document.h"
 
 namespace tp100::config {
 

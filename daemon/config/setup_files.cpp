@@ -1,7 +1,6 @@
 #include "config/setup_files.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <optional>

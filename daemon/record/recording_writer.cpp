@@ -2,7 +2,6 @@
 
 #include <cstring>
 #include <filesystem>
-#include <limits>
 
 #include "core/error.h"
 #include "messages/foxglove.h"

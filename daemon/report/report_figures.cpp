@@ -1,7 +1,6 @@
 #include "report/report_figures.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <utility>
 

@@ -1,6 +1,5 @@
 #include "report/report_page.h"
 
-#include <cmath>
 #include <filesystem>
 
 #include "core/arithmetic.h"
@@ -9,7 +8,6 @@
 #include "report/report_figures.h"
 #include "report/result_text.h"
 #include "text/file_name.h"
-#include "text/format.h"
 
 namespace tp100::report {
 namespace {

@@ -1,6 +1,5 @@
 #include "ros2/topics.h"
 
-#include <cmath>
 #include <limits>
 #include <string>
 #include <utility>

@@ -1,6 +1,5 @@
 #include "runs/run_note.h"
 
-#include <algorithm>
 #include <array>
 #include <span>
 

@@ -1,7 +1,6 @@
 #include "text/toml_document.h"
 
 #include <algorithm>
-#include <cmath>
 #include <sstream>
 #include <utility>
 

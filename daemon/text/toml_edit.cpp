@@ -3,7 +3,6 @@
 #include <map>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "text/key.h"
 #include "text/toml_document.h"

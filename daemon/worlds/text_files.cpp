@@ -7,7 +7,6 @@
 #include <memory>
 #include <optional>
 
-#include "core/arithmetic.h"
 #include "core/error.h"
 #include "core/run_state.h"
 #include "text/encoding.h"

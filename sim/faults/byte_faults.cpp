@@ -1,8 +1,6 @@
 #include "sim/faults/byte_faults.h"
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
 
 #include "core/time.h"
 #include "wire/frame.h"

@@ -1,6 +1,5 @@
 #include "sim/faults/frame_faults.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 

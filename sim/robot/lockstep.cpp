@@ -1,7 +1,6 @@
 #include "sim/robot/lockstep.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <memory>
@@ -12,7 +11,6 @@
 #include "bridge/cycle.h"
 #include "bridge/external_world.h"
 #include "bridge/terrain_contacts.h"
-#include "core/arithmetic.h"
 #include "core/error.h"
 #include "core/faults.h"
 #include "core/time.h"

@@ -1,7 +1,6 @@
 #include "sim/sensors/drive_train.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "sim/body/body.h"
 

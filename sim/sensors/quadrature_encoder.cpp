@@ -1,7 +1,5 @@
 #include "sim/sensors/quadrature_encoder.h"
 
-#include <cmath>
-
 #include "core/time.h"
 
 namespace tp100::sim {
