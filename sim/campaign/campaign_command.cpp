@@ -22,6 +22,7 @@
 #include "sim/robot/lockstep_recorder.h"
 #include "text/atomic_file.h"
 #include "text/format.h"
+#include "text/progress.h"
 
 namespace tp100::sim {
 namespace {
@@ -227,7 +228,7 @@ struct Tally {
 };
 
 void take(const CampaignFolder& folder, const CampaignSpec& spec, std::uint64_t index,
-          const std::string& record, Tally& tally) {
+          const std::string& record, text::Progress& progress, Tally& tally) {
   if (record.empty() && done_run(folder, index)) {
     ++tally.done_before;
     return;
@@ -239,6 +240,7 @@ void take(const CampaignFolder& folder, const CampaignSpec& spec, std::uint64_t 
   if (run.refused.empty()) {
     ++tally.driven;
   } else if (++tally.refused <= kNamedRefused) {
+    progress.clear();
     std::fprintf(stderr, "tp100-sim: run %llu refused: %s\n",
                  static_cast<unsigned long long>(index), run.refused.c_str());
   }
@@ -256,14 +258,24 @@ int run_campaign(const CampaignCommand& command) {
     return 0;
   }
   Tally tally;
-  for (const Range& range : ranges)
-    for (std::uint64_t index = range.first; index <= range.second; ++index)
-      take(folder, spec, index, command.record, tally);
+  {
+    std::uint64_t all = 0;
+    for (const Range& range : ranges)
+      for (std::uint64_t i = range.first; i <= range.second; ++i) all += folder.has(i) ? 0U : 1U;
+    text::Progress progress("run", all);
+    for (const Range& range : ranges)
+      for (std::uint64_t index = range.first; index <= range.second; ++index) {
+        const unsigned long long before = tally.done_before;
+        take(folder, spec, index, command.record, progress, tally);
+        if (tally.done_before == before) progress.step();
+      }
+  }
   if (tally.refused > kNamedRefused)
     std::fprintf(stderr, "tp100-sim: %llu more refused; `merge` lists each with its reason\n",
                  tally.refused - kNamedRefused);
   std::printf("%s: %s driven, %llu done before, %llu refused\n", command.out.c_str(),
               text::counted(tally.driven, "run").c_str(), tally.done_before, tally.refused);
+  std::printf("next: tp100-sim merge %s\n", command.out.c_str());
   return tally.refused > 0 ? 1 : 0;
 }
 

@@ -18,6 +18,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "text/progress.h"
 
 namespace tp100 {
 
@@ -120,9 +121,11 @@ int run_jobs(const std::vector<StudyProcesses::Job>& jobs, const std::vector<int
   const unsigned most = std::max(std::thread::hardware_concurrency(), 1U);
   unsigned running = 0;
   bool failed = false;
+  text::Progress progress("part", jobs.size());
   const auto wait_for_one = [&] {
     failed |= wait_for(-1) != 0;
     --running;
+    progress.step();
   };
   for (std::size_t i = 0; i < jobs.size() && !failed; ++i) {
     if (running == most) wait_for_one();

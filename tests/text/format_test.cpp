@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "text/base64.h"
+#include "text/progress.h"
 
 namespace tp100::text {
 namespace {
@@ -16,6 +17,14 @@ TEST(Format, PrintsAsPrintfDoesHoweverLongItIs) {
   EXPECT_EQ(format("%s %5.2f|%-4d|", "a", 1.005, 7), "a  1.00|7   |");
   const std::string is_long(10'000, 'x');
   EXPECT_EQ(format("%s.", is_long.c_str()), is_long + ".");
+}
+
+// Whoever waits wants to know whether to go for lunch.
+TEST(Progress, TellsHowMuchIsDoneAndHowLongTheRestTakes) {
+  EXPECT_EQ(progress_text("run", 0, 40, 3.0), "0 of 40 runs");
+  EXPECT_EQ(progress_text("run", 10, 40, 20.0), "10 of 40 runs, 1 min 00 s left");
+  EXPECT_EQ(progress_text("run", 1, 1, 5.0), "1 of 1 run, 0 s left");
+  EXPECT_EQ(progress_text("part", 1, 100, 100.0), "1 of 100 parts, 2 h 45 min left");
 }
 
 TEST(UtcMinute, IsTheDateOfTheCalendar) {
