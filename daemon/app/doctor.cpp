@@ -225,6 +225,7 @@ void examine_host(Examination& all) {
   append(all.findings, doctor::real_time_findings(ask_privileges(all.configuration.loop)));
   append(all.findings, doctor::clock_source_findings(all.system));
   append(all.findings, doctor::governor_findings(all.system));
+  append(all.findings, doctor::load_findings(all.system));
   if (const auto port = page_port(all.configuration.server.listen))
     append(all.findings, doctor::page_port_findings(all.system, *port));
   append(all.findings, doctor::disk_findings(doctor::try_disk(all.configuration.record.directory)));

@@ -111,6 +111,18 @@ Findings governor_findings(const System& system) {
                   "echo performance | sudo tee " + folder + "cpu*/cpufreq/scaling_governor")};
 }
 
+Findings load_findings(const System& system) {
+  const std::string text = system.text("/proc/loadavg").value_or("");
+  const auto load = text::number_in<double>(text.substr(0, text.find(' ')));
+  const std::vector<std::string> names = system.names("/sys/devices/system/cpu/");
+  const auto processors = std::ranges::count_if(names, is_processor);
+  if (!load || processors == 0) return {};
+  const std::string seen = text::format("%.1f programs want %zu processors", *load,
+                                        static_cast<std::size_t>(processors));
+  if (*load <= static_cast<double>(processors)) return {ok("load", seen)};
+  return {warning("load", seen + ": the loop may be late", "end other programs; top lists them")};
+}
+
 Findings page_port_findings(const System& system, std::uint16_t port) {
   const std::string number = std::to_string(port);
   for (const char* const table : {"/proc/net/tcp", "/proc/net/tcp6"}) {

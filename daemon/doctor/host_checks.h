@@ -22,6 +22,9 @@ Findings clock_source_findings(const System& system);
 /// Checks all processors. Name: governor.
 Findings governor_findings(const System& system);
 
+/// Programs that want a processor, over the last minute, against the processors. Name: load.
+Findings load_findings(const System& system);
+
 /// Whether another program listens on the page's TCP port. Name: page-port.
 Findings page_port_findings(const System& system, std::uint16_t port);
 

@@ -165,6 +165,7 @@ void Daemon::take_events() {
 void Daemon::on(const SessionReport& report) {
   if (acknowledges_stop(report.event)) parts_.server.stop_answered(report.event.at_ns);
   parts_.controls.set_session(report, connector_.path(), connector_.pseudo_terminal());
+  link_monitor_.set_pseudo_terminal(connector_.pseudo_terminal());
   const auto* changed = link::as<link::StateChanged>(report.event);
   if (changed == nullptr) return;
   terminal_.follow(changed->to);

@@ -152,7 +152,8 @@ std::vector<Event> LinkMonitor::drain_events() {
     Tally& tally = tallies_[i];
     const Text& text = text_of(i);
     if (tally.now < tally.reported + text.least) continue;
-    if (now_ns_ - tally.reported_ns < kQuietNs) continue;
+    const HostNs since_ns = now_ns_ - tally.reported_ns;
+    if (since_ns < tally.quiet_ns) continue;
     const std::uint64_t fresh = tally.now - tally.reported, poses = camera_poses_ - reported_of_;
     const double share = static_cast<double>(fresh) / static_cast<double>(std::max(poses, fresh));
     if (i == kCameraRejected && (poses < kFewestPoses || share < kUsualShare)) continue;
@@ -162,12 +163,15 @@ std::vector<Event> LinkMonitor::drain_events() {
     if (i == kCameraRejected) line += ", of " + std::to_string(poses);
     if (i == kTiltedOnFlat)
       line += ", up to " + std::to_string(std::lround(steepest_rad_ * kDegPerRad)) + " deg";
+    const bool no_usb = i == kLate && pseudo_terminal_;
     out.push_back({.at_ns = now_ns_,
                    .kind = text.kind,
                    .level = Event::Level::kWarning,
                    .text = std::move(line),
-                   .cause = text.cause,
-                   .fix = text.fix});
+                   .cause = no_usb ? "the machine is busy" : text.cause,
+                   .fix = no_usb ? "end other programs; tp100d doctor tells the load" : text.fix});
+    tally.quiet_ns =
+        since_ns < 2 * tally.quiet_ns ? std::min(2 * tally.quiet_ns, kLongestQuietNs) : kQuietNs;
     tally.reported = tally.now;
     tally.reported_ns = now_ns_;
     if (i == kLate) oldest_us_ = 0;

@@ -16,14 +16,17 @@ namespace tp100::live {
 class LinkMonitor : public messages::Sink {
  public:
   /// Shortest time between two reports of one kind; the later one counts everything since the
-  /// first.
+  /// first. What lasts is said less and less often.
   static constexpr HostNs kQuietNs = 10 * kNsPerS;
+  static constexpr HostNs kLongestQuietNs = 320 * kNsPerS;
   /// A sample of at least this age is late: a frame and a cycle of the loop take less.
   static constexpr std::int64_t kLateUs = 15'000;
 
   void take(const StepRecord& record) override;
   /// The datagrams of the camera's poses so far.
   void take(const link::CameraCounters& poses);
+  /// The robot is on a pseudo-terminal: no USB holds its samples back.
+  void set_pseudo_terminal(bool is) { pseudo_terminal_ = is; }
   /// Reports since the last call; nearly always empty.
   std::vector<messages::Event> drain_events();
 
@@ -50,6 +53,7 @@ class LinkMonitor : public messages::Sink {
     std::uint64_t now = 0;           ///< count so far
     std::uint64_t reported = 0;      ///< count at the last report
     HostNs reported_ns = -kQuietNs;  ///< time of the last report
+    HostNs quiet_ns = kQuietNs;      ///< until the next one
   };
   struct Text;
   static const Text& text_of(std::size_t kind);
@@ -66,6 +70,7 @@ class LinkMonitor : public messages::Sink {
   std::uint64_t camera_poses_ = 0;  ///< used or rejected
   std::uint64_t reported_of_ = 0;   ///< at the last report, or when the window began
   HostNs window_ns_ = 0;
+  bool pseudo_terminal_ = false;
   double steepest_rad_ = 0.0;
   HostNs tilted_since_ns_ = 0;  ///< 0: it is level
 };

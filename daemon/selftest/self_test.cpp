@@ -152,6 +152,7 @@ std::string SelfTest::machine_findings() const {
   Findings findings = doctor::real_time_findings(privileges);
   append(findings, doctor::clock_source_findings(system));
   append(findings, doctor::governor_findings(system));
+  append(findings, doctor::load_findings(system));
   findings.push_back(doctor::ok("page-port", "this daemon serves the page"));
   doctor::Disk disk = doctor::try_disk(configuration_.record.directory);
   // Viewers get no path of a folder of this machine.

@@ -51,6 +51,18 @@ TEST(Host, WhoseProcessorsSlowDownIsWarnedOf) {
                  "echo performance | sudo tee");
 }
 
+TEST(Host, WhoHasMoreToDoThanProcessorsIsWarnedOf) {
+  FakeSystem fake;
+  const auto findings = [&] { return load_findings(fake.system()); };
+  EXPECT_TRUE(findings().empty());
+  fake.write("/proc/loadavg", "1.99 9.00 9.00 3/400 1234\n");
+  fake.write("/sys/devices/system/cpu/cpu0/online", "1\n");
+  fake.write("/sys/devices/system/cpu/cpu1/online", "1\n");
+  expect_finding(findings(), "load", Severity::kOk, "2 processors");
+  fake.write("/proc/loadavg", "5.12 1.00 1.00 3/400 1234\n");
+  expect_finding(findings(), "load", Severity::kWarning, "5.1 programs want 2", "top");
+}
+
 TEST(Host, WhosePagePortIsTakenNamesTheProgram) {
   FakeSystem fake;
   const std::string head = "  sl  local_address rem_address   st tx_queue rx_queue ...\n";

@@ -79,7 +79,7 @@ TEST_F(Doctor, FindsNothingThatKeepsAGoodRobotFromDriving) {
   EXPECT_THAT(examined.line("firmware"),
               HasSubstr("ok firmware: an emulated board, firmware 0.1.0"));
   for (const char* name : {"device", "permission", "battery", "imu", "link", "clock", "real-time",
-                           "governor", "page-port", "disk"})
+                           "governor", "load", "page-port", "disk"})
     EXPECT_FALSE(examined.finding(name).is_null()) << name;
   const json& link = examined.report.at("link");
   EXPECT_GT(link.at("samples"), 0);
