@@ -192,6 +192,10 @@ class Robot:
         """Changes "name", "note", "tags" (words) or "keep" of a run; the others stay. Returns all of them."""
         return self.call("run_note", run=run, **changes)
 
+    def mark(self, text="mark", **recorded):
+        """Marks this moment in the recording; or, with run=... and t_s=..., a moment of a recorded run."""
+        self.call("mark", text=text, **recorded)
+
     def delete_run(self, run):
         """Deletes a run with all its files."""
         self.call("run_delete", run=run)

@@ -13,6 +13,7 @@
 #include "identify/drive_file.h"
 #include "report/run_result.h"
 #include "ros2/bag.h"
+#include "runs/run_folder.h"
 #include "text/atomic_file.h"
 #include "text/base64.h"
 #include "text/command_line.h"
@@ -149,7 +150,22 @@ void export_tum(const Recording& recording, const Window& window,
 
 void export_bag(const Recording& recording, const std::string& folder) {
   const config::RunSetup run = config::parse_run(recorded_files(recording));
-  for (const std::string& path : ros2::write_bag(recording, config::run_context_of(run), folder))
+  ros2::Marks marks;
+  recording.visit({.message =
+                       [&](const std::string&, std::uint64_t unix_ns, std::string_view text) {
+                         const auto event = nlohmann::json::parse(text, nullptr, false);
+                         if (!event.is_object() || event.value("kind", nlohmann::json()) != "mark")
+                           return;
+                         const nlohmann::json words = event.value("text", nlohmann::json());
+                         if (words.is_string()) marks.emplace(unix_ns, words.get<std::string>());
+                       },
+                   .topics = {"/event"}});
+  const messages::PublishClock clock{.start_ns = recording.start_ns(),
+                                     .start_unix_ns = recording.start_unix_ns()};
+  for (const runs::Mark& mark : runs::marks_of(runs::note_beside(recording.path())))
+    marks.emplace(clock.unix_ns(recording.start_ns() + from_s(mark.t_s)), mark.text);
+  for (const std::string& path :
+       ros2::write_bag(recording, config::run_context_of(run), marks, folder))
     std::printf("%s\n", path.c_str());
 }
 

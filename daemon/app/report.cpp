@@ -15,6 +15,7 @@
 #include "report/recorded_run.h"
 #include "report/report_page.h"
 #include "report/result_text.h"
+#include "runs/run_folder.h"
 #include "text/atomic_file.h"
 #include "text/command_line.h"
 
@@ -25,6 +26,14 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMaxRuns = 20;
 
+report::RunNotes notes_of(const std::string& recording) {
+  const runs::RunNote note = runs::note_beside(recording);
+  report::RunNotes out{.name = note.name, .tags = note.tags, .note = note.note, .marks = {}};
+  for (const runs::Mark& mark : runs::marks_of(note))
+    out.marks.push_back({.at_ns = from_s(mark.t_s), .text = "mark: " + mark.text});
+  return out;
+}
+
 report::RecordedRun read(const std::string& path) {
   const record::Recording recording(path);
   const config::RunSetup setup = config::parse_run(recorded_files(recording));
@@ -33,7 +42,8 @@ report::RecordedRun read(const std::string& path) {
                   .robot = setup.robot,
                   .steering = setup.parameters.steering,
                   .rate_hz = setup.configuration.loop.rate_hz,
-                  .turning_threshold_radps = setup.parameters.model.turning_threshold_radps});
+                  .turning_threshold_radps = setup.parameters.model.turning_threshold_radps,
+                  .notes = notes_of(recording.path())});
   run.written_unix_s = text::written_unix_s(run.path);
   if (!run.whole)
     std::fprintf(stderr, "tp100d: %s: the recording is cut off; reported everything before that\n",

@@ -1,18 +1,22 @@
 #include "live/live_controls.h"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <iterator>
 #include <utility>
 
 #include "core/board.h"
 #include "core/clock.h"
 #include "live/services.h"
+#include "text/file_name.h"
 
 namespace tp100::live {
 namespace {
 
 // After this time a step has taken a request.
 constexpr HostNs kTakesEffectNs = 200 * kNsPerMs;
+constexpr double kLatestMarkS = 1e9;
 constexpr const char* kChanging = "course, robot or place are being changed; try again";
 constexpr const char* kShuttingDown = "the daemon is shutting down";
 constexpr const char* kBusy = "too many requests wait; try again";
@@ -35,7 +39,32 @@ std::vector<server::ServiceRow> LiveControls::services() {
                  R"({"token":""})",
                  begin,
                  {.consents = true}});
+  all.push_back({server::Service::kMark, "mark", R"({"text":"","run":"","t_s":1.5})",
+                 server::kAccepted, std::bind_front(&LiveControls::mark, this)});
   return all;
+}
+
+// Of now: an event, which recordings hold; of a recorded run: in its note.
+Result<> LiveControls::mark(const server::Request& request, const server::Answer& answer) {
+  const server::Arguments& given = request.arguments;
+  runs::Mark mark{.text = given.text("text").value_or("mark")};
+  if (std::string why = runs::why_not(mark); !why.empty()) return Refusal{why};
+  const auto run = given.text("run");
+  const auto t_s = given.number("t_s");
+  if (!run && !t_s) {
+    events_.post({.at_ns = request.now, .kind = "mark", .text = mark.text});
+    answer("", server::kAccepted);
+    return Done{};
+  }
+  if (!run || !t_s || !text::is_found_name(*run) || std::abs(*t_s) > kLatestMarkS)
+    return Refusal{
+        "give run, a name of GET /api/runs, and t_s, the time in its messages; or neither, to mark "
+        "this moment"};
+  mark.t_s = *t_s;
+  runs_.change_note(*run, {.mark = mark}, [answer](const std::string& why, const std::string&) {
+    answer(why, why.empty() ? server::kAccepted : "");
+  });
+  return Done{};
 }
 
 // The rules that every motion obeys, whichever door asks for it.

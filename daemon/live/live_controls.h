@@ -82,6 +82,7 @@ class LiveControls : public server::Controls {
  private:
   Result<> may_move(const Consent& consent, HostNs now) const;
   Result<std::string> begin_wheels_up(const server::Request& request);
+  Result<> mark(const server::Request& request, const server::Answer& answer);
   Result<> end_drive(HostNs now);
   bool driving(HostNs now);
 

@@ -27,7 +27,7 @@ constexpr std::size_t kWaitingSteps = 256;
 constexpr std::array kInputs = {ros2::Input::kVelocity, ros2::Input::kVelocityStamped,
                                 ros2::Input::kDrive,    ros2::Input::kInitialPose,
                                 ros2::Input::kGoal,     ros2::Input::kCourse,
-                                ros2::Input::kStop};
+                                ros2::Input::kMark,     ros2::Input::kStop};
 
 }  // namespace
 

@@ -91,6 +91,7 @@ class Ros2Requests {
     kPoseRefused,
     kGoalRefused,
     kCourseRefused,
+    kMarkRefused,
     kStopped,
     kCount
   };

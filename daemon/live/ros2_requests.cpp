@@ -68,7 +68,7 @@ void Ros2Requests::refuse(ros2::Input input, HostNs now, const std::string& why)
   // The kind of note for each input.
   constexpr std::array<Note, ros2::kInputCount> kNotes = {
       kVelocityRefused, kVelocityRefused, kDriveRefused, kPoseRefused,
-      kGoalRefused,     kCourseRefused,   kStopped};
+      kGoalRefused,     kCourseRefused,   kMarkRefused,  kStopped};
   note(kNotes.at(static_cast<std::size_t>(input)), now, name_of(input) + " refused: " + why);
 }
 
@@ -141,6 +141,10 @@ void Ros2Requests::take(const ros2::Received& received, HostNs now) {
     case Input::kCourse:
       if (const auto course = ros2::read_course(received, why))
         return start(received, {.course = course->name}, course->request, now);
+      break;
+    case Input::kMark:
+      if (const auto text = ros2::read_mark(received, why))
+        return shared_->say({.at_ns = now, .kind = "mark", .text = *text}, false);
       break;
     case Input::kStop:
       // Whatever the message contains.

@@ -76,6 +76,8 @@ std::vector<server::ServiceRow> run_services(runs::RunArchive& runs) {
   const auto compared = std::bind_front(compare, std::ref(runs));
   const auto identified = std::bind_front(identify, std::ref(runs));
   constexpr const char* kNote = R"({"run":"","name":"","note":"","tags":"","keep":true})";
+  constexpr const char* kNoted =
+      R"({"run":"","name":"","note":"","tags":"","keep":true,"marks":[{"t_s":1.5,"text":""}]})";
   constexpr const char* kRun = R"({"run":""})";
   constexpr const char* kTwo = R"({"run":"","with":""})";
   constexpr const char* kReport = R"({"run":"","url":""})";
@@ -86,7 +88,7 @@ std::vector<server::ServiceRow> run_services(runs::RunArchive& runs) {
       R"("errors_after":{"runs":[{"name":"","images":1,"rejected":1}]},)"
       R"("condition":1.5,"warnings":[""]},"text":""})";
   return {
-      {Service::kRunNote, "run_note", kNote, kNote, about(note)},
+      {Service::kRunNote, "run_note", kNote, kNoted, about(note)},
       {Service::kRunDelete, "run_delete", kRun, kRun, simple(&runs::RunArchive::remove)},
       {Service::kRunReport, "run_report", kRun, kReport, simple(&runs::RunArchive::report)},
       {Service::kRunCompare, "run_compare", kTwo, kReport, compared},

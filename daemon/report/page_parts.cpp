@@ -39,8 +39,7 @@ std::string title_of(const RecordedRun& run) {
 }
 
 std::string date_of(const RecordedRun& run) {
-  const auto start_unix_ns = text::number_in<std::int64_t>(fact(run, "start_unix_ns")).value_or(0);
-  if (start_unix_ns > 0) return text::utc_minute(start_unix_ns / 1'000'000'000);
+  if (run.driven_unix_s > 0) return text::utc_minute(run.driven_unix_s);
   if (run.written_unix_s == 0) return "not recorded (virtual time)";
   return text::utc_minute(run.written_unix_s) + " (date of the file; driven in virtual time)";
 }

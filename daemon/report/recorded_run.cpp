@@ -236,7 +236,7 @@ void Reader::event(std::uint64_t unix_ns, std::string_view text) {
       start_ns_ + (static_cast<HostNs>(unix_ns) - static_cast<HostNs>(start_unix_ns_));
   if (kind == "push" && disturbances_ns_.size() < RunMonitor::kMax) disturbances_ns_.push_back(at);
   run_monitor_.add({.at_ns = at,
-                    .text = words.substr(0, 300),
+                    .text = (kind == "mark" ? "mark: " : "") + words.substr(0, 300),
                     .fix = field("fix").substr(0, 300),
                     .bad = field("level") == "error"});
 }
@@ -277,6 +277,12 @@ void Reader::finish() {
   result.duration_s = t_s(end_ns_);
   disturbances();
   judge();
+  if (start_unix_ns_ > 0 && start_unix_ns_ >> 62 == 0)
+    run_.driven_unix_s = (static_cast<HostNs>(start_unix_ns_) + begin_ns_ - start_ns_) / kNsPerS;
+  for (RunEvent mark : run_.run_context.notes.marks) {
+    mark.at_ns += start_ns_;
+    run_monitor_.add(std::move(mark));
+  }
   run_.jitter = messages::durations_of(times_->jitter);
   run_.jitter_counts = messages::lateness_counts_of(times_->jitter);
   run_.sample_age = messages::durations_of(times_->sample_age);
@@ -285,6 +291,15 @@ void Reader::finish() {
   for (RunEvent& event : run_.events) event.t_s = t_s(event.at_ns);
   std::ranges::stable_sort(run_.events, {}, &RunEvent::at_ns);
   run_.more_events = run_monitor_.more();
+}
+
+/// The board that answered, from a message of /link; empty: none did.
+std::string board_of(std::string_view text) {
+  const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+  if (!json.is_object() || !json.contains("kind") || !json["kind"].is_string()) return {};
+  const nlohmann::json firmware = json.value("firmware", nlohmann::json());
+  return json["kind"].get<std::string>() +
+         (firmware.is_string() ? ", firmware " + firmware.get<std::string>() : "");
 }
 
 }  // namespace
@@ -311,9 +326,12 @@ RecordedRun read_run(const record::Recording& recording, const RecordedContext& 
                          if (!record.inputs.camera.empty()) run.result.has_camera = true;
                        },
                    .truth = [&](HostNs at, const Pose& pose) { reader->truth(at, pose); },
-                   .message = [&](const std::string&, std::uint64_t unix_ns,
-                                  std::string_view json) { reader->event(unix_ns, json); },
-                   .topics = {"/event"}});
+                   .message =
+                       [&](const std::string& topic, std::uint64_t unix_ns, std::string_view json) {
+                         if (topic == "/event") return reader->event(unix_ns, json);
+                         if (run.result.board.empty()) run.result.board = board_of(json);
+                       },
+                   .topics = {"/event", "/link"}});
   reader->finish();
   return run;
 }

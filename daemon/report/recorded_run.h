@@ -18,13 +18,21 @@
 
 namespace tp100::report {
 
-/// What was driven, from the files in the recording.
+/// What people noted about the run beside its recording.
+struct RunNotes {
+  std::string name, tags, note;
+  std::vector<RunEvent>
+      marks;  ///< their at_ns counts from the recording's clock, as t_s in messages
+};
+
+/// What was driven, from the files in the recording and beside it.
 struct RecordedContext {
   std::shared_ptr<const course::Course> course;  ///< null: none
   course::Robot robot{};
   PoseSource steering = PoseSource::kOdometry;
   double rate_hz = 200.0;
   double turning_threshold_radps = 0.05;  ///< of the model's slip angle
+  RunNotes notes{};
 };
 
 /// Data of a trajectory point besides its poses. Not-a-number: unknown or invalid.
@@ -48,6 +56,7 @@ struct RecordedRun {
   std::vector<std::pair<std::string, std::string>> files;  ///< name and text, as they were loaded
   RecordedContext run_context{};
   std::int64_t written_unix_s = 0;  ///< date of the file; 0: not known
+  std::int64_t driven_unix_s = 0;   ///< when the run began; 0: in virtual time
   bool whole = true;                ///< false: the file was cut off
 
   RunResult result{};              ///< `truth` of a point is only set if has_truth

@@ -38,18 +38,37 @@ std::string largest_errors(const RunFigures& judged) {
   return out;
 }
 
+/// Where the run is allowed to be.
+std::string fence_of(const RecordedRun& run) {
+  if (run.run_context.course == nullptr) return "none";
+  const course::Course& course = *run.run_context.course;
+  const course::Fence& fence = course.fence;
+  return (fence.corners.empty()
+              ? "x " + decimals(fence.min_x_m, 2) + " to " + decimals(fence.max_x_m, 2) + " m, y " +
+                    decimals(fence.min_y_m, 2) + " to " + decimals(fence.max_y_m, 2) + " m"
+              : "a polygon of " + count(fence.corners.size()) + " corners") +
+         (fence.keep_out.empty() ? "" : ", " + count(fence.keep_out.size()) + " keep-out areas");
+}
+
 Facts summary(const RecordedRun& run, const std::optional<RunFigures>& judged) {
-  Facts facts = {
-      {"driven", date_of(run)},
-      {"course", run.result.course.empty() ? "none" : plain(run.result.course)},
-      {"robot", plain(run.result.robot)},
-      {"set-up", plain(run.result.setup)},
-      {"board", run.result.board.empty() ? "not known" : plain(run.result.board)},
-      {"seed", run.facts.contains("seed") ? count(run.result.seed) : "none: no emulated robot"},
-      {"steered by", std::string(to_string(run.run_context.steering)) + " pose"},
-      {"driven with", program_of(run)},
-      {"duration", decimals(run.result.duration_s, 2) + " s"},
-      {"truth", run.has_truth ? "known" : "not known"}};
+  Facts facts = {{"driven", date_of(run)},
+                 {"course", run.result.course.empty() ? "none" : plain(run.result.course)},
+                 {"robot", plain(run.result.robot)},
+                 {"set-up", plain(run.result.setup)},
+                 {"board", run.result.board.empty() ? "not known" : plain(run.result.board)},
+                 {"seed", run.facts.contains("seed") ? count(run.result.seed)
+                          : run.result.board.starts_with("emulated")
+                              ? "not known: the emulator was another program"
+                              : "none: no emulated robot"},
+                 {"fence", fence_of(run)},
+                 {"steered by", std::string(to_string(run.run_context.steering)) + " pose"},
+                 {"driven with", program_of(run)},
+                 {"duration", decimals(run.result.duration_s, 2) + " s"},
+                 {"truth", run.has_truth ? "known" : "not known"}};
+  const RunNotes& notes = run.run_context.notes;
+  for (const auto& [what, text] : {std::pair("name", &notes.name), std::pair("tags", &notes.tags),
+                                   std::pair("note", &notes.note)})
+    if (!text->empty()) facts.emplace_back(what, plain(*text));
   if (judged) {
     facts.emplace_back("largest position errors", largest_errors(*judged));
     facts.emplace_back("farthest from the path",

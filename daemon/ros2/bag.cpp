@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <optional>
 #include <utility>
 
 #include "core/error.h"
 #include "record/mcap_writer.h"
+#include "ros2/message_types.h"
 #include "ros2/topics.h"
 #include "text/atomic_file.h"
 #include "text/json_writer.h"
@@ -48,7 +50,7 @@ class Bag {
     std::map<const MessageType*, std::uint16_t> schemas;
     for (const TopicText& topic : topics()) {
       const bool live = std::ranges::find(kLiveTopics, topic.topic) != kLiveTopics.end();
-      if (!live && !simulated) continue;
+      if (!live && !simulated && topic.topic != Topic::kMark) continue;
       const auto [schema, is_new] = schemas.emplace(topic.type, std::uint16_t{});
       if (is_new)
         schema->second = writer_.add_schema(
@@ -123,7 +125,7 @@ class Bag {
 }  // namespace
 
 std::vector<std::string> write_bag(const record::Recording& recording,
-                                   const messages::RunContext& run_context,
+                                   const messages::RunContext& run_context, const Marks& marks,
                                    const std::string& folder) {
   text::make_folder(folder);
   // rosbag2 names the file after its folder.
@@ -139,11 +141,16 @@ std::vector<std::string> write_bag(const record::Recording& recording,
   const TopicMessages::Send write = [&](Topic topic, const Bytes& cdr) {
     bag.write(topic, clock.unix_ns(now), cdr);
   };
+  auto write_marks = [&, next = marks.begin()](std::uint64_t until_ns) mutable {
+    for (; next != marks.end() && next->first <= until_ns; ++next)
+      bag.write(Topic::kMark, next->first, serialized(std_msgs::String{.data = next->second}));
+  };
   bool begun = false;
   recording.visit({.step =
                        [&](const StepRecord& record) {
                          now = record.now_ns;
                          if (!std::exchange(begun, true)) messages.begin(now, write);
+                         write_marks(clock.unix_ns(now));
                          messages.take(record, write);
                        },
                    .truth =
@@ -151,6 +158,7 @@ std::vector<std::string> write_bag(const record::Recording& recording,
                          if (simulated)
                            write(Topic::kGroundTruth, ground_truth(clock.unix_ns(at), truth));
                        }});
+  write_marks(std::numeric_limits<std::uint64_t>::max());
   bag.finish();
   text::write_file(metadata, bag.metadata());
   return {path, metadata};

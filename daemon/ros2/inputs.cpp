@@ -14,7 +14,7 @@ namespace {
 // Faster than any robot, and larger than any room.
 constexpr double kMaxVelocity = 100.0, kMaxPlaceM = 100.0;
 constexpr std::int64_t kMaxStampNs = std::int64_t{1} << 62U;
-constexpr std::size_t kMaxShown = 64, kLongestName = 64;
+constexpr std::size_t kMaxShown = 64, kLongestName = 64, kLongestMark = 80;
 
 bool finite(std::initializer_list<double> values) {
   for (const double value : values)
@@ -79,6 +79,7 @@ const std::array<InputText, kInputCount>& inputs() {
       {Input::kInitialPose, "/initialpose", &geometry_msgs::PoseWithCovarianceStamped::kType, {}},
       {Input::kGoal, "/goal_pose", &geometry_msgs::PoseStamped::kType, {}},
       {Input::kCourse, "/tp100/course", &std_msgs::String::kType, {}},
+      {Input::kMark, "/tp100/mark", &std_msgs::String::kType, {}},
       {Input::kStop, "/tp100/stop", &std_msgs::Empty::kType, {}},
   }};
   return kInputs;
@@ -124,6 +125,15 @@ std::optional<CourseStart> read_course(const Received& received, std::string& wh
   }
   if (!start.name.empty() && start.name.size() <= kLongestName) return start;
   why = "the name of a course has 1 to 64 characters";
+  return std::nullopt;
+}
+
+std::optional<std::string> read_mark(const Received& received, std::string& why) {
+  const auto message = message_of<std_msgs::String>(received, why);
+  if (!message) return std::nullopt;
+  const std::string text = message->data.empty() ? "mark" : message->data;
+  if (text.size() <= kLongestMark && one_line(text) == text) return text;
+  why = "a mark has at most 80 characters of ASCII";
   return std::nullopt;
 }
 

@@ -23,6 +23,7 @@ enum class Input : std::uint8_t {
   kInitialPose,      ///< /initialpose
   kGoal,             ///< /goal_pose: start a course that leads there
   kCourse,           ///< /tp100/course: start the course of that name
+  kMark,             ///< /tp100/mark: this moment, for the recording
   kStop,             ///< /tp100/stop: last, so that it overrides what arrives with it
 };
 inline constexpr std::size_t kInputCount = static_cast<std::size_t>(Input::kStop) + 1;
@@ -70,6 +71,9 @@ struct CourseStart {
 };
 /// For kCourse: "NAME", "NAME/start" or "NAME/here".
 std::optional<CourseStart> read_course(const Received& received, std::string& why);
+
+/// For kMark: the words, "mark" without any.
+std::optional<std::string> read_mark(const Received& received, std::string& why);
 
 /// Limit of the age of a message that starts the robot: the error of its writer's clock and the
 /// delay.

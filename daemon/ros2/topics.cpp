@@ -222,6 +222,7 @@ const std::array<TopicText, kTopicCount>& topics() {
        "/robot_description",
        &std_msgs::String::kType,
        {.transient_local = true, .depth = 1}},
+      {Topic::kMark, "/tp100/mark", &std_msgs::String::kType, {}},
       {Topic::kGroundTruth, "/ground_truth", &geometry_msgs::PoseStamped::kType, {}},
       {Topic::kClock, "/clock", &rosgraph_msgs::Clock::kType, {.reliable = false, .depth = 1}},
   }};

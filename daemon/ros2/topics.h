@@ -31,6 +31,7 @@ enum class Topic : std::uint8_t {
   kPath,
   kState,
   kRobotDescription,
+  kMark,
   kGroundTruth,
   kClock,
 };
@@ -58,6 +59,8 @@ inline constexpr std::array kLiveTopics = {
     Topic::kOdometry, Topic::kTransforms,      Topic::kStaticTransforms, Topic::kFusedPose,
     Topic::kImu,      Topic::kJointStates,     Topic::kBatteryState,     Topic::kPath,
     Topic::kState,    Topic::kRobotDescription};
+
+// kMark is in bags only: on the network /tp100/mark is what nodes send.
 
 /// Additional topics of simulations.
 inline constexpr std::array kVirtualTopics = {Topic::kGroundTruth, Topic::kClock};

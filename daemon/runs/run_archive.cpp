@@ -34,7 +34,9 @@ void write_note(text::JsonWriter& json, const RunNote& note) {
   json.field("name", note.name)
       .field("note", note.note)
       .field("tags", note.tags)
-      .field("keep", note.keep);
+      .field("keep", note.keep)
+      .objects("marks", marks_of(note),
+               [&](const Mark& mark) { json.field("t_s", mark.t_s).field("text", mark.text); });
 }
 
 void write_run(text::JsonWriter& json, const Run& run, bool active) {

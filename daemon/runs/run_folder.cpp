@@ -187,6 +187,14 @@ Descriptor open_run_file(const std::string& folder, const std::string& run, cons
   return found;
 }
 
+RunNote note_beside(const std::string& recording) try {
+  const fs::path path = fs::path(recording).parent_path() / kRunNoteFile;
+  std::error_code error;
+  return fs::is_regular_file(fs::symlink_status(path, error)) ? read_note(path) : RunNote{};
+} catch (const UserError&) {
+  return {};
+}
+
 RunNote change_note(const std::string& folder, const std::string& run,
                     const RunNoteChange& change) {
   const fs::path path = run_path(folder, run);

@@ -37,6 +37,9 @@ struct Run {
   std::string note_error{};  ///< why the note cannot be read, in one line, or empty
 };
 
+/// The note in the folder of a recording; nothing without one, or if it cannot be read.
+RunNote note_beside(const std::string& recording);
+
 /// All runs, newest first; an absent folder counts as empty.
 std::vector<Run> list_runs(const std::string& folder);
 

@@ -2,7 +2,9 @@
 
 #include <array>
 #include <span>
+#include <sstream>
 
+#include "text/format.h"
 #include "text/json_writer.h"
 #include "text/key.h"
 
@@ -11,10 +13,11 @@ namespace {
 
 std::span<const text::Key<RunNote>> keys() {
   using T = RunNote;
-  static const std::array<text::Key<T>, 4> kKeys = {{
+  static const std::array<text::Key<T>, 5> kKeys = {{
       {"name", &T::name, {}, "Name of the run"},
       {"tags", &T::tags, {}, "Tags for searching, separated by spaces"},
       {"note", &T::note, {}, "Notes about the run"},
+      {"marks", &T::marks, {}, "Moments marked afterwards, each in a line: time in s, text"},
       {"keep", &T::keep, {}, "Never delete the run to stay within record.quota_mb"},
   }};
   return kKeys;
@@ -39,6 +42,7 @@ RunNote changed(RunNote note, const RunNoteChange& change) {
   note.note = change.note.value_or(note.note);
   note.tags = change.tags.value_or(note.tags);
   note.keep = change.keep.value_or(note.keep);
+  if (change.mark) note.marks += text::format("%.3f ", change.mark->t_s) + change.mark->text + "\n";
   return note;
 }
 
@@ -51,7 +55,26 @@ std::string why_not(const RunNote& note) {
   std::string why = wrong("name", note.name, kMaxRunName, false);
   if (why.empty()) why = wrong("tags", note.tags, kMaxTags, false);
   if (why.empty()) why = wrong("note", note.note, kMaxNote, true);
+  if (why.empty()) why = wrong("marks", note.marks, kMaxMarks, true);
   return why;
+}
+
+std::string why_not(const Mark& mark) {
+  if (!mark.text.empty() && mark.text.size() <= kMaxMark && is_text(mark.text, false)) return {};
+  return "the text of a mark has 1 to " + std::to_string(kMaxMark) +
+         " bytes without control characters";
+}
+
+std::vector<Mark> marks_of(const RunNote& note) {
+  std::vector<Mark> marks;
+  std::istringstream lines(note.marks);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    Mark mark;
+    if (words >> mark.t_s && words.get() == ' ' && std::getline(words, mark.text))
+      marks.push_back(mark);
+  }
+  return marks;
 }
 
 RunNote parse_run_note(const std::string& text, const std::string& file) {

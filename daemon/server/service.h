@@ -49,6 +49,7 @@ enum class Service : std::uint32_t {
   kWheelsUpBegin,
   kWheelsUpWatch,
   kWatch,
+  kMark,
 };
 
 enum class Permission : std::uint8_t {

@@ -97,7 +97,7 @@ TEST_F(Services, AreNumberedNamedAndExplainedOnThePage) {
             "8 drive_release, 9 choose, 10 place, 11 file_save, 12 file_delete, 13 file_check, "
             "14 pause, 15 resume, 16 parameters_save, 17 parameters_restore, 18 run_note, "
             "19 run_delete, 20 run_report, 21 run_compare, 22 doctor, 23 run_identify, "
-            "24 wheels_up_begin, 25 wheels_up_watch, 26 watch, ");
+            "24 wheels_up_begin, 25 wheels_up_watch, 26 watch, 27 mark, ");
   const std::string page = test::read_bytes(source_path("daemon/messages/CHANNELS.md"));
   const std::size_t begin = page.find("| Name | Request | Response |");
   ASSERT_NE(begin, page.npos);
@@ -196,6 +196,10 @@ TEST_F(Services, ArgumentsAreChecked) {
       {"run_note", R"({"run":"a","keep":"yes"})", "keep must be true or false"},
       {"run_note", R"({"run":"a","name":"a\u0000b"})", "name takes"},
       {"run_note", R"({"run":"a","tags":"a\nb"})", "tags takes"},
+      {"mark", R"({"text":""})", "1 to 80 bytes"},
+      {"mark", R"({"text":"a\u000ab"})", "1 to 80 bytes"},
+      {"mark", R"({"run":"a"})", "and t_s"},
+      {"mark", R"({"run":"../a","t_s":1})", "and t_s"},
       {"run_delete", R"({"run":"a","with":"b"})", "no argument 'with'"},
       {"run_compare", R"({"run":"a"})", "names of runs"},
       {"run_identify", "{}", "one to 100 names"},

@@ -136,6 +136,16 @@ TEST_F(InputsTest, ACourseHasANameOf64CharactersAtMost) {
   EXPECT_FALSE(read_course(received(Input::kCourse, std_msgs::Bool{}), why_));
 }
 
+TEST_F(InputsTest, AMarkIsOneShortLine) {
+  const auto text_of = [&](const std::string& text) {
+    return read_mark(received(Input::kMark, std_msgs::String{.data = text}), why_);
+  };
+  EXPECT_EQ(text_of("slips here"), "slips here");
+  EXPECT_EQ(text_of(""), "mark");
+  EXPECT_FALSE(text_of("two\nlines"));
+  EXPECT_FALSE(text_of(std::string(81, 'a')));
+}
+
 TEST_F(InputsTest, AStartIsAtMostTwoSecondsOld) {
   Received message = received(Input::kCourse, std_msgs::String{.data = "3"});
   const auto in_time_after = [&](std::int64_t ns) {

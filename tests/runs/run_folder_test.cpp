@@ -252,6 +252,20 @@ TEST(RunNote, IsReadAsItWasWrittenAndKeepsWhatAChangeDoesNotName) {
   EXPECT_TRUE(changed(now, {.name = "", .tags = ""}).empty());
 }
 
+// A mark that is lost is a moment that nobody finds again.
+TEST(RunNote, MarksAreAddedAndReadInTheirOrder) {
+  RunNote note = changed({}, {.mark = Mark{.t_s = 12.3456, .text = "slips  here"}});
+  note = changed(note, {.name = "n", .mark = Mark{.t_s = -1.0, .text = "7"}});
+  EXPECT_EQ(why_not(note), "");
+  const std::vector<Mark> marks = marks_of(parse_run_note(write_run_note(note), "run.toml"));
+  ASSERT_EQ(marks.size(), 2U);
+  EXPECT_EQ(marks[0].t_s, 12.346);
+  EXPECT_EQ(marks[0].text, "slips  here");
+  EXPECT_EQ(marks[1].t_s, -1.0);
+  EXPECT_EQ(marks[1].text, "7");
+  EXPECT_TRUE(marks_of({.marks = "later\n\n12\n"}).empty());
+}
+
 TEST(RunNote, TakesNoControlCharactersNoForeignBytesAndNoEndlessText) {
   using namespace std::string_literals;
   for (const std::string& bad : {"a\0b"s, "a\nb"s, "\x1b[31m"s, "\x7f"s, "\xff"s, "\xc0\x80"s,

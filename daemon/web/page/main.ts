@@ -44,7 +44,7 @@ const daemon = new Daemon({
 });
 const { live, consent, call } = daemon;
 
-const replay = new Replay(look, say);
+const replay = new Replay(look, say, daemon.call);
 /** What the page shows of a robot: a recording in the view Analyse, else the robot. The header is always the robot's. */
 const replaying = (): boolean => replay.player !== undefined && views.shown === 'analyse';
 const shown = (): Store => (replaying() ? replay.player?.store : undefined) ?? live;
@@ -101,10 +101,9 @@ listen({
   driveKey: (code, change) => driver.key(code, change),
   letGo: () => { driver.leave(); },
   pressed: {
-    r: () => { controls.pressStart(); },
-    h: () => { controls.pressHold(); },
-    p: () => { controls.pressPause(); },
-    m: () => { drivePanel.press(); },
+    ...controls.keys,
+    m: () => { (replaying() ? replay.transport : controls).pressMark(); },
+    t: () => { drivePanel.press(); },
     c: () => { viewport.next(); },
     '?': () => { views.go('setup', 'keys'); },
     ...Object.fromEntries(kViews.map((view, i) => [String(i + 1), () => { views.go(view); }])),

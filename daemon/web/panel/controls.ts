@@ -17,6 +17,8 @@ export class Controls {
   private readonly record = control('record', 'record', 'Record', '', () => {
     this.send(this.call(this.recording ? 'record_stop' : 'record_start', {}));
   });
+  private readonly mark = control('mark', 'mark', 'Mark', 'm', () => { this.pressMark(); });
+  readonly keys = { r: (): void => { this.pressStart(); }, h: (): void => { this.pressHold(); }, p: (): void => { this.pressPause(); } };
   private readonly question: StartQuestion;
   private readonly starts: Confirmation;
   private readonly resumes: Confirmation;
@@ -38,7 +40,7 @@ export class Controls {
     this.resumes = new Confirmation(consent);
     this.hold.button.title = 'End the run and switch the motors off (h)';
     this.hold.label.append(h('small', {}, 'motors off'));
-    this.element.append(this.start.button, this.hold.button, this.record.button, this.pause.button, this.question.element);
+    this.element.append(this.start.button, this.hold.button, this.record.button, this.mark.button, this.pause.button, this.question.element);
   }
 
   /** Starts, or resumes a paused run. */
@@ -62,6 +64,11 @@ export class Controls {
 
   pressHold(): void {
     if (!this.hold.button.disabled) this.send(this.call('hold', {}));
+  }
+
+  /** Marks this moment in the recording. */
+  pressMark(): void {
+    if (!this.mark.button.disabled) this.send(this.call('mark', {}));
   }
 
   show(store: Store, connected: boolean, mayCommand: boolean): void {
@@ -93,6 +100,8 @@ export class Controls {
     this.recording = recording?.active === true;
     this.record.button.disabled = !(fresh && (state.can.record || this.recording));
     setClass(this.record.button, 'active', this.recording);
+    this.mark.button.disabled = !(fresh && this.recording);
+    setAttribute(this.mark.button, 'title', this.recording ? 'Mark this moment in the recording (m)' : 'Marks a moment of a recording; nothing is recorded now');
     setText(this.record.label, this.recording ? clock(recording?.elapsed_s) : 'Record');
     const title = recording?.available === false ? 'No directory to record to: start tp100d with --record DIR' : 'Record what the robot does, also without a run';
     const file = this.recording ? `${recording?.run ?? ''}, ${bytes(recording?.bytes)}` : title;

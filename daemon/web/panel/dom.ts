@@ -96,6 +96,7 @@ const kIcons = {
   grid: 'M2 2h5v5H2zM9 2h5v5H9zM2 9h5v5H2zM9 9h5v5H9z',
   fold: 'M5 3l1.5-1.5L13 8l-6.5 6.5L5 13l5-5z',
   square: 'M4 4h8v8H4z',
+  mark: 'M4 1.5h1.5V3H13l-2 3 2 3H5.5v5.5H4z',
   close: 'M4 5l1-1 3 3 3-3 1 1-3 3 3 3-1 1-3-3-3 3-1-1 3-3z',
   stop: 'M5.3 1.5h5.4l3.8 3.8v5.4l-3.8 3.8H5.3l-3.8-3.8V5.3z',
 };

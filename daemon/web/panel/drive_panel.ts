@@ -12,7 +12,7 @@ import { button, h, setAttribute, setClass, setText } from './dom.ts';
 const kSources = { none: 'no control held', keys: 'keys', stick: 'stick', gamepad: 'gamepad' };
 
 export class DrivePanel {
-  private readonly control = control('by-hand', 'wheel', 'By hand', 'm', () => { this.press(); });
+  private readonly control = control('by-hand', 'wheel', 'By hand', 't', () => { this.press(); });
   readonly button = this.control.button;
   readonly element = h('section', { class: 'drive-panel', 'aria-label': 'Driving by hand', hidden: '' });
   private readonly stick: Stick;

@@ -6,6 +6,11 @@ import type { Store } from '../state/store.ts';
 import { heightOf, lengthOf } from '../scene/geometry.ts';
 import { h, setClass, setText } from './dom.ts';
 
+/** Another run began, or a recording was wound back. */
+const kBack_m = 0.05;
+/** An older mark came before this page knew where the robot was. */
+const kLate_s = 2;
+
 export class Timeline {
   readonly element = h('section', { class: 'timeline', 'aria-label': 'Progress' });
   private readonly name = h('span', { class: 'timeline-name' });
@@ -16,6 +21,9 @@ export class Timeline {
   private readonly progress = h('output', { class: 'timeline-progress' });
   private readonly left = h('output', { class: 'timeline-left', title: 'At the speed of the course' });
   private courseShown = -1;
+  private eventsShown = -1;
+  private readonly marked = new Set<number>();
+  private last_m = 0;
 
   constructor() {
     this.strip.append(this.fill, this.marks);
@@ -32,6 +40,9 @@ export class Timeline {
     const state = store.get('/state');
     const length_m = course?.length_m ?? 0;
     const progress_m = store.get('/estimate')?.progress_m ?? 0;
+    if (progress_m < this.last_m - kBack_m) this.unmark();
+    this.last_m = progress_m;
+    this.markMoments(store, length_m, progress_m);
     const share = length_m > 0 ? Math.min(Math.max(progress_m / length_m, 0), 1) : 0;
     const transform = `scaleX(${share.toFixed(4)})`;
     if (this.fill.style.transform !== transform) this.fill.style.transform = transform;
@@ -40,6 +51,26 @@ export class Timeline {
     setText(this.left, left_s === undefined ? '' : `${minutes(left_s)} left`);
     setText(this.time, clock(state?.run_s ?? 0));
     setClass(this.element, 'stale', store.stale('/estimate'));
+  }
+
+  /** A mark stands where the robot was when it came. */
+  private markMoments(store: Store, length_m: number, progress_m: number): void {
+    const received = store.received['/event'] ?? 0;
+    if (received === this.eventsShown || length_m <= 0) return;
+    this.eventsShown = received;
+    for (const { kind, t_s, text } of store.events) {
+      if (kind !== 'mark' || this.marked.has(t_s)) continue;
+      this.marked.add(t_s);
+      if (t_s < (store.get('/estimate')?.t_s ?? 0) - kLate_s) continue;
+      const element = h('i', { class: 'mark moment', title: text });
+      element.style.left = `${((100 * progress_m) / length_m).toFixed(2)}%`;
+      this.marks.append(element);
+    }
+  }
+
+  private unmark(): void {
+    for (const old of this.marks.querySelectorAll('.moment')) old.remove();
+    this.marked.clear();
   }
 
   private build(course: Course | undefined): void {

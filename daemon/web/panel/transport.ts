@@ -10,7 +10,9 @@ export class Transport {
   readonly element = h('section', { class: 'transport', 'aria-label': 'Recording' });
   private readonly name = h('span', { class: 'transport-name' });
   private readonly play = button({ id: 'play', 'aria-label': 'Play' }, '', () => this.player?.toggle());
-  private readonly slider = h('input', { type: 'range', id: 'scrub', min: '0', step: '0.01', 'aria-label': 'Position in the recording, seconds' });
+  private readonly slider = h('input', { type: 'range', id: 'scrub', min: '0', step: '0.01', list: 'marks', 'aria-label': 'Position in the recording, seconds' });
+  private readonly ticks = h('datalist', { id: 'marks' });
+  private readonly markButton: HTMLButtonElement;
   private readonly time = h('output', { class: 'transport-time' });
   private readonly speed = button({ 'aria-label': 'Speed' }, '1\u00d7', () => {
     if (this.player === undefined) return;
@@ -20,9 +22,10 @@ export class Transport {
   private player: Player | undefined;
   private shownPlaying: boolean | undefined;
 
-  constructor(close: () => void) {
+  constructor(close: () => void, mark: () => void) {
     const leave = button({ id: 'live' }, 'close', close);
-    this.element.append(this.name, this.play, this.slider, this.time, this.speed, leave);
+    this.markButton = button({ id: 'mark-replay', title: 'Mark this moment (m)', 'aria-label': 'Mark this moment' }, icon('mark'), mark);
+    this.element.append(this.name, this.play, this.slider, this.ticks, this.time, this.markButton, this.speed, leave);
     this.element.hidden = true;
     this.slider.addEventListener('input', () => {
       if (this.player === undefined) return;
@@ -42,6 +45,17 @@ export class Transport {
     this.slider.max = player.duration_s.toFixed(2);
     setText(this.speed, '1\u00d7');
     setText(this.name, run);
+    this.showMarks(player);
+  }
+
+  /** Marks this moment of the recording. */
+  pressMark(): void {
+    this.markButton.click();
+  }
+
+  /** The marks as ticks of the slider. */
+  showMarks(player: Player): void {
+    this.ticks.replaceChildren(...player.marks.map(({ position_s, text }) => h('option', { value: position_s.toFixed(2), label: text })));
   }
 
   close(): void {

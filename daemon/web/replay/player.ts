@@ -1,5 +1,5 @@
 // Plays a recorded run into a store, from any moment forward at any speed.
-import type { Channels, Topic } from '../state/messages.ts';
+import type { Channels, Event, Topic } from '../state/messages.ts';
 import type { Store } from '../state/store.ts';
 import type { Frame } from './recording.ts';
 
@@ -11,6 +11,8 @@ export class Player {
   readonly end_s: number;
   playing = false;
   speed = 1;
+  /** Moments that people marked, while it was recorded or afterwards. */
+  readonly marks: { position_s: number; text: string }[];
   private next = 0;
   private at_s: number;
 
@@ -23,6 +25,8 @@ export class Player {
     this.begin_s = frames.find((frame) => frame.topic === '/estimate')?.time_s ?? 0;
     this.end_s = frames.at(-1)?.time_s ?? 0;
     this.at_s = this.begin_s;
+    const events = frames.filter(({ topic, message }) => topic === '/event' && (message as Event).kind === 'mark');
+    this.marks = events.map(({ time_s, message }) => ({ position_s: time_s - this.begin_s, text: (message as Event).text }));
     this.show(0);
   }
 
@@ -35,10 +39,24 @@ export class Player {
     return this.at_s - this.begin_s;
   }
 
+  /** Time of the messages at the beginning of the run. */
+  private get began_t_s(): number {
+    const first = this.frames.find((frame) => frame.topic === '/estimate');
+    return (first?.message as { t_s?: number } | undefined)?.t_s ?? 0;
+  }
+
+  /** The time of the messages now. */
+  get t_s(): number {
+    return this.began_t_s + this.position_s;
+  }
+
+  mark(t_s: number, text: string): void {
+    this.marks.push({ position_s: t_s - this.began_t_s, text });
+  }
+
   /** Unix time of t_s = 0; undefined if the recording's time is virtual. */
   get began_unix_s(): number | undefined {
-    const first = this.frames.find((frame) => frame.topic === '/estimate');
-    const began_s = (first?.time_s ?? 0) - ((first?.message as { t_s?: number } | undefined)?.t_s ?? 0);
+    const began_s = this.begin_s - this.began_t_s;
     return began_s > kPlausible_unix_s ? began_s : undefined;
   }
 

@@ -14,6 +14,8 @@ export interface RunEntry {
   note: string;
   tags: string;
   keep: boolean;
+  /** Those that were made afterwards. */
+  marks?: { t_s: number; text: string }[];
   /** Why the note cannot be read, or empty. */
   note_error: string;
   modified_unix_s: number;

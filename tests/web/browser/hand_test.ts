@@ -37,7 +37,7 @@ async function takeLease(page: Page): Promise<void> {
   await until(async () => {
     if ((await run(page)) === 'driving' && (await page.isVisible('#drive-release'))) return true;
     // The first press asks for confirmation. By key, because a click would wait for a button that is no longer enabled.
-    await page.keyboard.press('m');
+    await page.keyboard.press('t');
     return false;
   }, 'this page drives');
 }
@@ -78,12 +78,12 @@ describe('driving by hand', () => {
   it('asks for confirmation, follows the keys as long as they are held, and releases', async () => {
     const page = await setting.open();
     await mayDrive(page);
-    await page.keyboard.press('m');
+    await page.keyboard.press('t');
     await shows(page, '#by-hand', 'Press again');
     expect(await page.isVisible('#drive-release')).toBe(false);
-    await page.keyboard.press('m');
+    await page.keyboard.press('t');
     await until(async () => (await run(page)) === 'driving', 'it is driven');
-    await page.keyboard.press('m');
+    await page.keyboard.press('t');
     expect(await run(page), 'what starts does not stop').toBe('driving');
 
     const typist = new Typist(page);

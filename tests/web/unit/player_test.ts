@@ -28,6 +28,16 @@ it('it begins at the first pose, with the course known and nothing stale, and sh
   expect(player.position_s).toBeCloseTo(10);
 });
 
+it('it shows the marks of its recording and those that were made afterwards at their times', () => {
+  const event = { t_s: 3, kind: 'mark', level: 'info', text: 'slips', cause: '', fix: '' };
+  const all: Frame[] = [...frames, { time_s: kBegin + 3, topic: '/event', message: event }];
+  const marked = new Player(all.sort((a, b) => a.time_s - b.time_s), new Store(() => 0));
+  marked.show(4);
+  expect(marked.t_s).toBeCloseTo(4);
+  marked.mark(marked.t_s, 'again');
+  expect(marked.marks).toEqual([{ position_s: 3, text: 'slips' }, { position_s: 4, text: 'again' }]);
+});
+
 it('it plays at its speed, stops at the end and begins anew', () => {
   player.toggle();
   player.speed = 2;
