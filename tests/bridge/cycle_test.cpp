@@ -185,7 +185,7 @@ TEST(Cycle, PlacesARobotThatStandsStillAndChangesTheCourseInTheSameSession) {
   const Snapshot& snapshot = rig.cycle.outputs().snapshot;
   EXPECT_EQ(snapshot.start_refusal, StartRefusal::kNone);
   EXPECT_NEAR(snapshot.world.x_m, 0.2, 1e-6);
-  rig.cycle.request(OperatorRequest::kStart);
+  rig.cycle.request(OperatorRequest::kStartPlaced);
   rig.run(300);
   EXPECT_EQ(snapshot.run_state, RunState::kRunning);
 }
@@ -197,7 +197,7 @@ TEST(Cycle, ChangesNothingDuringARunOrWhileTheRobotMoves) {
   change.step.emplace(Parameters{}, short_line("a.toml"));
   ASSERT_TRUE(rig.cycle.change_setup(change, rig.now));
   rig.run(1000);
-  rig.cycle.request(OperatorRequest::kStart);
+  rig.cycle.request(OperatorRequest::kStartPlaced);
   SetupChange next{.place = Pose{}};
   rig.run(10);
   EXPECT_FALSE(rig.cycle.change_setup(next, rig.now)) << "arming";

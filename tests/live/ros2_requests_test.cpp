@@ -93,18 +93,18 @@ TEST_F(Ros2RequestsTest, AGoalChoosesTheCourseToItAndACourseIsStartedByItsName) 
   EXPECT_EQ(controls_.choices[0].goal->from.x_m, 0.5);
   EXPECT_EQ(controls_.choices[0].goal->to.y_m, 2.0);
   step();
-  EXPECT_EQ(controls_.starts, 0) << "the course is not in force yet";
+  EXPECT_EQ(controls_.continues, 0) << "the course is not in force yet";
   answer("goal");
   step();
-  EXPECT_EQ(controls_.starts, 1);
+  EXPECT_EQ(controls_.continues, 1) << "from where it stands";
   EXPECT_EQ(take_messages(), "ROS 2 /goal_pose starts the robot\n");
   wait(Ros2Requests::kSilenceNs);
-  EXPECT_EQ(controls_.starts, 1);
+  EXPECT_EQ(controls_.continues, 1);
   send_course("1-sharp");
   EXPECT_EQ(controls_.choices.at(1).course, "1-sharp");
   answer("1-sharp");
   step();
-  EXPECT_EQ(controls_.starts, 2);
+  EXPECT_EQ(controls_.starts, 1);
   const auto answered = requests_.take_answer();
   ASSERT_TRUE(answered);
   EXPECT_EQ(answered->text, "ROS 2 /tp100/course starts the robot");
@@ -178,7 +178,7 @@ TEST_F(Ros2RequestsTest, AMessageThatIsRepeatedStartsOnce) {
     wait(kNsPerS);
   }
   EXPECT_EQ(controls_.choices.size(), 1u);
-  EXPECT_EQ(controls_.starts, 1);
+  EXPECT_EQ(controls_.continues, 1);
   EXPECT_THAT(take_messages(), HasSubstr("/goal_pose is repeated and starts nothing"));
   wait(Ros2Requests::kSilenceNs);
   send_goal(1.0, 0.0);

@@ -101,7 +101,8 @@ TEST_F(HandDriveTest, ARunIsNotTakenOverAndGoesOnOnlyFromNearWhereItEnded) {
   drive.step_for(0.5);
   const std::string token = drive_off(drive, -0.02);
   drive.disconnect(kA);
-  drive.step_for(0.5);
+  drive.before_step = {};
+  drive.step_for(3.0);
   const auto places = [&] { return drive.record().snapshot.start_places; };
   EXPECT_EQ(places().unsaid, StartRefusal::kWhere) << "driven by hand";
   EXPECT_EQ(places().here, StartRefusal::kNone) << "still on its path";
@@ -113,7 +114,7 @@ TEST_F(HandDriveTest, ARunIsNotTakenOverAndGoesOnOnlyFromNearWhereItEnded) {
   drive.step_for(3.0);
   drive.disconnect(kA);
   drive.before_step = {};
-  drive.step_for(0.5);
+  drive.step_for(3.0);
   EXPECT_EQ(places().here, StartRefusal::kOffPath) << "too far from its path";
 }
 

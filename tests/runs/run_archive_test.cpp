@@ -245,7 +245,7 @@ TEST_F(RunArchiveTest, ANoteIsAnsweredAsItIsThen) {
     return asked([&](const auto& reply) { archive().change_note("a", change, reply); });
   };
   EXPECT_EQ(noted({.name = "Wet", .keep = true}).json,
-            Json::parse(R"({"run":"a","name":"Wet","note":"","tags":"","keep":true})"));
+            Json::parse(R"({"run":"a","name":"Wet","note":"","tags":"","keep":true,"marks":[]})"));
   EXPECT_THAT(noted({.name = "a\nb"}).why, HasSubstr("name takes"));
 }
 
