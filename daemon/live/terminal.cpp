@@ -161,14 +161,13 @@ void Terminal::ask(HostNs now) {
   stops_seen_ = reach_.controls.stop_count();
   const std::string what = "to start course " + reach_.course();
   const bool asks = reach_.controls.start_places().asks();
-  reach_.say(
-      asks ? "ready; the robot may be elsewhere than at the course's start: to start course " +
-                 reach_.course() + " type \"" + std::string(kStartPlacedWords) +
-                 "\" once it is put back there, or \"" + std::string(kStartHereWords) +
-                 "\" to continue from the pose that is shown"
-      : word ? "ready; type go and press Enter " + what + "; Enter alone is STOP"
-             : "ready; press Enter " + what,
-      false);
+  reach_.say(asks ? "ready; type " + std::string(kStartPlacedWords) + " and press Enter " + what +
+                        " once the robot is put back at its start, or " +
+                        std::string(kStartHereWords) +
+                        " to continue from the pose that is shown; Enter alone is STOP"
+             : word ? "ready; type go and press Enter " + what + "; Enter alone is STOP"
+                    : "ready; press Enter " + what,
+             false);
   if (typed_ahead && word) press_stop("Enter was pressed before the question: STOP", now);
 }
 

@@ -182,6 +182,7 @@ int drive(const DemoCommand& command, const fs::path& programs, const std::strin
     show(page);
     std::printf(
         "demo: keeps running after the run. To drive again, press Start on the page, or type go "
+        "start "
         "and press Enter here; Enter alone is STOP; Ctrl-C ends the demo, and removes its "
         "recordings\n");
   }

@@ -35,7 +35,7 @@ STARTER = """start_runs() {
   while IFS= read -r line; do
     printf '%s\\n' "$line" >&2
     case $line in
-      *"type go and press Enter to start"*) echo go > .keys ;;
+      *"type go"*"press Enter to start"*) echo go start > .keys ;;
       *"press Enter to start"*) echo > .keys ;;
     esac
   done

@@ -164,7 +164,7 @@ for text, name in (("\n", "Enter"), ("\n\n", "two Enters"), ("go\n", "go")):
         typed=(("drive", 0.9, text),), options=STAYS)
 odd("restarts, Enter after it", DRIVE, restarts(0.1), AT_ONCE, REBOOT, typed=(("drive", 1.6, "\n"),), options=STAYS)
 odd("restarts, go after it", DRIVE, restarts(0.1), Must((1,), 2, None, None, None, False), REBOOT,
-    typed=(("drive", 1.6, "go\n"),), options=STAYS)
+    typed=(("drive", 1.6, "go start\n"),), options=STAYS)
 for seconds in (0.05, 1.5):
     odd(f"is obedient; Enter stops it, and again {seconds} s later", ("drive", 0.5), put(), ENDS, "stop_requested",
         typed=(("drive", 0.5, "\n"), ("drive", 0.5 + seconds, "\n")), options=STAYS)

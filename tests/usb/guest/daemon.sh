@@ -14,7 +14,7 @@ until_() {
 mkfifo /tmp/keys
 exec 9<> /tmp/keys
 press_enter() { echo >&9; }
-type_go() { echo go >&9; }
+type_go() { echo go start >&9; }
 
 # start ARGUMENTS...: runs tp100d run in the background, with the folder $root as its root if that is set.
 start() {
