@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "record/recording_file.h"
 #include "runs/run_folder.h"
+#include "runs/run_result.h"
 #include "text/atomic_file.h"
 #include "text/file_name.h"
 #include "text/format.h"
@@ -62,6 +63,18 @@ void forget(const fs::path& run) {
 }
 
 void ignore(const std::string&) {}
+
+/// A list without it lacks a few figures.
+void write_result(const std::string& folder, const ActiveRun& run, const RunSummary& summary) {
+  try {
+    text::write_file(
+        folder + runs::kRunResultFile,
+        runs::write_run_result(runs::result_of(summary, run.course(), run.loaded.setup.robot.name)),
+        text::Flush::kNo);
+  } catch (const UserError&) {
+    return;
+  }
+}
 
 record::RecorderSettings recorder_settings(const config::Configuration& configuration) {
   const config::RecordSettings& settings = configuration.record;
@@ -127,11 +140,14 @@ record::Recorder::Make LiveRecording::make(const std::string& directory, const s
                      .level = messages::Event::Level::kWarning,
                      .text = std::move(text)});
     }
+    const std::string folder = runs::make_run_folder(directory, own + name, unix_ns) + "/";
     return std::make_unique<record::RecordingWriter>(
-        record::RecordingSettings{.path = runs::make_run_folder(directory, own + name, unix_ns) +
-                                          "/" + record::kRecordingFile,
-                                  .max_bytes = max_mb * 1'000'000,
-                                  .clock = clock},
+        record::RecordingSettings{
+            .path = folder + record::kRecordingFile,
+            .max_bytes = max_mb * 1'000'000,
+            .clock = clock,
+            .at_end = [folder,
+                       run](const RunSummary& summary) { write_result(folder, *run, summary); }},
         config::run_facts(run->loaded.files, run->loaded.setup, facts));
   };
 }

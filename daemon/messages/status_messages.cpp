@@ -105,6 +105,7 @@ std::string state_message(HostNs now, const PublishClock& clock, const StateFigu
     if (state.robot) json.field("robot_state", to_string(*state.robot));
     json.field("motors_on", state.motors_on)
         .field("run_s", state.run_s)
+        .field("largest_m", state.largest_m)
         .field("progress_m", state.progress_m)
         .field("length_m", state.length_m)
         .field("course", run_context.course == nullptr ? "" : run_context.course->name)

@@ -94,6 +94,7 @@ void RecordingWriter::before(HostNs at, std::span<const std::uint8_t> block) {
 void RecordingWriter::step(const StepRecord& record, std::span<const std::uint8_t> bytes) {
   const HostNs now = record.now_ns;
   if (first_ns_ == 0) first_ns_ = now;
+  summary_.take(record);
   write(step_channel_, now, bytes);
   step_messages_.take(record, recorded,
                       [this](messages::Channel channel, HostNs at, const std::string& json) {
@@ -153,6 +154,7 @@ void RecordingWriter::finish() {
   if (file_.error() != 0)
     warning_ = settings_.path + ": the end of the recording could not be written (" +
                std::strerror(file_.error()) + "); tp100d recover repairs the file";
+  if (settings_.at_end) settings_.at_end(summary_);
 }
 
 }  // namespace tp100::record

@@ -3,12 +3,13 @@
 // thread.
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "core/step_record.h"
+#include "core/run_summary.h"
 #include "messages/channels.h"
 #include "messages/messages.h"
 #include "record/mcap_writer.h"
@@ -31,6 +32,7 @@ struct RecordingSettings {
   std::uint64_t max_bytes = 2'000'000'000;  ///< the recording ends there
   bool compress = true;
   messages::PublishClock clock{};
+  std::function<void(const RunSummary&)> at_end{};  ///< called when the file is written
 };
 
 /// What a recording contains about its run besides the steps.
@@ -80,6 +82,7 @@ class RecordingWriter {
   std::uint16_t before_channel_ = 0, step_channel_ = 0, truth_channel_ = 0;
   std::map<messages::Channel, std::uint16_t> channels_;
   HostNs first_ns_ = 0;
+  RunSummary summary_;
   bool active_ = true;
   std::string warning_;
 };

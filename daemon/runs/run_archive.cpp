@@ -42,6 +42,17 @@ void write_note(text::JsonWriter& json, const RunNote& note) {
 void write_run(text::JsonWriter& json, const Run& run, bool active) {
   json.field("run", run.folder);
   write_note(json, run.note);
+  if (run.result)
+    json.object("result", [&] {
+      json.field("outcome", run.result->outcome)
+          .field("cause", run.result->cause)
+          .field("course", run.result->course)
+          .field("robot", run.result->robot)
+          .field("duration_s", run.result->duration_s)
+          .field("distance_m", run.result->distance_m)
+          .field("largest_m", run.result->largest_m)
+          .field("by_hand", run.result->by_hand);
+    });
   json.field("note_error", run.note_error)
       .field("modified_unix_s", run.recorded_unix_s)
       .field("bytes", run.bytes)

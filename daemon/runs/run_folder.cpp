@@ -64,15 +64,15 @@ bool is_folder(const fs::path& path) {
   return ::lstat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode);
 }
 
-/// Reads the note from a regular file, following no link. Throws UserError.
-RunNote read_note(const fs::path& path) {
+/// A short regular file. Throws UserError.
+std::string read_short(const fs::path& path) {
   std::string text(kMaxNoteFile + 1, '\0');
   std::ifstream file(path, std::ios::binary);
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(file.gcount()));
   if (text.size() > kMaxNoteFile)
-    throw UserError(std::string(kRunNoteFile) + ": too long; write a shorter one");
-  return parse_run_note(text, kRunNoteFile);
+    throw UserError(path.filename().string() + ": too long; write a shorter one");
+  return text;
 }
 
 /// Fills in `run`. False: not a folder, or a link.
@@ -88,12 +88,14 @@ bool look_at(const fs::path& folder, Run& run) {
       run.has_note = true;
       try {
         if (!S_ISREG(status.st_mode)) throw UserError(name + ": not a file");
-        run.note = read_note(at->path());
+        run.note = parse_run_note(read_short(at->path()), kRunNoteFile);
       } catch (const UserError& wrong) {
         run.note_error = wrong.what();
       }
     }
     if (!S_ISREG(status.st_mode)) continue;
+    if (name == kRunResultFile && static_cast<std::size_t>(status.st_size) <= kMaxNoteFile)
+      run.result = parse_run_result(read_short(at->path()));
     const auto bytes = static_cast<std::uint64_t>(status.st_size);
     if (run.files.size() < kMaxFiles) run.files.push_back({name, bytes});
     run.bytes += bytes;

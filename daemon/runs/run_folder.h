@@ -4,12 +4,14 @@
 // followed. Functions wait for the disk; any thread.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/descriptor.h"
 #include "runs/run_note.h"
+#include "runs/run_result.h"
 
 namespace tp100::runs {
 
@@ -34,7 +36,8 @@ struct Run {
   bool has_recording = false;
   bool has_note = false;
   RunNote note{};
-  std::string note_error{};  ///< why the note cannot be read, in one line, or empty
+  std::optional<RunResult> result{};  ///< nothing: not known
+  std::string note_error{};           ///< why the note cannot be read, in one line, or empty
 };
 
 /// The note in the folder of a recording; nothing without one, or if it cannot be read.

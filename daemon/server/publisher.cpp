@@ -184,6 +184,8 @@ void Publisher::update_state(const StepRecord& record) {
   const RunState before = std::exchange(state_.run, snapshot.run_state);
   if (armed(state_.run) && !armed(before)) run_began_ns_ = record.now_ns;
   if (armed(state_.run)) state_.run_s = to_s(record.now_ns - run_began_ns_);
+  summary_.take(record);
+  state_.largest_m = summary_.largest_m;
   if (under_way(state_.run)) stop_.under_way(record.now_ns, !under_way(before));
   state_.steering = snapshot.steering;
   state_.session = record.inputs.session;

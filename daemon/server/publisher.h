@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "core/limits.h"
-#include "core/step_record.h"
+#include "core/run_summary.h"
 #include "core/time.h"
 #include "messages/channels.h"
 #include "messages/figures.h"
@@ -163,6 +163,7 @@ class Publisher {
   std::shared_ptr<const std::string> whole_path_history_;
   HostNs last_step_ns_ = 0;
   HostNs run_began_ns_ = 0;
+  RunSummary summary_;
   HostNs last_stop_event_ns_ = -kNsPerS;
   std::string last_state_key_;
   messages::RecordingFigures last_recording_{};

@@ -6,6 +6,7 @@ import type { Replay } from '../replay/replay.ts';
 import { past } from '../state/service.ts';
 import type { Store } from '../state/store.ts';
 import type { Daemon } from './daemon.ts';
+import { parseAddress, valueIn } from './views.ts';
 
 export class AnalyseView {
   readonly tabs: Tabs;
@@ -19,11 +20,19 @@ export class AnalyseView {
     shown: () => Store,
     private readonly go: () => void,
   ) {
+    // Before the address is completed, which forgets what is not replayed.
+    addEventListener('hashchange', ({ newURL }) => { this.follow(new URL(newURL).hash); });
     this.runs = new RunList((file, run) => void replays.open(run.run, file.url), daemon.call);
     this.tabs = new Tabs('analyse', 'Analyse', [
       { id: 'runs', title: 'Runs', element: this.runs.element, show: () => { this.runs.show(daemon.connected && daemon.mayCommand, replays.run); } },
       { id: 'signals', title: 'Signals', element: this.signals.element, show: () => { this.signals.show(shown()); } },
     ]);
+  }
+
+  /** Opens the run that the address names, also one that is typed into an open page. */
+  follow(hash: string): void {
+    const run = valueIn(parseAddress(hash), 'replay');
+    if (run !== undefined && run !== this.replays.run) void this.replays.open(run);
   }
 
   report(run: string): void {

@@ -22,14 +22,12 @@ import { listen } from './keys.ts';
 import { PlanView } from './plan_view.ts';
 import { SetupView } from './setup_view.ts';
 import { themeSwitch } from './theme.ts';
-import { kViews, parseAddress, valueIn, Views } from './views.ts';
+import { kViews, Views } from './views.ts';
 
 const kFigures_ms = 100;
 /** At most 30 frames per second; the margin lets a frame be drawn that is due within half a display period. */
 const kView_ms = 1000 / 30 - 8;
 const kState_ms = 200;
-
-const wanted = valueIn(parseAddress(location.hash), 'replay');
 
 const notice = new Notice();
 const say = (why: string): void => { notice.say(why, performance.now()); };
@@ -76,7 +74,7 @@ document.body.append(
   h('header', { class: 'bar' }, identity.element, views.element, status.element, controls.element, step.element, stopPanel.element, notice.element),
   h('main', {}, viewport.element, drive.side, plan.element, analyse.tabs.element, setup.tabs.element),
 );
-if (wanted !== undefined) void replay.open(wanted);
+analyse.follow(location.hash);
 look();
 
 function pressStop(): void {
@@ -113,7 +111,7 @@ listen({
 
 setInterval(() => { driver.tick(); }, kPeriod_ms);
 onLeave(() => { driver.leave(); });
-window.addEventListener('gamepaddisconnected', () => { driver.tick(); });
+addEventListener('gamepaddisconnected', () => { driver.tick(); });
 
 let last_ms = performance.now();
 everyFrame([

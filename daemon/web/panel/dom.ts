@@ -54,6 +54,13 @@ export function setAttribute(element: Element, name: string, value: string): voi
   if (element.getAttribute(name) !== value) element.setAttribute(name, value);
 }
 
+/** Lets the browser save a text as a file. */
+export function saveText(name: string, text: string): void {
+  const url = URL.createObjectURL(new Blob([text], { type: 'text/csv' }));
+  h('a', { href: url, download: name }).click();
+  setTimeout(() => { URL.revokeObjectURL(url); }, 10_000);
+}
+
 /** A button that asks before it deletes: the first press changes its text, the second acts. */
 export function deleteButton(attributes: Record<string, string>, act: () => void): HTMLButtonElement {
   const element = button(attributes, 'delete', () => {

@@ -1,5 +1,5 @@
 // After a run: how it ended, and what can be done with it.
-import { clock, fixed } from '../state/format.ts';
+import { clock, fixed, millimetres } from '../state/format.ts';
 import type { State } from '../state/messages.ts';
 import { outcomeOf } from '../state/run_words.ts';
 import type { Store } from '../state/store.ts';
@@ -19,8 +19,6 @@ export class RunCard {
   /** The run that this page has watched, and its recording; empty: none. */
   private watched = false;
   private run = '';
-  private worst_mm = 0;
-  private seen_s = NaN;
 
   constructor(deeds: Deeds) {
     const deed = (id: string, text: string, act: (run: string) => void): HTMLButtonElement => button({ class: 'control', id }, text, () => { act(this.run); });
@@ -37,7 +35,7 @@ export class RunCard {
     const state = store.get('/state');
     if (state === undefined || store.stale('/state')) return;
     if (state.run === 'running') {
-      if (!this.watched) this.begin(store);
+      if (!this.watched) this.begin();
       this.watch(store);
     } else if (this.watched && state.run !== 'arming') {
       this.watch(store);
@@ -46,20 +44,15 @@ export class RunCard {
     } else if (state.run === 'arming' || state.run === 'driving') this.element.hidden = true;
   }
 
-  private begin(store: Store): void {
+  private begin(): void {
     this.watched = true;
     this.element.hidden = true;
     this.run = '';
-    this.worst_mm = 0;
-    this.seen_s = store.get('/estimate')?.t_s ?? NaN;
   }
 
   private watch(store: Store): void {
     const recording = store.get('/recording');
     if (recording?.active === true) this.run = recording.run;
-    const [times, errors] = store.past(this.seen_s, 'cross_track_mm');
-    this.seen_s = times.at(-1) ?? this.seen_s;
-    for (const error of errors) if (Math.abs(error) > this.worst_mm) this.worst_mm = Math.abs(error);
   }
 
   private end(state: State): void {
@@ -69,7 +62,7 @@ export class RunCard {
     this.words.replaceChildren(
       h('strong', {}, `Run ${outcome}`),
       cause === undefined ? '' : `: ${cause}`,
-      h('span', {}, ` \u00b7 ${fixed(state.progress_m, 2)} of ${fixed(state.length_m, 2)} m in ${clock(state.run_s)} \u00b7 at most ${fixed(this.worst_mm, 1)} mm off the path${this.run === '' ? ' \u00b7 not recorded' : ''}`),
+      h('span', {}, ` \u00b7 ${fixed(state.progress_m, 2)} of ${fixed(state.length_m, 2)} m in ${clock(state.run_s)} \u00b7 at most ${millimetres(state.largest_m, 1)} mm off the path${this.run === '' ? ' \u00b7 not recorded' : ''}`),
     );
     for (const deed of this.deeds) deed.hidden = this.run === '';
     this.element.hidden = false;

@@ -1,7 +1,7 @@
 // The daemon's recorded runs: to name, report, compare, replay and delete.
 import { bytes } from '../state/format.ts';
-import { courseOf, titleOf, type RunEntry, type RunFile, type RunNote, type RunsList } from '../state/runs.ts';
-import { button, h, Message, setText } from './dom.ts';
+import { arranged, courseOf, kRunColumns, runsTable, titleOf, type RunEntry, type RunFile, type RunKey, type RunNote, type RunsList } from '../state/runs.ts';
+import { button, h, Message, saveText, setAttribute, setText } from './dom.ts';
 import { noteForm, runRow, type RunActions } from './run_row.ts';
 import { fetched, Listing, reason, type Call } from '../state/service.ts';
 
@@ -29,6 +29,9 @@ export class RunList {
     this.empty.hidden = !this.table.hidden;
     this.empty.textContent = 'The list of runs is not available now.';
   });
+  private readonly search = h('input', { type: 'search', placeholder: 'search runs', 'aria-label': 'Search runs' });
+  private readonly heads = new Map<RunKey, HTMLElement>();
+  private order: { key: RunKey; down: boolean } = { key: 'recorded', down: true };
   private list: RunsList | undefined;
   private mayCommand = false;
   private replayed = '';
@@ -40,9 +43,12 @@ export class RunList {
     replay: (file: RunFile, run: RunEntry) => void,
     private readonly call: Call,
   ) {
-    const head = ['', 'run', 'recorded', 'size', ''].map((title) => h('th', { scope: 'col' }, title));
-    this.table = h('table', {}, h('thead', {}, h('tr', {}, ...head)), this.body);
-    this.element.append(h('div', { class: 'tab-bar' }, this.room, this.compareButton, this.busy, this.message.element), this.table, this.empty);
+    const head = (Object.keys(kRunColumns) as RunKey[]).map((key) => this.column(key));
+    this.table = h('table', {}, h('thead', {}, h('tr', {}, h('td'), ...head, h('td'))), this.body);
+    const save = button({ class: 'control', id: 'runs-csv', title: 'Save these runs as a table' }, 'CSV', () => { saveText('runs.csv', runsTable(this.arranged)); });
+    this.search.addEventListener('input', () => { this.arrange(); });
+    this.element.append(h('div', { class: 'tab-bar' }, this.room, this.search, save, this.compareButton, this.busy, this.message.element), this.table, this.empty);
+    this.sort('recorded', true);
     this.table.hidden = true;
     this.actions = {
       replay,
@@ -79,7 +85,8 @@ export class RunList {
   /** With the run of the same course before it. */
   async compareWithBefore(run: string): Promise<void> {
     const runs = await fetched('/api/runs').then((text) => (JSON.parse(text) as RunsList).runs, () => []);
-    const before = runs.filter((each) => courseOf(each.run) === courseOf(run) && each.run < run && !each.active).map((each) => each.run).sort().at(-1);
+    const course = runs.filter((each) => each.run === run).map(courseOf)[0];
+    const before = runs.filter((each) => courseOf(each) === course && each.run < run && !each.active).map((each) => each.run).sort().at(-1);
     if (before === undefined) this.message.say('There is no run of this course before it.', true);
     else await this.make(`the comparison of ${run} with ${before}`, 'run_compare', { run, with: before });
   }
@@ -95,16 +102,39 @@ export class RunList {
     }
   }
 
+  private column(key: RunKey): HTMLElement {
+    const head = h('th', { scope: 'col', class: `run-${key}` }, button({ title: 'Sort by this' }, kRunColumns[key].title, () => {
+      this.sort(key, this.order.key === key ? !this.order.down : key === 'recorded');
+    }));
+    this.heads.set(key, head);
+    return head;
+  }
+
+  private sort(key: RunKey, down: boolean): void {
+    this.order = { key, down };
+    for (const [each, head] of this.heads) setAttribute(head, 'aria-sort', each !== key ? 'none' : down ? 'descending' : 'ascending');
+    this.arrange();
+  }
+
+  private get arranged(): RunEntry[] {
+    return arranged(this.list?.runs ?? [], this.search.value, this.order.key, this.order.down);
+  }
+
+  /** Shows the runs that were searched for, in their order. */
+  private arrange(): void {
+    // Unchanged rows stay in the page, so that they keep the focus and their open parts.
+    const rows = this.arranged.map((run) => this.row(run));
+    for (const old of [...this.body.rows]) if (!rows.includes(old)) old.remove();
+    rows.forEach((row, i) => { if (this.body.rows[i] !== row) this.body.insertBefore(row, this.body.rows[i] ?? null); });
+    this.enable();
+  }
+
   private build(list: RunsList): void {
     this.list = list;
     const { runs, directory } = list;
     const known = new Set(runs.map(({ run }) => run));
     for (const run of [...this.rows.keys()]) if (!known.has(run)) this.rows.delete(run);
     for (const run of [...this.chosen]) if (!known.has(run)) this.chosen.delete(run);
-    // Unchanged rows stay in the page, so that they keep the focus and their open parts.
-    const rows = runs.map((run) => this.row(run));
-    for (const old of [...this.body.rows]) if (!rows.includes(old)) old.remove();
-    rows.forEach((row, i) => { if (this.body.rows[i] !== row) this.body.insertBefore(row, this.body.rows[i] ?? null); });
     this.table.hidden = runs.length === 0;
     this.empty.hidden = runs.length > 0;
     this.empty.textContent = directory
@@ -113,7 +143,7 @@ export class RunList {
     setText(this.room, directory === '' ? '' : roomText(list));
     this.compareButton.hidden = runs.length < kCompared;
     setText(this.busy, list.making === '' || this.making !== undefined ? '' : `A report of ${list.making} is being made.`);
-    this.enable();
+    this.arrange();
   }
 
   private row(run: RunEntry): HTMLTableRowElement {

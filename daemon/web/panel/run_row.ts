@@ -1,6 +1,6 @@
 // One run of the list, with its actions.
-import { bytes } from '../state/format.ts';
-import { reportOf, titleOf, type RunEntry, type RunFile, type RunNote } from '../state/runs.ts';
+import { bytes, kUnknown } from '../state/format.ts';
+import { kRunColumns, reportOf, titleOf, type RunKey, type RunEntry, type RunFile, type RunNote } from '../state/runs.ts';
 import { button, deleteButton, h } from './dom.ts';
 
 export interface RunActions {
@@ -25,12 +25,22 @@ export function runRow(run: RunEntry, chosen: boolean, actions: RunActions): HTM
     { 'data-run': run.run },
     h('td', { class: 'run-box' }, box),
     h('td', { class: 'run-what' }, ...about(run)),
-    h('td', { class: 'run-when' }, run.active ? 'recording' : new Date(1000 * run.modified_unix_s).toLocaleString()),
-    h('td', { class: 'figure run-size' }, bytes(run.bytes)),
+    ...(Object.keys(kRunColumns) as RunKey[]).slice(1).map((key) => cell(key, run)),
     h('td', {}, h('div', { class: 'run-files' }, ...deeds(run, actions), ...files(run))),
   );
   if (run.active) row.classList.add('active');
   return row;
+}
+
+function cell(key: RunKey, run: RunEntry): HTMLElement {
+  const { of, text } = kRunColumns[key];
+  const shown = text === undefined ? String(of(run)) : text(run);
+  const td = h('td', { class: `run-${key}${typeof of(run) === 'number' ? ' figure' : ''}` }, shown.startsWith(kUnknown) ? kUnknown : shown);
+  if (key === 'outcome') {
+    td.dataset.outcome = run.active ? '' : (run.result?.outcome ?? '');
+    td.title = run.result?.cause ?? '';
+  }
+  return td;
 }
 
 function about(run: RunEntry): HTMLElement[] {
@@ -83,7 +93,7 @@ function files(run: RunEntry): HTMLElement[] {
 export function noteForm(run: RunEntry, save: (note: RunNote) => void, cancel: () => void): HTMLTableRowElement {
   const name = h('input', { type: 'text', name: 'run-name', maxlength: '80', value: run.name });
   const tags = h('input', { type: 'text', name: 'run-tags', maxlength: '200', value: run.tags, placeholder: 'words' });
-  const note = h('textarea', { name: 'run-note', rows: '2', maxlength: '2000', 'aria-label': 'Note' }, run.note);
+  const note = h('textarea', { name: 'run-note', rows: '2', maxlength: '2000' }, run.note);
   const keep = h('input', { type: 'checkbox', name: 'run-keep' });
   keep.checked = run.keep;
   const form = h(
@@ -92,7 +102,7 @@ export function noteForm(run: RunEntry, save: (note: RunNote) => void, cancel: (
     h('label', {}, 'name ', name),
     h('label', {}, 'tags ', tags),
     h('label', {}, keep, ' keep'),
-    note,
+    h('label', {}, 'note ', note),
     h('button', { type: 'submit', class: 'control run-save' }, 'Save'),
     button({ class: 'control' }, 'Cancel', cancel),
   );
@@ -100,5 +110,5 @@ export function noteForm(run: RunEntry, save: (note: RunNote) => void, cancel: (
     event.preventDefault();
     save({ run: run.run, name: name.value.trim(), tags: tags.value.trim().replace(/\s+/g, ' '), note: note.value.trim(), keep: keep.checked });
   });
-  return h('tr', { class: 'run-edited' }, h('td', { colspan: '5' }, form));
+  return h('tr', { class: 'run-edited' }, h('td', { colspan: String(Object.keys(kRunColumns).length + 2) }, form));
 }

@@ -3,7 +3,7 @@ import { hasWords } from '../state/format.ts';
 import { csv, isSignalTopic, Signals, topicOf, unitOf, kSignalHistory_s } from '../state/signals.ts';
 import type { Frame } from '../replay/recording.ts';
 import type { Store } from '../state/store.ts';
-import { button, h, setAttribute, setText } from './dom.ts';
+import { button, h, saveText, setAttribute, setText } from './dom.ts';
 import { SignalChart, type TimeRange } from './signal_chart.ts';
 
 const kRemembered = 'tp100.signals';
@@ -195,9 +195,7 @@ export class SignalPanel {
       const inside = [...times.keys()].filter((i) => (times[i] ?? NaN) >= from_s && (times[i] ?? NaN) <= to_s);
       return { name, times: Float64Array.from(inside, (i) => times[i] ?? NaN), values: Float64Array.from(inside, (i) => values[i] ?? NaN) };
     });
-    const url = URL.createObjectURL(new Blob([csv(columns)], { type: 'text/csv' }));
-    h('a', { href: url, download: 'signals.csv' }).click();
-    setTimeout(() => { URL.revokeObjectURL(url); }, 10_000);
+    saveText('signals.csv', csv(columns));
   }
 }
 

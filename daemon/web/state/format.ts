@@ -1,7 +1,7 @@
 // Numbers as text of constant width, so that nothing on the page moves; and words in texts.
 
 const kMinus = '\u2212';
-const kUnknown = '\u2013';
+export const kUnknown = '\u2013';
 
 const isKnown = (value: number | null | undefined): value is number =>
   value !== null && value !== undefined && Number.isFinite(value);

@@ -16,7 +16,7 @@ export type Session = Link['session'];
 export type Distribution = Link['sample_age_us'];
 export type Loop = Schemas['/loop'];
 
-export type State = Since<Schemas['/state'], 'watch' | 'confirm_start' | 'why_not_drive'>;
+export type State = Since<Schemas['/state'], 'watch' | 'confirm_start' | 'why_not_drive' | 'largest_m'>;
 export type Run = State['run'];
 export type StopState = State['stop'];
 

@@ -149,15 +149,6 @@ export class Store {
     return estimate?.[estimate.steering];
   }
 
-  /** Times and values of a column after a time. */
-  past(after_s: number, name: Column): [times: Float64Array, values: Float64Array] {
-    const columns = this.series.since(after_s);
-    const times = column(columns, 't_s');
-    const first = times.findIndex((t_s) => t_s > after_s);
-    const from = first < 0 ? times.length : first;
-    return [times.subarray(from), column(columns, name).subarray(from)];
-  }
-
   /** Of each track; unknown at standstill. */
   get slip(): { left: number; right: number } {
     const estimate = this.latest['/estimate'];

@@ -58,6 +58,16 @@ describe('a recorded run', () => {
     // Its recording ends a second later.
     const last = page.locator('.runs tr[data-run$="-3"]').first();
     await until(async () => (await last.count()) === 1 && (await last.locator('.run-make').isEnabled()), 'it is recorded');
+    // The list says how it went, finds it, and is sorted.
+    await shows(last, '.run-outcome', 'stopped');
+    await shows(last, '.run-error', /^[\d.]+ mm$/);
+    await page.fill('.runs input[type=search]', 'stopped');
+    await until(async () => (await page.locator('.runs tbody tr').count()) < (await page.locator('.runs-room').first().textContent().then((text) => parseInt(text ?? ''))), 'others are left out');
+    await page.fill('.runs input[type=search]', '');
+    await page.locator('.runs th.run-error button').click();
+    expect(await page.getAttribute('.runs th.run-error', 'aria-sort')).toBe('ascending');
+    const [table] = await Promise.all([page.waitForEvent('download'), page.click('#runs-csv')]);
+    expect(table.suggestedFilename()).toBe('runs.csv');
     const report = await opened(page, last.locator('.run-make'));
     expect(report).toMatch(/\/runs\/[\w-]+-3\/report\.html$/);
     await until(async () => (await last.locator('.run-report').count()) === 1, 'the report stays beside it');
@@ -72,6 +82,10 @@ describe('a recorded run', () => {
     expect(why).not.toContain(folder());
     await until(() => row(page, recorded('1-sharp')).locator('.run-make').isEnabled(), 'another one may be made');
 
+    // The address of a replay, typed into the open page.
+    await page.evaluate((run) => { location.hash = `replay=${run}`; }, recorded('1-sharp'));
+    await until(() => page.evaluate(() => document.body.classList.contains('replaying')), 'it is replayed by its address');
+    await page.click('#live');
     await page.goto(report);
     await page.getByText('Replay it').click();
     await until(async () => Number(await page.getAttribute('#scrub', 'max')) > 0.5, 'the page replays the run of the report');
