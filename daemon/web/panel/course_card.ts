@@ -42,7 +42,7 @@ export function courseCard(course: CourseEntry, actions: CardActions): HTMLEleme
 }
 
 /** The outline in a fixed frame, x to the right, y up. */
-function thumbnail(course: CourseEntry): SVGSVGElement {
+export function thumbnail(course: Pick<CourseEntry, 'name' | 'outline' | 'obstacles' | 'surfaces' | 'start'>): SVGSVGElement {
   const image = svg('svg', { class: 'card-outline', role: 'img', 'aria-label': `Outline of course ${course.name}` });
   const outline = course.outline ?? [];
   if (outline.length === 0) return image;

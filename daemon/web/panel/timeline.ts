@@ -47,7 +47,7 @@ export class Timeline {
     const transform = `scaleX(${share.toFixed(4)})`;
     if (this.fill.style.transform !== transform) this.fill.style.transform = transform;
     setText(this.progress, length_m > 0 ? `${fixed(progress_m, 2)} / ${fixed(length_m, 2)} m` : '\u2013');
-    const left_s = course !== undefined && state?.run === 'running' && state.pause_left_s === undefined ? left(course, progress_m) : undefined;
+    const left_s = course !== undefined && state?.run === 'running' && state.pause_left_s === undefined ? timeLeft_s(course, progress_m) : undefined;
     setText(this.left, left_s === undefined ? '' : `${minutes(left_s)} left`);
     setText(this.time, clock(state?.run_s ?? 0));
     setClass(this.element, 'stale', store.stale('/estimate'));
@@ -96,7 +96,7 @@ export class Timeline {
 const kPivot_radps = 0.5;
 
 /** How long the rest of the course takes at its speed. */
-function left(course: Course, progress_m: number): number {
+export function timeLeft_s(course: Course, progress_m: number): number {
   const turned_rad = ({ begin, end }: Segment): number => Math.abs(Math.atan2(Math.sin(end.yaw_rad - begin.yaw_rad), Math.cos(end.yaw_rad - begin.yaw_rad)));
   const turns = course.segments.filter(({ kind, from_m }) => kind === 'pivot' && from_m >= progress_m);
   return Math.max(course.length_m - progress_m, 0) / course.speed_mps + turns.reduce((sum_s, turn) => sum_s + turned_rad(turn) / kPivot_radps, 0);

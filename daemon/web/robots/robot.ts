@@ -2,7 +2,7 @@
 import { Client, type ServerInfo } from '../foxglove/client.ts';
 import { openSocket, type Socket } from '../foxglove/connection.ts';
 import { StopSender } from '../foxglove/stop_sender.ts';
-import type { Link, State } from '../state/messages.ts';
+import type { Course, Link, State } from '../state/messages.ts';
 import { kStaleState_ms } from '../state/store.ts';
 
 /** An entry of GET /api/robots. */
@@ -24,11 +24,13 @@ export type Contact =
 
 /** After this time without an answer the page reports that there is none, although the browser still tries. */
 const kPatience_ms = 2000;
+const kLink_ms = 1000;
 
 export class Robot {
   readonly stop: StopSender;
   state: State | undefined;
   link: Link | undefined;
+  course: Course | undefined;
   /** Its name as displayed; empty until its daemon has answered. */
   name = '';
   private readonly client: Client;
@@ -75,6 +77,9 @@ export class Robot {
     });
     client.subscribe('/link', (message) => {
       if (this.connected) this.link = message as Link;
+    }, kLink_ms);
+    client.subscribe('/course', (message) => {
+      if (this.connected) this.course = message as Course;
     });
   }
 

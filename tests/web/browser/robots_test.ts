@@ -24,6 +24,8 @@ describe('the page of all robots', () => {
       await says(page, pair, 'h2', /^tp100$/);
       await says(page, pair, '.badge', /^emulated$/);
       await says(page, pair, '.card-figures div:has-text("course") dd', /^3, \d\.\d\d of \d\.\d\d m$/);
+      await says(page, pair, '.card-figures div:has-text("time") dd', /left$/);
+      await until(async () => (await part(page, pair, '.card-map polygon').last().getAttribute('transform'))?.startsWith('translate'), 'it is drawn on its course');
       await says(page, pair, '.card-figures div:has-text("battery") dd', /^\d+\.\d V$/);
       await says(page, pair, '.card-page', pair === second ? /^(?!.*serves this page)/ : /serves this page/);
       expect(await part(page, pair, '.card-page a').getAttribute('href')).toBe(pair.url);
