@@ -16,8 +16,42 @@ import type { Daemon } from './daemon.ts';
 import { kHistory_s, type Store } from '../state/store.ts';
 
 const kFolded = 'tp100.folded';
+/** The width of what is beside the view, and the height of the diagram, as they were dragged. */
+const kSizes = ['side-width', 'plot-height'] as const;
+const kStep_px = 20;
 const kWindow_s = 60;
 const kShortestWindow_s = 20;
+
+/** What is dragged, or moved by arrows, to give a panel another size; a double click gives it its own again. */
+function handle(name: (typeof kSizes)[number]): HTMLElement {
+  const across = name === 'side-width';
+  const element = h('div', { class: `handle ${name}`, role: 'separator', tabindex: '0', 'aria-valuenow': '0', 'aria-orientation': across ? 'vertical' : 'horizontal', 'aria-label': across ? 'Width of diagram and events' : 'Height of the diagram', title: 'Drag, or arrow keys; double click: as at first' });
+  const panel = (): DOMRect | undefined => (across ? element.parentElement : element.parentElement?.querySelector('.plots'))?.getBoundingClientRect();
+  const set = (size_px: number): void => {
+    const most = across ? innerWidth - 420 : innerHeight - 260;
+    const size = Math.round(Math.min(Math.max(size_px, across ? 260 : 140), most));
+    document.body.style.setProperty(`--${name}`, `${size}px`);
+    setAttribute(element, 'aria-valuenow', String(size));
+    localStorage.setItem(`tp100.${name}`, String(size));
+  };
+  element.addEventListener('pointerdown', (event) => { element.setPointerCapture(event.pointerId); });
+  element.addEventListener('pointermove', (event) => {
+    const box = panel();
+    if (element.hasPointerCapture(event.pointerId) && box !== undefined) set(across ? box.right - event.clientX : event.clientY - box.top);
+  });
+  element.addEventListener('keydown', ({ key }) => {
+    const by = { ArrowLeft: 1, ArrowRight: -1, ArrowDown: 1, ArrowUp: -1 }[key];
+    const box = panel();
+    if (by !== undefined && box !== undefined && across === /Left|Right/.test(key)) set((across ? box.width : box.height) + by * kStep_px);
+  });
+  element.addEventListener('dblclick', () => {
+    document.body.style.removeProperty(`--${name}`);
+    localStorage.removeItem(`tp100.${name}`);
+  });
+  const kept = Number(localStorage.getItem(`tp100.${name}`));
+  if (kept > 0) set(kept);
+  return element;
+}
 
 export class DriveView {
   /** Beside the view of the course. */
@@ -41,7 +75,8 @@ export class DriveView {
     viewport.element.append(this.words.element, this.image.element, drive.element, this.card.element, transport.element, this.timeline.element, this.numbers.element);
     this.fold = button({ class: 'fold', 'aria-controls': 'side' }, icon('fold'), () => { this.show(this.fold.getAttribute('aria-expanded') !== 'true'); });
     viewport.element.append(this.fold);
-    this.side = h('aside', { class: 'side', id: 'side', 'aria-label': 'Diagram and events' }, this.plots.element, this.past, this.events.element);
+    const [wide, high] = kSizes.map((name) => handle(name));
+    this.side = h('aside', { class: 'side', id: 'side', 'aria-label': 'Diagram and events' }, wide ?? '', this.plots.element, this.past, high ?? '', this.events.element);
     this.show(localStorage.getItem(kFolded) === null);
   }
 

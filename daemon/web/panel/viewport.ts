@@ -103,7 +103,7 @@ export class Viewport {
 
   next(): void {
     const all: readonly Mode[] = this.webgl ? kModes : ['map'];
-    this.set(all[(all.indexOf(this.mode) + 1) % all.length] ?? 'map');
+    this.set(all[(all.indexOf(this.wanted) + 1) % all.length] ?? 'map');
   }
 
   /** World coordinates of a point of the map; undefined while no map is shown. */
@@ -198,7 +198,7 @@ export class Viewport {
     try {
       return new this.makeScene(
         () => {
-          this.mode = 'free';
+          this.mode = this.wanted = 'free';
           this.mark();
         },
         () => {

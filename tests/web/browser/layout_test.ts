@@ -1,7 +1,7 @@
 // The page as a whole: its layout on every screen, its themes, the map and the scene, and everything without a mouse.
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
-import { alive, colour, drawn, driveUntil, findings, goOn, goTo, kDesktop, kParts, kPhone, kSize, picture, resize, rest, run, shows, tooWide, until } from './cockpit.ts';
+import { alive, drag, colour, drawn, driveUntil, findings, goOn, goTo, kDesktop, kParts, kPhone, kSize, picture, resize, rest, run, shows, tooWide, until } from './cockpit.ts';
 import { Setting } from './setting.ts';
 
 const kAll = Object.values(kParts).flat();
@@ -145,6 +145,26 @@ describe('the page', () => {
     await until(async () => (await theme(page)) === other, 'the system changes');
   });
 
+  it('keeps the sizes that its panels were given', async () => {
+    const page = await setting.open();
+    const size = (): Promise<number[]> => page.evaluate(() => ['.side', '.plots'].map((part) => document.querySelector(part)?.getBoundingClientRect()).map((box, i) => Math.round((i === 0 ? box?.width : box?.height) ?? 0)));
+    await page.focus('.handle.plot-height');
+    await page.keyboard.press('ArrowDown');
+    const [wide = 0, high = 0] = await size();
+    await page.keyboard.press('ArrowDown');
+    await page.focus('.handle.side-width');
+    await page.keyboard.press('ArrowLeft');
+    expect(await size()).toEqual([wide + 20, high + 20]);
+    const box = await page.locator('.handle.side-width').boundingBox();
+    await drag(page, { x: (box?.x ?? 0) + 4, y: 300 }, { x: (box?.x ?? 0) - 26, y: 300 });
+    const dragged = await size();
+    expect(dragged[0]).toBeGreaterThan(wide + 40);
+    await page.reload();
+    expect(await size()).toEqual(dragged);
+    await page.dblclick('.handle.side-width', { position: { x: 4, y: 200 } });
+    expect(await size()).toEqual([wide, high + 20]);
+  });
+
   it('is used without a mouse and told in words, on a screen 360 px wide', async () => {
     const page = await setting.open({ width: 360, height: 640 });
     await alive(page);
@@ -155,7 +175,7 @@ describe('the page', () => {
     }
     for (const camera of ['chase', 'top', 'free', 'map']) {
       await page.keyboard.press('c');
-      expect(await pressed(page, `camera-${camera}`), camera).toBe(true);
+      await until(() => pressed(page, `camera-${camera}`), camera);
     }
     for (const id of ['stop', 'camera-map', 'show-model']) await tabTo(page, id);
     expect(await pressed(page, 'show-model')).toBe(true);
