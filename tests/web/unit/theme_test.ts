@@ -54,7 +54,7 @@ describe.each(['dark', 'light'] as const)('the %s theme', (theme) => {
       readdirSync(new URL(`${folder}/`, kWeb)).map((file) => readFileSync(new URL(`${folder}/${file}`, kWeb), 'utf8')),
     ).join('\n');
     const used = new Set([...text.matchAll(/var\(--([\w-]+)[),]/g), ...text.matchAll(/\bcolour\('([\w-]+)'\)/g)].map(([, name = '']) => name));
-    for (const elsewhere of ['lamp', 'stop', 'sans', 'indent']) used.delete(elsewhere);
+    for (const elsewhere of ['lamp', 'stop', 'sans', 'indent', 'side-width', 'plot-height']) used.delete(elsewhere);
     expect([...used].filter((name) => !all.has(name))).toEqual([]);
     expect(used.size).toBeGreaterThan(30);
   });
