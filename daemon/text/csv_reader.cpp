@@ -228,7 +228,7 @@ class CsvReader {
         const bool named = std::none_of(cells_.begin(), cells_.end(), [](const std::string& cell) {
           return cell.find_first_of("+-.0123456789") == 0;
         });
-        if (named && has_required()) return set_columns(cells_);
+        if (named && has_required(true)) return set_columns(cells_);
         set_columns({wanted_.required.begin(), wanted_.required.end()});
         if (!named) read_row();
         return;
@@ -236,7 +236,7 @@ class CsvReader {
       const bool marked = cells_.front().starts_with('#');
       if (marked || cells_.front().starts_with('%')) cells_.front().erase(0, 1);
       if (cells_.front().empty()) cells_.erase(cells_.begin());
-      if (marked && !has_required()) continue;
+      if (marked && !has_required(false)) continue;
       return set_columns(cells_);
     }
     fail(1, "no header; expected one with " + list(wanted_.required));
@@ -251,11 +251,13 @@ class CsvReader {
                         [](const std::string& cell) { return cell.empty(); }));
   }
 
-  bool has_required() const {
+  /// Whether all columns are named that must be; `units`: with a unit, if they have one.
+  bool has_required(bool units) const {
     return std::all_of(
         wanted_.required.begin(), wanted_.required.end(), [&](std::string_view name) {
           return std::any_of(cells_.begin(), cells_.end(), [&](const std::string& cell) {
-            return name_in(cell).stem == name_in(name).stem;
+            const ColumnName is = name_in(cell), like = name_in(name);
+            return is.stem == like.stem && (!units || is.unit.empty() == like.unit.empty());
           });
         });
   }

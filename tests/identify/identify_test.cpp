@@ -337,7 +337,7 @@ TEST(DriveFile, RefusesABadRowAtItsLine) {
             "d.csv:3: of left_count, right_count and gyro_z_radps only some have a value; give all "
             "or none");
   EXPECT_THAT(told(head + "0,1,2,0\n0.1,1e17,2,0\n"), HasSubstr("d.csv:3: left_count is"));
-  EXPECT_THAT(told(head + "0,1,2,0\n0.1,1,2,nan\n"), HasSubstr("d.csv:3: gyro_z_radps is"));
+  EXPECT_THAT(told(head + "0,1,2,0\n0.1,1,2,inf\n"), HasSubstr("d.csv:3: gyro_z_radps is"));
   EXPECT_EQ(told(head + "0,,,\n"), "d.csv:2: neither a sample nor a camera pose in this row");
   EXPECT_THAT(told(head + "0,1,2,0\n"), HasSubstr("fewer than two samples"));
   EXPECT_EQ(told("t_s,left_count,right_count,gyro_z_radps,camera_x_m\n0,1,2,0,\n"),

@@ -57,6 +57,12 @@ TEST(OrientationText, PlainNumbersAreInARotatorsOrder) {
   ASSERT_TRUE(one);
   EXPECT_FALSE(one->has_turn);
   EXPECT_DOUBLE_EQ(one->pose.pitch_rad, -28 * kRadPerDeg);
+  const auto marked = orientation_of(
+      "\xef\xbb\xbf"
+      "28.0\n",
+      Frame::kUnreal);
+  ASSERT_TRUE(marked);
+  EXPECT_DOUBLE_EQ(marked->pose.pitch_rad, -28 * kRadPerDeg);
   const auto three = orientation_of("0.1, 0.2, 0.3", Frame::kRos);
   ASSERT_TRUE(three && three->has_turn);
   EXPECT_DOUBLE_EQ(three->pose.pitch_rad, 0.1);
