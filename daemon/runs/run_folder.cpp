@@ -192,7 +192,9 @@ Descriptor open_run_file(const std::string& folder, const std::string& run, cons
 RunNote note_beside(const std::string& recording) try {
   const fs::path path = fs::path(recording).parent_path() / kRunNoteFile;
   std::error_code error;
-  return fs::is_regular_file(fs::symlink_status(path, error)) ? read_note(path) : RunNote{};
+  return fs::is_regular_file(fs::symlink_status(path, error))
+             ? parse_run_note(read_short(path), kRunNoteFile)
+             : RunNote{};
 } catch (const UserError&) {
   return {};
 }
