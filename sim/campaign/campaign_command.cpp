@@ -261,7 +261,8 @@ int run_campaign(const CampaignCommand& command) {
   {
     std::uint64_t all = 0;
     for (const Range& range : ranges)
-      for (std::uint64_t i = range.first; i <= range.second; ++i) all += folder.has(i) ? 0U : 1U;
+      for (std::uint64_t i = range.first; i <= range.second; ++i)
+        all += done_run(folder, i) ? 0U : 1U;
     text::Progress progress("run", all);
     for (const Range& range : ranges)
       for (std::uint64_t index = range.first; index <= range.second; ++index) {
