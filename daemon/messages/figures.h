@@ -131,7 +131,7 @@ struct StateFigures {
   std::optional<RobotState> robot;
   bool motors_on = false;  ///< armed or driven with a duty, requested or not
   std::optional<double> run_s;
-  double largest_m = 0.0;  ///< largest distance from the path in this run, or the last
+  double largest_m = 0.0;     ///< largest distance from the path in this run, or the last
   double pause_left_s = 0.0;  ///< 0: the run does not pause
   double progress_m = 0.0;
   std::optional<double> length_m;

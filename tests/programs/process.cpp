@@ -95,8 +95,7 @@ void Process::signal(int number) {
 
 bool Process::asks_to_start_again() const {
   const std::size_t aborted = output_.find("-> aborted");
-  return aborted != std::string::npos &&
-         output_.find("type go", aborted) != std::string::npos;
+  return aborted != std::string::npos && output_.find("type go", aborted) != std::string::npos;
 }
 
 int Process::wait() {
