@@ -37,8 +37,10 @@ bool is_plain_file(const fs::path& path) {
   return fs::symlink_status(path, error).type() == fs::file_type::regular;
 }
 
+const char* folder_name(Bundled kind) { return kind == Bundled::kCourses ? "courses" : "robots"; }
+
 std::string own_folder(const std::string& library, Bundled kind) {
-  return library + (kind == Bundled::kCourses ? "/courses" : "/robots");
+  return library + "/" + folder_name(kind);
 }
 
 std::string own_path(const std::string& library, Bundled kind, const std::string& name) {
@@ -96,7 +98,8 @@ std::vector<std::string> hidden_files(const RunFiles& files) {
   std::vector<std::string> notes;
   for (const auto& [kind, file] :
        {std::pair(Bundled::kCourses, &files.course), {Bundled::kRobots, &files.robot}})
-    if (!file->path.empty() && !file->path.starts_with(course::config_directory()) &&
+    if (fs::path(file->path).parent_path().filename() == folder_name(kind) &&
+        !file->path.starts_with(course::config_directory()) &&
         bundled(kind, course::file_stem(file->path)))
       notes.push_back(file->path + ": used, and not the bundled " + noun(kind) + " of that name");
   return notes;

@@ -220,8 +220,11 @@ void LiveRecording::begin() {
 
 void LiveRecording::discard() {
   recorder_.end();
-  if (const std::string path = recorder_.status().path; !path.empty())
-    record::remove_recording(path);
+  const std::string path = recorder_.status().path;
+  if (path.empty()) return;
+  std::error_code error;
+  fs::remove(fs::path(path).parent_path() / runs::kRunResultFile, error);
+  record::remove_recording(path);
 }
 
 messages::RecordingFigures LiveRecording::figures() const {

@@ -111,7 +111,7 @@ TEST(CourseFile, RefusesWhatIsMissingMistypedOrOutOfRangeAtItsPlace) {
        "'segment.length_m' is 0, allowed 0.001 to 100 m"},
       {"[[segment]]\ntype = 'pivot'\nangle_deg = 0\n" + kFence, "smallest turn is 0.1 deg"},
       {"[[segment]]\ntype = 'arc'\nangle_deg = 90\n" + kFence, "missing key 'segment.radius_m'"},
-      {"[[segment]]\ntype = 'spiral'\n" + kFence, "Allowed: 'line', 'arc'"},
+      {"[[segment]]\ntype = 'spiral'\n" + kFence, "allowed: 'line', 'arc'"},
       {"[[segment]]\nlength_m = 1\n" + kFence, "missing key 'segment.type'"},
       {kLine + "[[disturbance]]\nat_m = 1.6\n" + kFence, "only 1.5 m long"},
       {kLine + "[[disturbance]]\nat_m = 1.0\n[[disturbance]]\nat_m = 0.5\n" + kFence,

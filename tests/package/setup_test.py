@@ -107,6 +107,7 @@ def options(at):
 def setup(_build):
     with tempfile.TemporaryDirectory() as at:
         shutil.copytree(ROOT + "/scripts", at + "/tree/scripts")
+        shutil.copy(ROOT + "/CMakePresets.json", at + "/tree")
         failures(at)
         options(at)
         parts(at)

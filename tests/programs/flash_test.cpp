@@ -232,7 +232,7 @@ TEST_F(FlashOf, WhatIsNoPortIsLeftAlone) {
   expect_refused({"--port", folder_.file("firmware/tp100.hex")}, {"is not a serial port"});
   expect_refused({"--port"}, {"--port needs a value", "--help"});
   expect_refused({"--fast"}, {"--fast", "--help"});
-  expect_refused({"--hex", folder_.file("none.hex")}, {"none.hex: no image", "scripts/build"});
+  expect_refused({"--hex", folder_.file("none.hex")}, {"none.hex: no image", "leave --hex out"});
 }
 
 TEST_F(FlashOf, AMissingAvrdudeIsNamed) {

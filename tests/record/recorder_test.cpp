@@ -97,7 +97,7 @@ TEST_F(RecorderTest, WhereTheFileMayNotGrowAnyMoreItEndsWholeAndSaysSo) {
     const bool fits = status.bytes <= most && status.bytes > most / 2;
     std::_Exit(warned && fits && !status.active && Recording(small.path).whole() ? 0 : 1);
   };
-  EXPECT_EXIT(record(settings(), 1'000'000, "the disk is full; the file is complete"),
+  EXPECT_EXIT(record(settings(), 1'300'000, "the disk is full; the file is complete"),
               testing::ExitedWithCode(0), "");
   RecordingSettings small = settings();
   small.max_bytes = 2'000'000;

@@ -162,7 +162,7 @@ describe('driving by hand', () => {
       await takeLease(first);
       const takes = (): Promise<boolean> => second.isVisible('#drive-release');
       await until(async () => {
-        await second.keyboard.press('m');
+        await second.keyboard.press('t');
         return (await takes()) || (await second.textContent('.notice'))?.includes('drives') === true;
       }, 'an answer');
       if (!(await takes())) return true;

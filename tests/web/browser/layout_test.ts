@@ -198,6 +198,8 @@ describe('the page', () => {
 
     await driveUntil(page, 'running');
     await shows(page, '#scene-words', /^Course 3, robot end-loaded, running\. It is at x /);
+    // So far from the start that a start asks.
+    await driveUntil(page, async () => Number.parseFloat((await page.textContent('#number-x')) ?? '') > 0.05);
     await page.keyboard.press('h');
     await until(async () => (await run(page)) === 'idle', 'it holds');
     await until(() => page.isEnabled('#start'), 'it may start again');
