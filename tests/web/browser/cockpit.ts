@@ -171,6 +171,11 @@ export async function driveUntil(page: Page, wanted: string | (() => boolean | P
   );
 }
 
+/** Drives so far from the course's start that a start asks where the robot stands. */
+export async function driveAway(page: Page): Promise<void> {
+  await driveUntil(page, async () => (await run(page)) === 'running' && Number.parseFloat((await page.textContent('#number-x')) ?? '') > 0.05);
+}
+
 /** Tries anew what a busy machine has ended: `attempt` then returns false. */
 export async function again(attempt: () => Promise<boolean>, what: string): Promise<void> {
   let ended = 0;

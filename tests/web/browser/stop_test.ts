@@ -1,7 +1,7 @@
 // STOP on the page, while robot and daemon answer, hang or are dead.
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
-import { driveUntil, press as pressButton, rests, run, shows, until } from './cockpit.ts';
+import { driveAway, driveUntil, press as pressButton, rests, run, shows, until } from './cockpit.ts';
 import { Setting } from './setting.ts';
 
 const setting = new Setting({ each: true });
@@ -30,7 +30,7 @@ async function look(page: Page, wanted: 'grey' | 'bright'): Promise<void> {
 /** A page whose robot drives. */
 async function running(): Promise<Page> {
   const page = await setting.open();
-  await driveUntil(page, 'running');
+  await driveAway(page);
   return page;
 }
 
