@@ -72,7 +72,7 @@ const qosOf = (topic) => ({
 test('the bag is what rosbag2 reads', () => bagOf([], async ({ reader, topics, types, metadata }) => {
   assert.equal(reader.header.profile, 'ros2');
   assert.deepEqual([...types.keys()].sort(), ['/battery_state', '/clock', '/ground_truth', '/imu/data', '/joint_states', '/odom',
-    '/path', '/pose/fused', '/robot_description', '/tf', '/tf_static', '/tp100/state']);
+    '/path', '/pose/fused', '/robot_description', '/tf', '/tf_static', '/tp100/mark', '/tp100/state']);
   for (const channel of reader.channelsById.values()) {
     const schema = reader.schemasById.get(channel.schemaId);
     assert.equal(channel.messageEncoding, 'cdr');
@@ -99,7 +99,7 @@ test('the bag is what rosbag2 reads', () => bagOf([], async ({ reader, topics, t
   assert.deepEqual(new Map(listed.map((topic) => [topic.topic_metadata.name, topic])), new Map([...reader.channelsById.values()].map(
     ({ topic: name, metadata: channel }) => [name, {
       topic_metadata: { name, type: types.get(name), serialization_format: 'cdr', offered_qos_profiles: channel.get('offered_qos_profiles') },
-      message_count: BigInt(topics.get(name).length),
+      message_count: BigInt(topics.get(name)?.length ?? 0),
     }])));
 }));
 
