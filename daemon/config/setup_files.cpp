@@ -163,6 +163,7 @@ course::TextFile SetupFiles::read(Bundled kind, const std::string& name) const {
   }
   const std::vector<Entry> entries = list(kind);
   std::vector<std::string_view> names;
+  names.reserve(entries.size());
   for (const Entry& entry : entries) names.push_back(entry.name);
   throw UserError(one_line(name, kMaxName) + ": no such " + noun(kind) +
                   text::suggestion(name, names) + "; GET /api/setup lists them");

@@ -206,13 +206,13 @@ class CsvReader {
       line = rest.substr(0, rest.find('\n'));
       rest.remove_prefix(line.size());
     } while (line.starts_with('#') && !trimmed(rest).empty());
-    std::array<bool, 128> seen{};
+    std::string seen;
     for (const char c : trimmed(line)) {
       quoted = quoted != (c == '"');
-      if (!quoted && c > 0) seen[static_cast<std::size_t>(c)] = true;
+      if (!quoted) seen += c;
     }
     for (const char c : {';', '\t', ',', ' '})
-      if (seen[static_cast<std::size_t>(c)]) return c;
+      if (seen.find(c) != seen.npos) return c;
     return ',';
   }
 

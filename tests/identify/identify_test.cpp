@@ -51,7 +51,7 @@ TEST(Identify, SimplerFormsComeFromTheSameDrives) {
     SCOPED_TRACE(form.key);
     ASSERT_EQ(fit(found, form.key).has_value(), form.fixed == nullptr);
     if (form.fixed != nullptr) continue;
-    const Fit& of = *fit(found, form.key);
+    const Fit of = *fit(found, form.key);
     expect_found(of, &TrackParameters::slip_left, even.slip_left, 0.003);
     EXPECT_LT(of.rms_m, 0.003);
     if (form.yaw_from_gyro)

@@ -39,6 +39,8 @@ describe('a recorded run', () => {
   it('is reported after it has ended, and compared with another one', async () => {
     const page = await openRuns();
     await driveUntil(page, 'running');
+    // So far from the start that a start asks.
+    await page.waitForTimeout(1500);
     await rest(page);
     // Drive says how it ended, and leads to its report and its replay.
     await goTo(page, 'events');
