@@ -95,7 +95,7 @@ test('a node sends the robot to a goal, and then on a course by its name, and is
     assert.ok(off.m < 0.05 && off.rad < 0.1, `${topic}: ${JSON.stringify(at)}`);
   }
   const from = run.lines.length;
-  await starter.course('1-curve', /state: arming -> running/);
+  await starter.course('1-curve/start', /state: arming -> running/);
   await starter.stop();
   await starter.said(/state: running -> aborted/, from);
   assert.ok(run.lines.some((line) => /course 1-curve, robot/.test(line)));
