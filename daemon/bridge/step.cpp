@@ -1,12 +1,11 @@
 #include "bridge/step.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
 #include "bridge/external_world.h"
+#include "bridge/onward.h"
 #include "bridge/parameters.h"
 #include "bridge/perception.h"
 #include "bridge/witnesses.h"
@@ -22,12 +21,6 @@
 
 namespace tp100::bridge {
 namespace {
-
-// What is left of the path where a run may go on: a run ends within this distance of its end.
-constexpr double kLeastLeftM = 0.02;
-// Of two parts of a path beside the robot, it stands on the one whose direction it has: a
-// difference of one radian counts as much as this distance.
-constexpr double kTurnedMPerRad = 0.05;
 
 bool same_place(const Pose& one, const Pose& other) {
   return one.x_m == other.x_m && one.y_m == other.y_m && one.yaw_rad == other.yaw_rad;
@@ -199,32 +192,10 @@ StartRefusal Step::State::take_requests(std::span<const OperatorRequest> request
   return refused;
 }
 
-// From where the last run ended, as long as the robot is near it; otherwise from the nearest part
-// of the path.
 std::optional<double> Step::State::onward_m() const {
   if (!path) return std::nullopt;
-  const Pose pose = perception.world_pose();
-  const double reach_m = parameters.control.max_cross_track_m;
-  const double last_m = path->length_m() - kLeastLeftM;
-  const auto off_m = [&](const course::PathPoint& point) {
-    return magnitude(pose.x_m - point.x_m, pose.y_m - point.y_m);
-  };
-  const double ended_m = target.progress_m;
-  if (ended_m > 0.0 && ended_m < last_m && off_m(path->at(ended_m)) <= reach_m) return ended_m;
-  std::optional<double> best_m;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < path->segments().size(); ++i) {
-    const course::PathSegment& segment = path->segments()[i];
-    const course::PathPoint point =
-        path->at(i, path->project(i, pose.x_m, pose.y_m, segment.length_m / 2.0));
-    const double turned_rad = std::abs(wrap_angle(pose.yaw_rad - point.yaw_rad));
-    const double cost = off_m(point) + kTurnedMPerRad * turned_rad;
-    if (off_m(point) > reach_m || cost >= least) continue;
-    least = cost;
-    best_m = point.s_m;
-  }
-  if (best_m && *best_m > last_m) best_m.reset();
-  return best_m;
+  return bridge::onward_m(*path, perception.world_pose(), target.progress_m,
+                          parameters.control.max_cross_track_m);
 }
 
 StartPlaces Step::State::places(const std::optional<double>& onward) const {
