@@ -227,12 +227,8 @@ struct Tally {
   unsigned long long driven = 0, done_before = 0, refused = 0;
 };
 
-void take(const CampaignFolder& folder, const CampaignSpec& spec, std::uint64_t index,
-          const std::string& record, text::Progress& progress, Tally& tally) {
-  if (record.empty() && done_run(folder, index)) {
-    ++tally.done_before;
-    return;
-  }
+void drive_one(const CampaignFolder& folder, const CampaignSpec& spec, std::uint64_t index,
+               const std::string& record, text::Progress& progress, Tally& tally) {
   const CampaignRun run = drive(plan(spec, index), record);
   // A file may have been edited in the meantime.
   folder.require(origin_of(spec));
@@ -258,18 +254,20 @@ int run_campaign(const CampaignCommand& command) {
     return 0;
   }
   Tally tally;
+  // To record a run it is driven again.
+  std::vector<std::uint64_t> left;
+  for (const Range& range : ranges)
+    for (std::uint64_t index = range.first; index <= range.second; ++index)
+      if (command.record.empty() && done_run(folder, index))
+        ++tally.done_before;
+      else
+        left.push_back(index);
   {
-    std::uint64_t all = 0;
-    for (const Range& range : ranges)
-      for (std::uint64_t i = range.first; i <= range.second; ++i)
-        all += done_run(folder, i) ? 0U : 1U;
-    text::Progress progress("run", all);
-    for (const Range& range : ranges)
-      for (std::uint64_t index = range.first; index <= range.second; ++index) {
-        const unsigned long long before = tally.done_before;
-        take(folder, spec, index, command.record, progress, tally);
-        if (tally.done_before == before) progress.step();
-      }
+    text::Progress progress("run", left.size());
+    for (const std::uint64_t index : left) {
+      drive_one(folder, spec, index, command.record, progress, tally);
+      progress.step();
+    }
   }
   if (tally.refused > kNamedRefused)
     std::fprintf(stderr, "tp100-sim: %llu more refused; `merge` lists each with its reason\n",
