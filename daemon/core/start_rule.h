@@ -18,6 +18,15 @@ inline constexpr std::string_view kStartWord = "go";
 /// The same, and where the robot stands.
 inline constexpr std::string_view kStartPlacedWords = "go start", kStartHereWords = "go here";
 
+/// The start that a request means by what it says of where the robot stands: "start" (of the
+/// course), "here", or nothing of it. Nothing: it says something else.
+constexpr std::optional<OperatorRequest> start_request(std::string_view where) {
+  if (where.empty()) return OperatorRequest::kStart;
+  if (where == "start") return OperatorRequest::kStartPlaced;
+  if (where == "here") return OperatorRequest::kContinue;
+  return std::nullopt;
+}
+
 /// A robot within these of the course's start counts as standing there.
 inline constexpr double kAtStartM = 0.03, kAtStartRad = 3.0 * kRadPerDeg;
 inline bool at_start(const Pose& pose, const Pose& start) {

@@ -4,6 +4,7 @@
 #include <initializer_list>
 
 #include "core/error.h"
+#include "core/start_rule.h"
 #include "core/upright.h"
 #include "ros2/message_types.h"
 #include "text/format.h"
@@ -116,12 +117,11 @@ std::optional<CourseStart> read_course(const Received& received, std::string& wh
   const auto message = message_of<std_msgs::String>(received, why);
   if (!message) return std::nullopt;
   CourseStart start{.name = message->data};
-  for (const auto& [where, request] : {std::pair("/start", OperatorRequest::kStartPlaced),
-                                       std::pair("/here", OperatorRequest::kContinue)}) {
-    if (!start.name.ends_with(where)) continue;
-    start.name.erase(start.name.size() - std::string_view(where).size());
-    start.request = request;
-    break;
+  const std::size_t where = start.name.rfind('/') + 1;
+  const auto request = start_request(std::string_view(start.name).substr(where));
+  if (where > 0 && where < start.name.size() && request) {
+    start.name.resize(where - 1);
+    start.request = *request;
   }
   if (!start.name.empty() && start.name.size() <= kLongestName) return start;
   why = "the name of a course has 1 to 64 characters";

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/start_rule.h"
+
 namespace tp100::server {
 namespace {
 
@@ -26,16 +28,13 @@ struct Motion {
   }
 
   Text start(const Request& request) const {
-    const std::string from = request.arguments.text("from").value_or("");
-    const auto what = from == "start"  ? OperatorRequest::kStartPlaced
-                      : from == "here" ? OperatorRequest::kContinue
-                                       : OperatorRequest::kStart;
-    if (!from.empty() && what == OperatorRequest::kStart)
+    const auto what = start_request(request.arguments.text("from").value_or(""));
+    if (!what)
       return Refusal{
           "from must be \"start\" (the robot stands at the course's start) or \"here\" (continue "
           "from the pose that is shown); it may be left out where both are the same"};
     if (!request.state.can_start) return Refusal{request.state.why_not_start};
-    return accepted(controls.move(what, request.consent, request.now));
+    return accepted(controls.move(*what, request.consent, request.now));
   }
 
   Text pause(const Request& request) const {
