@@ -36,6 +36,9 @@ constexpr std::string_view to_string(PoseSource source) {
   return name_in(kPoseSourceNames, source);
 }
 
+/// Mean of the normalised innovation squared (NIS) of a camera's poses if all noise is as assumed.
+inline constexpr double kNisDegrees = 3.0;
+
 /// The inputs of a source, for tables.
 constexpr std::string_view inputs_of(PoseSource source) {
   switch (source) {

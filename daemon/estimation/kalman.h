@@ -117,8 +117,6 @@ void update(FilterState& state, const Measurement<Rows>& seen, Eigen::Index firs
 /// beyond the gate, one in a thousand beyond the trigger.
 inline constexpr double kNisGate = 11.3;
 inline constexpr double kNisTrigger = 16.3;
-/// Mean if all noise is as assumed.
-inline constexpr double kNisDegrees = 3.0;
 
 /// Mean of the NIS over many updates.
 class NisMean {

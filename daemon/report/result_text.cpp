@@ -28,7 +28,7 @@ Json json_of(const TrackingErrors& errors) {
 }
 
 Json json_of(const CameraFigures& camera) {
-  const double expected = CameraFigures::kNisDegrees;
+  const double expected = kNisDegrees;
   const double band = camera.nis_half_band();
   return {{"used", camera.used},
           {"rejected", camera.rejected},
@@ -173,7 +173,7 @@ std::string coverage_row(const PerSource<std::optional<Coverage>>& within) {
 std::string camera_row(const CameraFigures& camera) {
   return "camera: " + text::counted(camera.used, "sample") +
          format(" used, %u refused; normalized innovation squared %.2f of %.0f\n", camera.rejected,
-                camera.nis_mean, CameraFigures::kNisDegrees);
+                camera.nis_mean, kNisDegrees);
 }
 
 }  // namespace

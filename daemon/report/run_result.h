@@ -66,7 +66,6 @@ struct CameraFigures {
   std::uint32_t judged = 0;  ///< samples that count for the mean
   double nis_mean = 0.0;     ///< kNisDegrees if noise is as assumed
 
-  static constexpr double kNisDegrees = 3.0;
   /// Half width of the band around kNisDegrees that contains the mean of independent samples with a
   /// probability of 95 %.
   double nis_half_band() const { return kNormal95 * std::sqrt(2.0 * kNisDegrees / judged); }

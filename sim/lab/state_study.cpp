@@ -39,9 +39,7 @@ double slowest_s(const TrialRun& run) {
   return slowest;
 }
 
-double off_nis(const TrialRun& run) {
-  return std::abs(run.result.camera.nis_mean - report::CameraFigures::kNisDegrees);
-}
+double off_nis(const TrialRun& run) { return std::abs(run.result.camera.nis_mean - kNisDegrees); }
 
 /// Judges the largest value of a figure over all runs: no run may exceed the limit.
 Judged worst(const CourseStudy& study, const std::vector<TrialRun>& runs, const char* what,

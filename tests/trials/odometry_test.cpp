@@ -120,7 +120,7 @@ struct Drive {
            within(&report::PoseErrors::max_yaw_error_rad, kMoreRad);
   }
   bool nis_in_band() const {
-    return std::abs(camera.nis_mean - report::CameraFigures::kNisDegrees) < camera.nis_half_band();
+    return std::abs(camera.nis_mean - kNisDegrees) < camera.nis_half_band();
   }
   void print() const {
     std::printf(
