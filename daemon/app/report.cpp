@@ -30,7 +30,7 @@ report::RunNotes notes_of(const std::string& recording) {
   const runs::RunNote note = runs::note_beside(recording);
   report::RunNotes out{.name = note.name, .tags = note.tags, .note = note.note, .marks = {}};
   for (const runs::Mark& mark : runs::marks_of(note))
-    out.marks.push_back({.at_ns = from_s(mark.t_s), .text = "mark: " + mark.text});
+    out.marks.push_back({.at_ns = from_s(mark.t_s), .text = mark.text});
   return out;
 }
 

@@ -18,6 +18,7 @@ namespace {
 constexpr std::size_t kMaxKeptPoints = std::size_t{1} << 18;
 // No robot drives farther than this.
 constexpr double kFarthest = 1e6;
+constexpr const char* kMark = "mark: ";
 constexpr std::size_t kLongestEvent = std::size_t{1} << 16;
 
 double known(double value) {
@@ -236,7 +237,7 @@ void Reader::event(std::uint64_t unix_ns, std::string_view text) {
       start_ns_ + (static_cast<HostNs>(unix_ns) - static_cast<HostNs>(start_unix_ns_));
   if (kind == "push" && disturbances_ns_.size() < RunMonitor::kMax) disturbances_ns_.push_back(at);
   run_monitor_.add({.at_ns = at,
-                    .text = (kind == "mark" ? "mark: " : "") + words.substr(0, 300),
+                    .text = (kind == "mark" ? kMark : "") + words.substr(0, 300),
                     .fix = field("fix").substr(0, 300),
                     .bad = field("level") == "error"});
 }
@@ -281,6 +282,7 @@ void Reader::finish() {
     run_.driven_unix_s = (static_cast<HostNs>(start_unix_ns_) + begin_ns_ - start_ns_) / kNsPerS;
   for (RunEvent mark : run_.run_context.notes.marks) {
     mark.at_ns += start_ns_;
+    mark.text.insert(0, kMark);
     run_monitor_.add(std::move(mark));
   }
   run_.jitter = messages::durations_of(times_->jitter);
