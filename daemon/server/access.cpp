@@ -3,7 +3,6 @@
 #include <arpa/inet.h>
 
 #include <algorithm>
-#include <boost/algorithm/string/case_conv.hpp>
 #include <random>
 
 #include "text/format.h"
@@ -11,9 +10,7 @@
 namespace tp100::server {
 namespace {
 
-std::string lower(std::string_view text) {
-  return boost::algorithm::to_lower_copy(std::string(text));
-}
+using text::lower;
 
 bool is_port(std::string_view text) {
   return !text.empty() && text.size() <= 5 &&

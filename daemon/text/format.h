@@ -32,6 +32,9 @@ std::optional<Number> number_in(std::string_view text) {
 /// As printf prints it, however long. Throws std::runtime_error if printf cannot.
 [[gnu::format(printf, 1, 2)]] std::string format(const char* pattern, ...);
 
+/// With the letters of ASCII in lower case.
+std::string lower(std::string_view text);
+
 /// "1 run", "2 runs"; `noun` is one whose plural ends in s.
 std::string counted(std::uint64_t count, std::string_view noun);
 
