@@ -29,8 +29,8 @@ course::TextFile read_setup_file(course::Bundled kind, const std::string& name_o
 RunFiles named_files(course::TextFile configuration, const std::string& course_name = {},
                      const std::string& robot_name = {});
 
-/// For each file that is used in the place of a bundled one of its name: "PATH: used, and not the
-/// bundled course of that name".
+/// For each file in a folder of own ones (courses, robots) that is used in the place of a bundled
+/// one of its name: "PATH: used, and not the bundled course of that name".
 std::vector<std::string> hidden_files(const RunFiles& files);
 
 /// Names are unique within a kind: a file that the program was started with hides the user's of
